@@ -55,11 +55,14 @@ _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
 @dataclass(frozen=True)
 class AdhesiveContact:
-    """One load. load [N], > 0 pressing; area: of points that touch, corrected for pixels [m2]; area_pixels: as counted [m2];
-    points: that touch; perimeter: of the area [m]; mean_gap [m]; attraction: of all points, also those that touch [N];
-    detached: no contact at this load, and then area 0; residual: largest pressure left where faces do not touch, over w/rho;
-    points_at_edge: along the length over which the edge is pulled; pressure: of contact less attraction, (rows, columns) of
-    the grid that was solved, at least as fine as the map [Pa]."""
+    """Adhesive contact of a map at one load.
+
+    load [N], > 0 pressing; area: of the points that touch, corrected for pixels [m2]; area_pixels: as counted [m2]; points:
+    number that touch; perimeter: of the area [m]; mean_gap [m]; attraction: of all points, including those that touch [N];
+    detached: True where there is no contact at this load, with area 0; residual: largest pressure left where faces do not
+    touch, over w/rho; points_at_edge: number along the length over which the edge is pulled; pressure: of contact less
+    attraction, (rows, columns) of the grid that was solved, at least as fine as the map [Pa].
+    """
 
     load: float
     area: float
@@ -79,10 +82,11 @@ def solve_adhesive(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], work: float, reach: float,
     film: Film | None = None,
 ) -> list[AdhesiveContact]:  # fmt: skip
-    """Contact of a periodic map with a flat face at loads [N] in the order given, negative: pulled; each from the one before.
+    """Solve the contact of a periodic map with a flat face at a series of loads.
 
-    heights, size, modulus, film: as in `solve_map`; work: of adhesion [J/m2], > 0; reach: rho [m], > 0. InputError for what
-    cannot be used, also for a film on a rigid base under a rigid face, where mean displacements count.
+    loads [N]: solved in the order given, each from the solution before; negative loads pull. heights, size, modulus, film: as
+    in `solve_map`; work: of adhesion [J/m2], > 0; reach: rho [m], > 0. Raises InputError for unusable arguments, and for a
+    film on a rigid base under a rigid face, where mean displacements count.
     """
     loads = [float(load) for load in loads]
     if not loads or not np.isfinite(loads).all():
@@ -101,19 +105,22 @@ def solve_adhesive(
     grid = _Grid(size, work / reach, reach, edge / _pitch(heights.shape, size))
     faces = _faces(heights, size, compliance, work, reach)
     gap = _without_adhesion(heights, size, compliance, max(loads[0], 0.0) / grid.nominal, work) / reach
-    found = []
+    contacts = []
     for load in loads:
         pressure = load / grid.nominal / grid.largest
-        way = Downhill(faces, gap, pressure)
-        way.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
-        gap = way.gap
-        found.append(_contact(faces, way, load, grid))
-    return found
+        descent = Downhill(faces, gap, pressure)
+        descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
+        gap = descent.gap
+        contacts.append(_contact(faces, descent, load, grid))
+    return contacts
 
 
 @dataclass(frozen=True)
 class _Grid:
-    """What all loads share. size: (y, x) [m]; largest: attraction, w/rho [Pa]; reach: rho [m]; points: at the edge."""
+    """Numbers that all loads share.
+
+    size: (y, x) [m]; largest: attraction, w/rho [Pa]; reach: rho [m]; points: number at the edge.
+    """
 
     size: tuple[float, float]
     largest: float
@@ -126,7 +133,7 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """c of (2)."""
+        """Return c of (2)."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     @property
@@ -142,7 +149,7 @@ def _pitch(shape: tuple[int, ...], size: tuple[float, float]) -> float:
 
 
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
-    """The heights, with those between them by their waves where that gives the edge of contact the points that it needs."""
+    """Interpolate the map by its waves where the edge of contact needs more points."""
     finer = LEAST_POINTS * _pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:
         return heights
@@ -164,7 +171,7 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
 
 
 def _without_adhesion(heights, size, compliance, mean, work) -> np.ndarray:
-    """Gap [m] of the contact without adhesion, pressed at least lightly."""
+    """Return the gap [m] of the contact without adhesion, pressed at least lightly."""
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near
     displacement = PeriodicBoundary(compliance, heights.shape, size)
@@ -172,16 +179,16 @@ def _without_adhesion(heights, size, compliance, mean, work) -> np.ndarray:
     return np.maximum(minimise(problem, np.full(heights.shape, problem.mean), tolerance=1e-3, most=500).gap, 0.0)
 
 
-def _contact(faces: Faces, way: Downhill, load: float, grid: _Grid) -> AdhesiveContact:
-    """The numbers of one load."""
-    gap, apart = way.gap, way.apart or (float(way.gap.min()) > 0.5 * FAR)
+def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> AdhesiveContact:
+    """Collect the numbers of one load."""
+    gap, apart = descent.gap, descent.apart or (float(descent.gap.min()) > 0.5 * FAR)
     touch = gap <= 0.0
     pixel, pitch = grid.nominal / gap.size, (grid.size[0] / gap.shape[0], grid.size[1] / gap.shape[1])
     sides, points = edges(touch, True), int(np.count_nonzero(touch))
     doubts = grid.doubts
-    if way.residual > MOST_ATTRACTION_LEFT and not apart:
-        why = f"not converged: pressure of {way.residual:.2g} of the largest attraction is left where faces do not touch"
-        doubts = (*doubts, MapDoubt("not_converged", way.residual, MOST_ATTRACTION_LEFT, why))
+    if descent.residual > MOST_ATTRACTION_LEFT and not apart:
+        why = f"not converged: pressure of {descent.residual:.2g} of the largest attraction is left where faces do not touch"
+        doubts = (*doubts, MapDoubt("not_converged", descent.residual, MOST_ATTRACTION_LEFT, why))
     return AdhesiveContact(
         load=load,
         area=max(points - grid.excess * sides.count, 0.0) * pixel,
@@ -191,7 +198,7 @@ def _contact(faces: Faces, way: Downhill, load: float, grid: _Grid) -> AdhesiveC
         mean_gap=math.inf if apart else float(gap.mean()) * grid.reach,
         attraction=0.0 if apart else float(np.exp(-gap).mean()) * grid.nominal * grid.largest,
         detached=apart,
-        residual=0.0 if apart else way.residual,
+        residual=0.0 if apart else descent.residual,
         points_at_edge=grid.points,
         doubts=doubts,
         pressure=faces.elastic(gap + faces.heights) * grid.largest + load / grid.nominal,

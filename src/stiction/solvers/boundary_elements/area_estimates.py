@@ -38,8 +38,11 @@ _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0, np.array([-1.0, 
 
 @dataclass(frozen=True)
 class MapSlopes:
-    """What the formulas need of a map. gradient: rms, of all waves [1]; alpha: Nayak's; lay: R, >= 1; ranks: upper ends of
-    bins of points from the highest, as shares; squares: mean square gradient of the points of each bin, over that of all."""
+    """Slopes of a map that the formulas take.
+
+    gradient: rms, of all waves [1]; alpha: Nayak's; lay: R, >= 1; ranks: upper ends of bins of points from the highest, as
+    shares; squares: mean square gradient of the points of each bin, over that of all.
+    """
 
     gradient: float
     alpha: float
@@ -48,20 +51,24 @@ class MapSlopes:
     squares: np.ndarray
 
     def top(self, share: float) -> float:
-        """Rms gradient of the highest points, this share of all, over that of all."""
+        """Return the rms gradient of this share of highest points, over that of all."""
         counts = np.diff(self.ranks, prepend=0.0)
         return math.sqrt(float(np.interp(share, self.ranks, np.cumsum(self.squares * counts) / self.ranks)))
 
 
 def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = True) -> MapSlopes:
-    """heights: (rows, columns) [m], finite; size: (y, x) [m]; periodic: of its waves, else by differences of its points."""
+    """Measure the slopes of a map.
+
+    heights: (rows, columns) [m], finite; size: (y, x) [m]; periodic: take them from its waves, else from differences of its
+    points.
+    """
     gradient, alpha, lay = _of_waves(heights, size) if periodic else _of_differences(heights, size)
     ranks, squares = _by_rank(heights, size, periodic)
     return MapSlopes(gradient, alpha, lay, ranks, squares)
 
 
 def _of_waves(heights, size):
-    """Gradient, alpha and lay of a periodic map."""
+    """Return gradient, alpha and lay of a periodic map."""
     along_y, along_x = components(heights.shape, size)
     power = np.square(np.abs(rfft2(heights - heights.mean())))
     power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
@@ -73,7 +80,10 @@ def _of_waves(heights, size):
 
 
 def _of_differences(heights, size):
-    """The same of a map that ends: differences of fourth order, between points for the gradient, at points for the rest."""
+    """Return gradient, alpha and lay of a map that ends.
+
+    Differences are of fourth order, between points for the gradient, at points for the rest.
+    """
     pitch = size[0] / heights.shape[0], size[1] / heights.shape[1]
     yy, xx = (float(np.mean(np.square(_between(np.moveaxis(heights, axis, 0), pitch[axis])))) for axis in (0, 1))
     inner = (slice(2, -2), slice(2, -2))
@@ -87,14 +97,14 @@ def _of_differences(heights, size):
 
 
 def _between(rows, pitch):
-    """First derivative along the first axis, midway between points."""
+    """Differentiate along the first axis, midway between points."""
     return (27.0 * (rows[2:-1] - rows[1:-2]) - (rows[3:] - rows[:-3])) / (24.0 * pitch)
 
 
 def _at_points(rows, unit, weights):
-    """A derivative along the first axis at points, two from either end left out."""
+    """Differentiate along the first axis at points, leaving two out at either end."""
     count = len(rows) - 4
-    return sum(weight * rows[at : at + count] for at, weight in enumerate(weights)) / unit
+    return sum(weight * rows[first : first + count] for first, weight in enumerate(weights)) / unit
 
 
 def _lay(xx, yy, xy):
@@ -103,7 +113,10 @@ def _lay(xx, yy, xy):
 
 
 def _mixed(waves, along_y, along_x, columns, points):
-    """<h_x h_y>: waves on both sides of k_x = 0 are in the half transform, so that the product is summed with its sign."""
+    """Return <h_x h_y>.
+
+    The half transform holds waves on both sides of k_x = 0, so the product is summed with its sign.
+    """
     weight = np.full(waves.shape[1], 2.0)
     weight[0] = 1.0
     if columns % 2 == 0:
@@ -112,7 +125,7 @@ def _mixed(waves, along_y, along_x, columns, points):
 
 
 def _by_rank(heights, size, periodic):
-    """Upper ends of the bins, and their mean square gradients over that of all points."""
+    """Return upper ends of the bins and their mean square gradients over that of all."""
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):
         step = np.square((np.roll(heights, -1, axis) - heights) * (heights.shape[axis] / length))
@@ -128,7 +141,10 @@ def _by_rank(heights, size, periodic):
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
-    """(3): as `widened_area.of_moments`, with the slopes where contact is; Gaussian isotropic maps."""
+    """Return the area by (3), for Gaussian isotropic maps.
+
+    As `widened_area.of_moments`, with the slopes where contact is.
+    """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
     reach = np.minimum(0.5 * slopes.ranks, 1.0)
@@ -136,7 +152,10 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
-    """(4): share of the area in contact; pressure: mean, over E* h', > 0. Also skewed, worn and anisotropic maps."""
+    """Return the area fraction in contact by (4), also for skewed, worn or lay maps.
+
+    pressure: mean, over E* h', > 0.
+    """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)
     mean = (np.cumsum(slopes.squares ** (0.5 * _POWER)) / count) ** (1.0 / _POWER)
@@ -146,7 +165,10 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 
 
 def first_crossing(area, wanted, beyond):
-    """Where the area first reaches what is wanted of it, between two bins by a straight line; `beyond` if it nowhere does."""
+    """Return where the area first reaches a target, `beyond` if it nowhere does.
+
+    Interpolates linearly between two bins.
+    """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):
         return beyond

@@ -8,8 +8,11 @@ from stiction.solvers.boundary_elements.menisci import Menisci
 
 @dataclass(frozen=True)
 class Bodies:
-    """What presses: modulus: E* of what has no film [Pa], infinite: nothing; film, counter_film: on one body and on both;
-    hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between them, None: dry."""
+    """Two bodies that are pressed together.
+
+    modulus: E* of the parts without a film [Pa], infinite where they are rigid; film, counter_film: on one body and on the
+    other; hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between them, None: dry.
+    """
 
     modulus: float
     film: Film | None = None

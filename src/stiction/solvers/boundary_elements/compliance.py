@@ -59,22 +59,31 @@ class Film:
 
     @property
     def plane_strain(self) -> float:
-        """E1* of the film [Pa]."""
+        """Return E1* of the film [Pa]."""
         return self.modulus / (1.0 - self.poisson**2)
 
     @property
     def far(self) -> float:
-        """Compliance of long waves times k/2 [1/Pa]: 1/E2* of the substrate, 0 if that is rigid."""
+        """Return the compliance of long waves times k/2 [1/Pa].
+
+        It is 1/E2* of the substrate, 0 if that is rigid.
+        """
         return (1.0 - self.substrate_poisson**2) / self.substrate_modulus
 
     @property
     def at_zero(self) -> float:
-        """(2) at k = 0 for a film on a rigid base: thickness over its oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu))."""
+        """Return (2) at k = 0 for a film on a rigid base.
+
+        Thickness over the oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu)).
+        """
         nu = self.poisson
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
-        """(2) over the compliance 2/(E1* k) of a half-space of the film; k: wavevectors > 0 [1/m], any shape."""
+        """Return (2) over the compliance 2/(E1* k) of a half-space of the film.
+
+        k: wavevectors > 0 [1/m], any shape.
+        """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
         ratio = np.empty_like(y)
@@ -84,7 +93,10 @@ class Film:
         return ratio
 
     def _parts(self) -> tuple[float, float, float, float, float]:
-        """L, K, 1 - LK, 1 + LK + 2K, (1 - L)(1 - K): the last three without differences of nearly equal numbers."""
+        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K).
+
+        The last three avoid differences of nearly equal numbers.
+        """
         nu1, nu2 = self.poisson, self.substrate_poisson
         shear = self.modulus / self.substrate_modulus * (1.0 + nu2) / (1.0 + nu1)
         below, film = 1.0 + shear * (3.0 - 4.0 * nu2), shear + 3.0 - 4.0 * nu1
@@ -95,7 +107,7 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """(3), for y < 1."""
+    """Return (3), for y < 1."""
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
     above = one_less_lk * np.cosh(y) + rest * sine + linear * y
@@ -104,17 +116,17 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """(2) as printed, for y >= 1."""
+    """Return (2) as printed, for y >= 1."""
     once = np.exp(-y)
     return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)
 
 
 @dataclass(frozen=True)
 class Compliance:
-    """Of both bodies together: half-spaces of effective modulus E* [Pa] (infinite: rigid), a film on its own half-space, and
-    one on the other body's.
+    """Compliance of both bodies together.
 
-    InputError unless the modulus is > 0, and finite where no film gives way.
+    modulus: effective modulus E* of the half-spaces [Pa] (infinite: rigid); film, counter_film: each on a half-space of its
+    own. Raises InputError unless the modulus is > 0, and finite where there is no film.
     """
 
     modulus: float
@@ -127,35 +139,44 @@ class Compliance:
 
     @property
     def films(self) -> tuple[Film, ...]:
-        """Those that there are."""
-        return tuple(one for one in (self.film, self.counter_film) if one is not None)
+        """Return the films, at most two."""
+        return tuple(film for film in (self.film, self.counter_film) if film is not None)
 
     @property
     def near(self) -> float:
-        """Compliance of short waves times k/2 [1/Pa]: one over the effective modulus at the face."""
-        return 1.0 / self.modulus + sum(1.0 / one.plane_strain for one in self.films)
+        """Return the compliance of short waves times k/2 [1/Pa].
+
+        It is one over the effective modulus at the face.
+        """
+        return 1.0 / self.modulus + sum(1.0 / film.plane_strain for film in self.films)
 
     @property
     def far(self) -> float:
-        """Compliance of long waves times k/2 [1/Pa]: one over the effective modulus seen from far away, 0 if nothing gives."""
-        return 1.0 / self.modulus + sum(one.far for one in self.films)
+        """Return the compliance of long waves times k/2 [1/Pa].
+
+        It is one over the effective modulus seen from far away, 0 if all is rigid.
+        """
+        return 1.0 / self.modulus + sum(film.far for film in self.films)
 
     @property
     def depth(self) -> float:
-        """Thickness of the thickest film [m], 0 if there is none."""
-        return max((one.thickness for one in self.films), default=0.0)
+        """Return the thickness of the thickest film [m], 0 without a film."""
+        return max((film.thickness for film in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
-        """C(k) k/2 [1/Pa]; k: wavevectors > 0 [1/m], any shape."""
+        """Return C(k) k/2 [1/Pa] at wavevectors k > 0 [1/m] of any shape."""
         total = np.full(np.shape(k), 1.0 / self.modulus)
-        for one in self.films:
-            total += one.over_half_space(k) / one.plane_strain
+        for film in self.films:
+            total += film.over_half_space(k) / film.plane_strain
         return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """C(k) [m/Pa]; k: wavevectors >= 0 [1/m]. At k = 0 its limit if finite, else 0: the mean is not known."""
+        """Return C(k) [m/Pa] at wavevectors k >= 0 [1/m].
+
+        At k = 0 it is the limit if finite, else 0: the mean displacement of half-spaces is not defined.
+        """
         k = np.asarray(k, dtype=float)
         positive = k > 0.0
         safe = np.where(positive, k, 1.0)
-        at_zero = 0.0 if self.far > 0.0 else sum(one.at_zero for one in self.films)
+        at_zero = 0.0 if self.far > 0.0 else sum(film.at_zero for film in self.films)
         return np.where(positive, 2.0 * self.times_half_k(safe) / safe, at_zero)

@@ -18,9 +18,12 @@ from stiction.surfaces.heightmap import HeightMap
 
 @dataclass(frozen=True)
 class MapCurve:
-    """contacts: at the nominal pressure of each, in the order asked for, fewer where it was interrupted; None for those that
-    were not reached. every: only every so many-th point was solved. of_map: numbers of the map that no load changes, by
-    their names in the table of quantities; more: others of every contact, by these names."""
+    """Contacts of one map at several nominal pressures.
+
+    contacts: at each nominal pressure, in the order of the pressures; None where an interruption left a load unsolved. every:
+    only every so many-th point was solved. of_map: numbers of the map that no load changes, by their names in the table of
+    quantities; more: further numbers of every contact, by such names.
+    """
 
     contacts: tuple[MapContact | None, ...]
     every: int
@@ -28,41 +31,44 @@ class MapCurve:
     more: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def array(self, name: str) -> np.ndarray:
-        """A number of every contact by its name, not a number where it was not reached."""
-        return np.array([np.nan if one is None else getattr(one, name) for one in self.contacts], dtype=float)
+        """Return one number of every contact, NaN where the load was not solved."""
+        return np.array([np.nan if contact is None else getattr(contact, name) for contact in self.contacts], dtype=float)
 
     @cached_property
     def fraction(self) -> np.ndarray:
-        """Real area over the nominal one."""
+        """Return the real area over the nominal area."""
         return self.array("area") / self.array("nominal_area")
 
 
 def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float], *, sampled: bool = False) -> MapCurve:
-    """Contacts at nominal pressures [Pa]; sampled: of the fewest points that are enough (see `sampled`). Every solution is
-    kept for the next time. Raises InputError as `solve_map` does."""
-    whole = surface.size[0] * surface.size[1]
+    """Solve the contact of a map at nominal pressures [Pa].
+
+    sampled: solve only as many points as are enough (see `sampled`). Solutions are cached. Raises InputError as `solve_map`
+    does.
+    """
+    nominal = surface.size[0] * surface.size[1]
 
     def at_pressures(heights, size, *, loads, **how) -> MapContacts:
-        """The loads are of the whole map; points that were sampled may stand for a little more or less."""
-        covered = size[0] * size[1] / whole
+        """Solve at loads of the whole map, scaled to the area that sampled points cover."""
+        covered = size[0] * size[1] / nominal
         return solve_kept(heights, size, loads=[load * covered for load in loads], **how)
 
-    loads = [float(pressure) * whole for pressure in pressures]
+    loads = [float(pressure) * nominal for pressure in pressures]
     how = {name: getattr(bodies, name) for name in ("film", "counter_film", "hardness", "menisci")} | {"progress": tell}
-    given: dict[str, Any] = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
+    arguments: dict[str, Any] = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
     if sampled:
-        found = solve_sampled(surface.heights, surface.size, solve=at_pressures, **given)
-        contacts, every = found.contacts, found.every
+        sampled_contacts = solve_sampled(surface.heights, surface.size, solve=at_pressures, **arguments)
+        contacts, every = sampled_contacts.contacts, sampled_contacts.every
     else:
-        contacts, every = at_pressures(surface.heights, surface.size, **given), 1
+        contacts, every = at_pressures(surface.heights, surface.size, **arguments), 1
     return MapCurve(_in_order(contacts, pressures), every, of_map(surface, bodies, every))
 
 
 def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapContact | None, ...]:
-    """By the nominal pressure: where it was interrupted some are missing."""
+    """Arrange contacts by nominal pressure, None where one is missing."""
     if contacts.complete:
         return tuple(contacts)
-    by_pressure = {one.mean_pressure: one for one in contacts}
+    by_pressure = {contact.mean_pressure: contact for contact in contacts}
     nearest = [min(by_pressure, key=lambda mean: abs(mean - wanted), default=np.nan) for wanted in pressures]
     return tuple(
         by_pressure[mean] if abs(mean - wanted) <= 1e-9 * wanted else None
@@ -71,10 +77,10 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
 
 
 def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
-    """What no load changes, of a map of which every so many-th point is solved."""
+    """Return the numbers of a map that no load changes."""
     seen = waves(surface.heights, surface.size, surface.periodic)
     pitch, side = max(surface.pitch), min(surface.size)
-    found = {
+    numbers = {
         "points_in_shortest_wave": seen.shortest / pitch,
         "longest_waves_on_a_side": side / seen.longest,
         "map_gradient": seen.gradient,
@@ -82,5 +88,5 @@ def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
     }
     film = bodies.film or bodies.counter_film
     if film is not None:
-        found["points_in_film"] = film.thickness / (pitch * every)
-    return found
+        numbers["points_in_film"] = film.thickness / (pitch * every)
+    return numbers

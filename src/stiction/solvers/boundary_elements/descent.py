@@ -32,7 +32,10 @@ _LARGEST = 700.0  # exponent, of a floating point number
 
 @dataclass(frozen=True)
 class Faces:
-    """What (1) needs. heights: h; stiffness: K of every wave of `rfft2`, 0 of none."""
+    """Heights and stiffness of the faces in (1).
+
+    heights: h; stiffness: K of every wave of `rfft2`, 0 for the mean.
+    """
 
     heights: np.ndarray
     stiffness: np.ndarray
@@ -44,11 +47,14 @@ class Faces:
         object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
 
     def elastic(self, shape: np.ndarray) -> np.ndarray:
-        """K times a shape, such as g + h."""
+        """Return K times a shape, such as g + h."""
         return self._through(shape, self.stiffness)
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
-        """The force divided by K, of the mean by half of the least K, in single precision: that is enough of a direction."""
+        """Return the force divided by K, the mean divided by half of the least K.
+
+        In single precision: a search direction needs no more.
+        """
         return self._through(force.astype(np.float32), self._smooth).astype(float)
 
     def _through(self, shape: np.ndarray, factors: np.ndarray) -> np.ndarray:
@@ -58,8 +64,11 @@ class Faces:
 
 
 class Downhill:
-    """A descent of (1) under the pressure P from a gap. gap: where it is, over the range; residual: largest gradient left of
-    points apart, or pulling of those that touch; apart: whether faces have parted for good."""
+    """Descent of the energy (1) under the pressure P.
+
+    gap: current gap over the range of attraction; residual: largest gradient left at points apart, or tension at points that
+    touch; apart: whether the faces have separated for good.
+    """
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
         self._faces, self._pressure = faces, pressure
@@ -84,7 +93,7 @@ class Downhill:
                 self._way = None
 
     def _arrive(self) -> None:
-        """What follows from the gap."""
+        """Update gradient, free points and residual after a change of the gap."""
         self._near = np.exp(-self.gap)
         self._slope = self._elastic + self._near
         self._slope += self._pressure
@@ -92,7 +101,10 @@ class Downhill:
         self.residual = float(np.max(np.abs(self._slope * self._free)))
 
     def _direction(self) -> np.ndarray:
-        """Conjugate to the last by the rule of Polak & Ribiere, smoothed; after a failed step along the gradient alone."""
+        """Return the next search direction.
+
+        Smoothed and conjugate to the last by the rule of Polak & Ribiere; after a failed step it follows the gradient alone.
+        """
         force = np.where(self._free, -self._slope, 0.0)
         smooth = self._faces.smoothed(force)
         smooth *= self._free
@@ -130,14 +142,17 @@ class Downhill:
         return False
 
     def _room(self, way: np.ndarray) -> float:
-        """The longest step: to where a point would overlap, or leave the attraction, by the range."""
+        """Return the longest step that neither overlaps nor leaves the attraction."""
         closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
         opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
         fastest = max(closes, opens)
         return 1.0 / fastest if fastest > 0.0 else 1.0
 
     def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
-        """Of (1), times the number of points, without the difference of large numbers."""
+        """Return the change of (1) times the number of points.
+
+        Formed without the difference of large numbers, which rounding would swamp near the minimum.
+        """
         closed = self.gap - gap
         smooth = dot(closed, self._slope) + 0.5 * dot(closed, elastic - self._elastic)
         some = np.minimum(self.gap, gap) < _NONE

@@ -21,7 +21,10 @@ from stiction.solvers.boundary_elements.minimise import Found
 
 @dataclass(frozen=True)
 class MapDoubt:
-    """Why a result may not hold. name: for programs; value, limit: which of them, in SI; why: in words."""
+    """Reason why the solution of a map may not hold.
+
+    name: for programs; value, limit: in SI; why: sentence for users.
+    """
 
     name: str
     value: float
@@ -33,7 +36,10 @@ class MapDoubt:
 
 
 def doubts_of_map(heights: np.ndarray, size: tuple[float, float], film: Film | None, periodic: bool) -> tuple[MapDoubt, ...]:
-    """Of the map at any load; heights: (rows, columns) [m]; size: (y, x) [m]."""
+    """Return the warnings that hold for a map at any load.
+
+    heights: (rows, columns) [m]; size: (y, x) [m].
+    """
     pitch = max(length / count for length, count in zip(size, heights.shape, strict=True) if count > 1)
     side = min(length for length, count in zip(size, heights.shape, strict=True) if count > 1)
     seen = waves(heights, size, periodic)
@@ -62,34 +68,34 @@ def _doubts_of_film(film, pitch):
         yield MapDoubt("film_thickness", film.thickness, pitch, why)
 
 
-def doubts_of_load(found: Found, load_error: float, ends: bool, tolerance: float) -> tuple[MapDoubt, ...]:
-    """Of one solution; ends: whether nothing presses outside of the map."""
-    return (*_doubts_of_solution(found, load_error, tolerance), *(_doubts_of_ends(found.pressure) if ends else ()))
+def doubts_of_load(solution: Found, load_error: float, ends: bool, tolerance: float) -> tuple[MapDoubt, ...]:
+    """Return the warnings about one solution; ends: nothing presses outside the map."""
+    return (*_doubts_of_solution(solution, load_error, tolerance), *(_doubts_of_ends(solution.pressure) if ends else ()))
 
 
-def _doubts_of_solution(found, load_error, tolerance):
-    if not found.converged:
-        why = f"not converged: residual {found.residual:.2g} after {found.steps} steps, {tolerance:g} asked for"
-        yield MapDoubt("not_converged", found.residual, tolerance, why)
+def _doubts_of_solution(solution, load_error, tolerance):
+    if not solution.converged:
+        why = f"not converged: residual {solution.residual:.2g} after {solution.steps} steps, {tolerance:g} asked for"
+        yield MapDoubt("not_converged", solution.residual, tolerance, why)
     if not load_error <= LEAST_LOAD_ERROR:
         yield MapDoubt(
             "load_error", load_error, LEAST_LOAD_ERROR, f"the pressures carry the load but for {load_error:.2g} of it"
         )
-    points = int(np.count_nonzero(found.pressure))
+    points = int(np.count_nonzero(solution.pressure))
     if points < LEAST_CONTACT:
         why = f"{points} points of the map are in contact, fewer than {LEAST_CONTACT} give a rough area only"
         yield MapDoubt("points_in_contact", float(points), float(LEAST_CONTACT), why)
 
 
 def share_at_ends(pressure: np.ndarray) -> float:
-    """Share of the load on the outermost points of a map; pressure: (rows, columns)."""
-    whole = float(pressure.sum())
-    if whole <= 0.0:
+    """Return the share of the load on the outermost points of a (rows, columns) map."""
+    total = float(pressure.sum())
+    if total <= 0.0:
         return 0.0  # of a load below the smallest number: nothing
     if min(pressure.shape) <= 2:
         return 1.0
     ends = (pressure[0], pressure[-1], pressure[1:-1, 0], pressure[1:-1, -1])  # never below 0, as a difference would be
-    return math.fsum(float(one.sum()) for one in ends) / whole
+    return math.fsum(float(side.sum()) for side in ends) / total
 
 
 def _doubts_of_ends(pressure):

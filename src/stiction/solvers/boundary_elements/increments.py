@@ -19,10 +19,10 @@ _MOST = 300
 
 
 def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.ndarray) -> float:
-    """Change of the mean pressure over that of the approach [Pa/m] with contact as it is.
+    """Return the change of mean pressure with approach [Pa/m] at fixed contact.
 
-    NaN where no point is free, infinite in full contact of half-spaces without end.
-    free: which points answer, bool, of the map's shape; start: any positive increment, for instance the pressure.
+    NaN where no point is free, infinite in full contact of unbounded half-spaces. free: points that respond, bool, of the
+    map's shape; start: any positive increment, for instance the pressure.
     """
     count = int(np.count_nonzero(free))
     if not count:
@@ -42,5 +42,5 @@ def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.n
         length = square / dot(direction, answer)
         q += length * direction
         moved += length * answer
-    given = dot(q, moved) / free.size
-    return 1.0 / given if given > 0.0 else math.inf
+    curvature = dot(q, moved) / free.size
+    return 1.0 / curvature if curvature > 0.0 else math.inf

@@ -29,53 +29,53 @@ _OF_FILE = ("pressure", "doubts")  # fields of a contact that are no numbers
 def solve_kept(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
 ) -> MapContacts:
-    """`solve_map`, with the loads that were solved before read from the cache, and the others kept there as they are found.
+    """Solve a map as `solve_map`, reading loads solved before from the cache.
 
-    Arguments, results and errors as there. A load that was solved from another start is the same to the tolerance.
+    Arguments, results and errors are those of `solve_map`. A load that was solved from another start agrees to the tolerance.
     """
     loads = [float(load) for load in np.atleast_1d(np.asarray(loads, dtype=float))]
     checked(heights, size, loads, periodic, how)  # what is refused is refused before anything is read
     inputs = {name: value for name, value in how.items() if name not in ("progress", "done")}
     name = _name(heights, size, modulus=modulus, periodic=periodic, **inputs)
-    found: dict[float, MapContact] = {}
+    solved_before: dict[float, MapContact] = {}
     for load in loads:
-        if load not in found and (one := _read(_file(name, load), np.shape(heights))) is not None:
-            found[load] = one
-    missing = [load for load in dict.fromkeys(loads) if load not in found]
+        if load not in solved_before and (contact := _read(_file(name, load), np.shape(heights))) is not None:
+            solved_before[load] = contact
+    missing = [load for load in dict.fromkeys(loads) if load not in solved_before]
     if not missing:
         of_map = doubts_of_map(np.asarray(heights, dtype=float), size, how.get("film") or how.get("counter_film"), periodic)
-        return MapContacts(tuple(found[load] for load in loads), of_map)
-    told = how.pop("done", None)
+        return MapContacts(tuple(solved_before[load] for load in loads), of_map)
+    report = how.pop("done", None)
 
     def asked(contact: MapContact) -> float:
-        """The load that was asked for: that of the contact has been through its mean pressure."""
+        """Return the requested load, which the mean pressure of the contact only rounds."""
         return min(missing, key=lambda load: abs(load - contact.load))
 
     def done(contact: MapContact) -> None:
         _keep(_file(name, asked(contact)), contact)
-        if told is not None:
-            told(contact)
+        if report is not None:
+            report(contact)
 
     solved = solve_map(heights, size, modulus=modulus, loads=missing, periodic=periodic, done=done, **how)
-    found |= {asked(one): one for one in solved}
-    there = tuple(found[load] for load in loads if load in found)
+    solved_before |= {asked(contact): contact for contact in solved}
+    there = tuple(solved_before[load] for load in loads if load in solved_before)
     return MapContacts(there, solved.doubts, len(there) == len(loads))
 
 
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
-    """Of everything that decides a solution but its load."""
+    """Return the cache key of everything that decides a solution but its load."""
     digest = hashlib.sha256(_solver())
     digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
-    digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda one: one[0]))).encode())
+    digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda item: item[0]))).encode())
     return digest.hexdigest()[:40]
 
 
 @cache
 def _solver() -> bytes:
-    """The text of this solver: another one finds other digits."""
+    """Return the source text of this solver, as a changed solver finds other digits."""
     folder = files("stiction.solvers.boundary_elements")
-    sources = sorted((one for one in folder.iterdir() if one.name.endswith(".py")), key=lambda one: one.name)
-    return b"".join(one.read_bytes() for one in sources)
+    sources = sorted((file for file in folder.iterdir() if file.name.endswith(".py")), key=lambda file: file.name)
+    return b"".join(file.read_bytes() for file in sources)
 
 
 def _folder() -> Path:
@@ -87,11 +87,11 @@ def _file(name: str, load: float) -> Path:
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
-    """The contact in a file; None where there is none, or it is damaged."""
+    """Read the contact from a file; None where it is absent or damaged."""
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             numbers = json.loads(file["numbers"].item())
-            doubts = tuple(MapDoubt(**one) for one in json.loads(file["doubts"].item()))
+            doubts = tuple(MapDoubt(**row) for row in json.loads(file["doubts"].item()))
             pressure = np.zeros(shape)
             pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
         os.utime(path)
@@ -106,8 +106,8 @@ def _keep(path: Path, contact: MapContact) -> None:
     if pressure is None or pressure.nbytes > _TOO_LARGE or any(one.name == "not_converged" for one in contact.doubts):
         return
     touched = pressure > 0.0
-    numbers = {one.name: getattr(contact, one.name) for one in fields(contact) if one.name not in _OF_FILE}
-    of_doubts, where = json.dumps([asdict(one) for one in contact.doubts]), np.packbits(touched)
+    numbers = {field.name: getattr(contact, field.name) for field in fields(contact) if field.name not in _OF_FILE}
+    of_doubts, where = json.dumps([asdict(doubt) for doubt in contact.doubts]), np.packbits(touched)
 
     def write(file: BinaryIO) -> None:
         np.savez(file, numbers=json.dumps(numbers), doubts=of_doubts, where=where, pressure=pressure[touched])

@@ -44,7 +44,10 @@ _MOST_SKEWNESS, _MOST_LAY, _TOP, _TOP_RANGE = 0.5, 1.3, 0.05, (0.75, 1.3)
 
 @dataclass(frozen=True, eq=False)
 class MapArea:
-    """Of one map. heights (rows, columns) [m], complete; size (y, x) [m]; periodic: one period of an endless surface."""
+    """Real contact area of one map.
+
+    heights (rows, columns) [m], complete; size (y, x) [m]; periodic: one period of an endless surface.
+    """
 
     heights: np.ndarray
     size: tuple[float, float]
@@ -53,18 +56,18 @@ class MapArea:
 
     @cached_property
     def slopes(self) -> MapSlopes:
-        """Of the map."""
+        """Return the slopes of the map."""
         return map_slopes(self.heights, self.size, self.periodic)
 
     @cached_property
     def points_in_shortest_wave(self) -> float:
-        """Of the map as it is."""
+        """Return the number of points in the shortest wave of the full map."""
         pitch = max(length / count for length, count in zip(self.size, self.heights.shape, strict=True))
         return self._waves.shortest / pitch
 
     @property
     def longest_waves_on_a_side(self) -> float:
-        """The shorter of both."""
+        """Return how many of the longest waves fit on the shorter side."""
         return min(self.size) / self._waves.longest
 
     @cached_property
@@ -79,38 +82,44 @@ class MapArea:
         return [MapArea(np.ascontiguousarray(part), (high, wide), periodic=False) for part in parts]
 
     def sample_error(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """Return the standard error of ln A as a window of a larger surface, by the scatter of quadrants: 0 of one period.
+        """Return the standard error of ln A as a window of a larger surface.
 
-        Quadrants of a window with few of the longest waves are as alike as their waves: the error grows by _OF_WAVES where
-        there are half as many waves as make a sample. pressure, hardness: as in `share`. NaN where a quadrant is flat, or
-        nothing presses.
+        Estimated from the scatter of quadrants; 0 for one period. Quadrants of a window with few of the longest waves
+        resemble each other, so the error grows by _OF_WAVES where there are half as many waves as make a sample. pressure,
+        hardness: as in `share`. NaN where a quadrant is flat, or the pressure is 0.
         """
         if self.periodic:
             return np.zeros(np.shape(pressure))
-        if any(np.ptp(one.heights) == 0.0 for one in self._quadrants):
+        if any(np.ptp(quadrant.heights) == 0.0 for quadrant in self._quadrants):
             return np.full(np.shape(pressure), np.nan)
         with np.errstate(divide="ignore", invalid="ignore"):
-            found = np.log([one.share(pressure, hardness) for one in self._quadrants])
-            scatter = np.std(found, axis=0, ddof=1) / math.sqrt(len(found))
+            logarithms = np.log([quadrant.share(pressure, hardness) for quadrant in self._quadrants])
+            scatter = np.std(logarithms, axis=0, ddof=1) / math.sqrt(len(logarithms))
         return scatter * (1.0 + _OF_WAVES * max(LEAST_WAVES / self.longest_waves_on_a_side - 1.0, 0.0))
 
     @cached_property
     def solvable(self) -> list[int]:
-        """Every how many-th point may be solved, from the fewest points to the most; empty where the map is too large."""
+        """Return the steps of sampling that fit into memory, coarsest first.
+
+        Empty where the map is too large.
+        """
         in_wave = self.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
         least = LEAST_IN_WAVE if self.slopes.lay < _LAID else _LEAST_ACROSS_LAY
-        found = [every for every in all_of_them if self._may(every, in_wave, least)]
-        return found[::-1] or [every for every in all_of_them if self._may(every, in_wave, FEWEST_IN_WAVE)][:1]
+        steps = [every for every in all_of_them if self._may(every, in_wave, least)]
+        return steps[::-1] or [every for every in all_of_them if self._may(every, in_wave, FEWEST_IN_WAVE)][:1]
 
     def _may(self, every: int, in_wave: float, least: float) -> bool:
-        whole = not self.periodic or not any(count % every for count in self.heights.shape)
+        divides = not self.periodic or not any(count % every for count in self.heights.shape)
         few_enough = self.heights.size / every**2 <= MOST_POINTS
-        return whole and few_enough and (every == 1 or in_wave / every >= least)
+        return divides and few_enough and (every == 1 or in_wave / every >= least)
 
     @property
     def gaussian(self) -> bool:
-        """Whether it is Gaussian and isotropic enough for the formula over top slopes."""
+        """Return whether the map suits the formula over top slopes.
+
+        It must be Gaussian and isotropic enough.
+        """
         z = self.heights - self.heights.mean()
         skewness = float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
         low, high = _TOP_RANGE
@@ -118,18 +127,21 @@ class MapArea:
 
     @property
     def way(self) -> str:
-        """How the area is found: "solution", "top slopes" or "ranks"."""
+        """Return how the area is found: "solution", "top slopes" or "ranks"."""
         if self.solvable:
             return "solution"
         return "top slopes" if self.gaussian else "ranks"
 
     @property
     def formula(self) -> Callable[[float, MapSlopes], float]:
-        """The formula that stands for the solution where there is none."""
+        """Return the formula that replaces the solution where there is none."""
         return by_top_slopes if self.gaussian else by_ranks
 
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """A/A0 at mean pressures over E* (any shape, >= 0); hardness: H/E*, may be infinite."""
+        """Return A/A0 at mean pressures over E* (any shape, >= 0).
+
+        hardness: H/E*, may be infinite.
+        """
         h = self.slopes.gradient
         if hardness not in self._curves:
             self._curves[hardness] = _Curve(self, hardness / h)
@@ -137,28 +149,31 @@ class MapArea:
         return self._curves[hardness](flat).reshape(np.shape(pressure))
 
     def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Solved elastic A/A0 (n,) where films give way as well, NaN where too few points touch or the map is too large.
+        """Return solved elastic A/A0 (n,) where films deform as well.
 
-        pressure: mean, in the unit of the compliance, (n,) rising; expected: about the area that is found.
+        NaN where too few points touch or the map is too large. pressure: mean, in the unit of the compliance, (n,) rising;
+        expected: approximate area.
         """
-        found = np.full(len(pressure), np.nan)
+        areas = np.full(len(pressure), np.nan)
         if not self.solvable:
-            return found
+            return areas
         films = {"film": compliance.film, "counter_film": compliance.counter_film}
         steps = np.array([self.every(area) for area in expected.tolist()])
         for step in np.unique(steps).tolist():
             mine = steps == step
-            found[mine] = self.solve(pressure[mine], step, modulus=compliance.modulus, **films)
-        return found
+            areas[mine] = self.solve(pressure[mine], step, modulus=compliance.modulus, **films)
+        return areas
 
     def every(self, area: float) -> int:
-        """Every how many-th point is solved for such an A/A0: the fewest of which enough touch."""
+        """Return the coarsest sampling step at which enough points touch for this A/A0."""
         expected = area * self.heights.size
-        return next((one for one in self.solvable if expected / one**2 >= LEAST_CONTACT), self.solvable[-1])
+        return next((step for step in self.solvable if expected / step**2 >= LEAST_CONTACT), self.solvable[-1])
 
     def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
-        """Solved A/A0 (n,) of every so many-th point at mean pressures (n,), NaN where too few of them touch; how: bodies, as
-        `solve_map` takes them."""
+        """Return solved A/A0 (n,) of every so many-th point at mean pressures (n,).
+
+        NaN where too few points touch; how: bodies, as `solve_map` takes them.
+        """
         heights = np.ascontiguousarray(self.heights[::every, ::every])
         covered = zip(self.size, self.heights.shape, heights.shape, strict=True)
         high, wide = (length / full * every * few for length, full, few in covered)
@@ -170,12 +185,15 @@ class MapArea:
         return np.where(touching, np.minimum(contacts.array("area") / (high * wide), 1.0), np.nan)
 
     def by_formula(self, pressure: float, hardness: float) -> float:
-        """A/A0 by the formula, at a pressure over E* h' and with a hardness over E* h'."""
+        """Return A/A0 by the formula, at pressure and hardness over E* h'."""
         return float(with_hardness(self.formula(pressure, self.slopes), pressure, hardness))
 
 
 class _Curve:
-    """A/A0 against p/(E* h') at one hardness over E* h'. Nodes: ln p -> ln A, solved; of many pressures at p = 10^(k/4)."""
+    """A/A0 against p/(E* h') at one hardness over E* h'.
+
+    Nodes: solved ln p -> ln A; for many pressures at p = 10^(k/4).
+    """
 
     def __init__(self, area: MapArea, hardness: float):
         self._area, self._hardness = area, hardness
@@ -184,31 +202,31 @@ class _Curve:
         self._lightest = 0.0  # a pressure at which too few points touch
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        found = np.zeros(pressure.shape)
+        areas = np.zeros(pressure.shape)
         some = pressure > 0.0
         if not some.any():
-            return found
+            return areas
         if not self._area.solvable:
-            found[some] = [self._area.by_formula(one, self._hardness) for one in pressure[some].tolist()]
-            return found
+            areas[some] = [self._area.by_formula(ratio, self._hardness) for ratio in pressure[some].tolist()]
+            return areas
         self._solve(np.unique(pressure[some]))
-        found[some] = self._read(pressure[some])
-        return found
+        areas[some] = self._read(pressure[some])
+        return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve what is needed: few pressures as they are, else nodes between which they lie."""
+        """Solve few pressures as they are, else the nodes around them."""
         inside = np.minimum(pressure, self._heaviest)
         if len(pressure) > _FEW:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)
             grid = {int(k) + shift for k in steps for shift in (-1, 0, 1, 2)}
             inside = np.array([min(10.0 ** (k / _STEPS), self._heaviest) for k in grid])
-        todo = sorted({float(f"{one:.12g}") for one in inside.tolist()} - self._nodes.keys())
-        todo = [one for one in todo if one > self._lightest]
-        while todo:  # from the heaviest on: where too few points touch, no lighter one needs to be tried
-            every = self._every(todo[-1])
-            together = [one for one in todo if self._every(one) == every]
+        missing = sorted({float(f"{ratio:.12g}") for ratio in inside.tolist()} - self._nodes.keys())
+        missing = [ratio for ratio in missing if ratio > self._lightest]
+        while missing:  # from the heaviest on: where too few points touch, no lighter one needs to be tried
+            every = self._every(missing[-1])
+            together = [ratio for ratio in missing if self._every(ratio) == every]
             self._solve_nodes(together, every)
-            todo = [one for one in todo if one not in together and one > self._lightest]
+            missing = [ratio for ratio in missing if ratio not in together and ratio > self._lightest]
         if not self._nodes:
             self._solve_nodes([self._heaviest], self._every(self._heaviest))
 
@@ -218,8 +236,8 @@ class _Curve:
     def _solve_nodes(self, pressures: list[float], every: int) -> None:
         h = self._area.slopes.gradient
         hardness = None if math.isinf(self._hardness) else self._hardness * h
-        found = self._area.solve(np.array(pressures) * h, every, modulus=1.0, hardness=hardness)
-        for pressure, area in zip(pressures, found.tolist(), strict=True):
+        areas = self._area.solve(np.array(pressures) * h, every, modulus=1.0, hardness=hardness)
+        for pressure, area in zip(pressures, areas.tolist(), strict=True):
             if math.isnan(area):
                 self._lightest = max(self._lightest, pressure)
             else:
@@ -227,34 +245,34 @@ class _Curve:
 
     def _read(self, pressure: np.ndarray) -> np.ndarray:
         if not self._nodes:
-            return np.array([self._formula(one) for one in pressure.tolist()])
-        at = sorted(self._nodes)
-        x, y = np.log(at), np.array([self._nodes[one] for one in at])
+            return np.array([self._formula(ratio) for ratio in pressure.tolist()])
+        nodes = sorted(self._nodes)
+        x, y = np.log(nodes), np.array([self._nodes[node] for node in nodes])
         if self._hardness < _HEAVIEST:  # then all is in contact
             x, y = np.append(x, math.log(self._hardness)), np.append(y, 0.0)
         low, high = math.exp(x[0]), math.exp(x[-1])
         inside = np.log(np.clip(pressure, low, high))
-        found = np.exp(PchipInterpolator(x, y)(inside) if len(x) > 1 else np.full(inside.shape, y[0]))
-        for one in np.flatnonzero(pressure < low):
-            found[one] *= self._formula(pressure[one]) / self._formula(low)
-        for one in np.flatnonzero(pressure > high):
+        areas = np.exp(PchipInterpolator(x, y)(inside) if len(x) > 1 else np.full(inside.shape, y[0]))
+        for row in np.flatnonzero(pressure < low):
+            areas[row] *= self._formula(pressure[row]) / self._formula(low)
+        for row in np.flatnonzero(pressure > high):
             left = max(1.0 - self._formula(high), 1e-12)
-            found[one] = 1.0 - (1.0 - found[one]) * min((1.0 - self._formula(pressure[one])) / left, 1.0)
-        return np.minimum(found, 1.0)
+            areas[row] = 1.0 - (1.0 - areas[row]) * min((1.0 - self._formula(pressure[row])) / left, 1.0)
+        return np.minimum(areas, 1.0)
 
     def _formula(self, pressure: float) -> float:
         return self._area.by_formula(float(pressure), self._hardness)
 
 
 def map_area(surface: HeightMap) -> MapArea:
-    """Of a complete map; kept by its content."""
+    """Return the area of a complete map, cached by its content."""
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
     return _kept(digest.hexdigest(), _Held(surface))
 
 
 class _Held:
-    """Alike to any other: the digest beside it tells."""
+    """Map that compares equal to any other, because its digest is the cache key."""
 
     def __init__(self, surface: HeightMap):
         self.surface = surface

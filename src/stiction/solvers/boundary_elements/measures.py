@@ -30,32 +30,41 @@ _WORKERS = 2
 
 @dataclass(frozen=True)
 class Edges:
-    """Sides of pixels between contact and none: along y (of neighbours in x), and along x."""
+    """Number of pixel sides between contact and no contact.
+
+    along_y: sides of neighbours in x; along_x: sides of neighbours in y.
+    """
 
     along_y: int
     along_x: int
 
     @property
     def count(self) -> int:
-        """All of them."""
+        """Return the number of all edges."""
         return self.along_y + self.along_x
 
 
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
-    """Of the points in contact, bool (rows, columns); periodic: the last point is beside the first."""
+    """Count the edges of the points in contact, bool (rows, columns).
+
+    periodic: the last point is beside the first.
+    """
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
 def _changes(contact, periodic):
-    """Along the rows."""
+    """Count changes along the rows."""
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
     return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
 
 @dataclass(frozen=True)
 class Waves:
-    """Waves of a map [m]. shortest: those that are shorter hold 1 % of the mean square gradient; longest: those that are longer
-    hold half of the mean square height; gradient: root mean square of all waves [1]."""
+    """Characteristic wavelengths of a map [m].
+
+    shortest: waves shorter than this hold 1 % of the mean square gradient; longest: waves longer than this hold half of the
+    mean square height; gradient: root mean square of all waves [1].
+    """
 
     shortest: float
     longest: float
@@ -63,8 +72,11 @@ class Waves:
 
 
 def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
-    """Of a map; heights: (rows, columns) [m]; size: (y, x) [m]. Where it is not periodic, under Hann's window, so that the step
-    between its ends is no roughness."""
+    """Measure the characteristic wavelengths of a map.
+
+    heights: (rows, columns) [m]; size: (y, x) [m]. A map that is not periodic is seen through Hann's window, so that the step
+    between its ends does not count as roughness.
+    """
     heights = heights - heights.mean()
     if not periodic:
         window = np.outer(*(np.hanning(count + 2)[1:-1] if count > 1 else np.ones(1) for count in heights.shape))
@@ -88,5 +100,8 @@ def _where_sum_reaches(edge, part, share):
 
 
 def rms_step(heights: np.ndarray) -> float:
-    """Root mean square height difference of a point and its next along x and y together [m]: what gaps are measured by."""
+    """Return the rms height difference of neighbouring points along x and y [m].
+
+    Gaps are measured in units of it.
+    """
     return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))

@@ -26,8 +26,11 @@ _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reache
 
 @dataclass(frozen=True)
 class Menisci:
-    """pressure: gamma/r, by which the liquid pulls [Pa]; height: largest gap that it fills, 2 r c [m]. Both > 0, or
-    InputError."""
+    """Liquid between the faces.
+
+    pressure: gamma/r, by which the liquid pulls [Pa]; height: largest gap that it fills, 2 r c [m]. Raises InputError unless
+    both are > 0.
+    """
 
     pressure: float
     height: float
@@ -40,7 +43,10 @@ class Menisci:
 
 @dataclass(frozen=True)
 class Condensed:
-    """found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape."""
+    """Contact with condensed liquid.
+
+    found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape.
+    """
 
     found: Found
     wet: np.ndarray
@@ -50,24 +56,26 @@ def condense(
     problem: Problem, menisci: Menisci | None, start: np.ndarray, *, tolerance: float, most: int,
     seen: Callable[[int, float], None] | None = None,
 ) -> Condensed:  # fmt: skip
-    """The contact with the liquid that condenses around the dry one. problem: the dry contact; menisci: None of one that stays
-    dry; the rest: as in `minimise`."""
+    """Solve the contact with the liquid that condenses around the dry contact.
+
+    problem: the dry contact; menisci: None for a dry contact; the rest: as in `minimise`.
+    """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
-    found = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
-    wet = np.zeros(found.gap.shape, dtype=bool)
+    solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
+    wet = np.zeros(solution.gap.shape, dtype=bool)
     if menisci is None:
-        return Condensed(found, wet)
+        return Condensed(solution, wet)
     finely = False
-    while (more := (found.gap < menisci.height) & ~wet).any() or not finely:  # ends, as there are so many points and no more
+    while (more := (solution.gap < menisci.height) & ~wet).any() or not finely:  # ends, as there are so many points and no more
         finely = not more.any()
         wet = wet | more
-        wetter, pressed = _with_suction(problem, menisci, wet), found.pressure + menisci.pressure * more
-        found = minimise(wetter, pressed, tolerance=tolerance if finely else roughly, most=most, seen=seen)
-    return Condensed(found, wet)
+        wetter, pressed = _with_suction(problem, menisci, wet), solution.pressure + menisci.pressure * more
+        solution = minimise(wetter, pressed, tolerance=tolerance if finely else roughly, most=most, seen=seen)
+    return Condensed(solution, wet)
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
-    """(1), of points that are wet."""
+    """Return the problem (1) with suction at the wet points."""
     suction = np.where(wet, menisci.pressure, 0.0)
     return replace(
         problem,

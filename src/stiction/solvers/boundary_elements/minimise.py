@@ -36,8 +36,11 @@ _ROUNDING = 1e-13  # of the mean pressure
 
 @dataclass(frozen=True)
 class Problem:
-    """What (1) needs. displacement: C, from pressure [Pa] to displacement [m]; heights [m]; mean: pressure [Pa]; hardness: H
-    [Pa], infinite: elastic; length: [m], that gaps are measured by."""
+    """Quadratic problem (1).
+
+    displacement: C, from pressure [Pa] to displacement [m]; heights [m]; mean: pressure [Pa]; hardness: H [Pa], infinite:
+    elastic; length: [m], unit of gaps.
+    """
 
     displacement: Displacement
     heights: np.ndarray
@@ -48,8 +51,11 @@ class Problem:
 
 @dataclass(frozen=True)
 class Found:
-    """pressure [Pa], gap [m] as in (2), with a = `offset` [m]; residual: root mean square of what (2) misses, over the length,
-    by point in contact; steps: taken; converged: whether the residual is below the tolerance."""
+    """Solution of (1).
+
+    pressure [Pa], gap [m] as in (2), with a = `offset` [m]; residual: rms violation of (2) over the length, per point in
+    contact; steps: number taken; converged: whether the residual is below the tolerance.
+    """
 
     pressure: np.ndarray
     gap: np.ndarray
@@ -60,7 +66,7 @@ class Found:
 
 
 class _State:
-    """A pressure, its displacement, and (2) there. The arrays are the state's own."""
+    """Pressure, its displacement and the gap (2); the arrays belong to the state."""
 
     def __init__(self, problem: Problem, pressure: np.ndarray, displacement: np.ndarray):
         self.pressure, self.displacement = pressure, displacement
@@ -77,7 +83,10 @@ class _State:
         self.residual = math.sqrt(float(missed) / pressed) / problem.length
 
     def _offset(self, problem: Problem) -> float:
-        """a of (2): mean over the free points; where there is none, between the flowing and the untouched."""
+        """Return a of (2), the mean over the free points.
+
+        Where no point is free, it lies midway between the flowing and the untouched points.
+        """
         if self.count:
             return float(np.mean(self.gap, where=self.free))
         touched = self.pressure > 0.0
@@ -89,8 +98,11 @@ class _State:
 def minimise(
     problem: Problem, start: np.ndarray, *, tolerance: float, most: int, seen: Callable[[int, float], None] | None = None
 ) -> Found:
-    """The minimum of (1). start: any pressure of the map's shape [Pa]; tolerance: of the residual; most: steps; seen: called
-    with the number of the step and the residual before each. Not converged: the state of least residual is given back."""
+    """Return the minimum of (1).
+
+    start: any pressure of the map's shape [Pa]; tolerance: of the residual; most: number of steps; seen: called with the
+    number of the step and the residual before each. Without convergence the state of least residual is returned.
+    """
     state = _at(problem, on_level(start, problem))
     best, step_length = state, 0.0
     search = _Directions()
@@ -113,19 +125,22 @@ def minimise(
 
 
 class _Directions:
-    """Conjugate directions over the free points; the rule of Polak & Ribiere, never negative."""
+    """Conjugate directions over the free points.
+
+    By the rule of Polak & Ribiere, never negative: it restarts by itself where conjugacy is lost.
+    """
 
     def __init__(self) -> None:
         self.forget()
 
     def forget(self) -> None:
-        """Begin anew along the gradient."""
+        """Restart along the gradient."""
         self._gradient: np.ndarray | None = None
         self._direction: np.ndarray | None = None
         self._square = 0.0
 
     def next(self, state: _State) -> np.ndarray:
-        """The direction from this state: its sum over the free points is 0, and all others stay."""
+        """Return the direction from this state, with zero sum over the free points."""
         gradient = np.where(state.free, state.gap, 0.0)
         square = dot(gradient, gradient)
         direction = -gradient
@@ -143,7 +158,7 @@ class _Directions:
 
 
 def _conjugate_step(problem, state, search, step_length):
-    """The next state, and the length of the step; None if the energy would not fall."""
+    """Take one step; return the next state and step length, or None if energy rises."""
     if not state.count:
         return None, step_length
     direction = search.next(state)
@@ -165,7 +180,10 @@ def _conjugate_step(problem, state, search, step_length):
 
 
 def _projected_step(problem, state, step_length):
-    """A step along the gradient, projected on the bounds, halved until the energy falls by enough; None if none does."""
+    """Step along the gradient, projected on the bounds and halved until energy falls.
+
+    None if no step lowers the energy enough.
+    """
     length = step_length if step_length > 0.0 else problem.mean / problem.length
     for _ in range(60):
         moved = _at(problem, _nearest(state.pressure - length * state.gap, problem))
@@ -181,19 +199,27 @@ def _at(problem: Problem, pressure: np.ndarray) -> _State:
 
 
 def _energy_change(state: _State, moved: _State) -> float:
-    """Of (1), times the number of points, without the difference of two large numbers."""
+    """Return the change of (1) times the number of points.
+
+    Formed without the difference of two large numbers.
+    """
     change = moved.pressure - state.pressure
     return dot(change, state.gap) + 0.5 * dot(change, moved.displacement - state.displacement)
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:
-    """Of two arrays, without the threads of a BLAS library: they are slow to wake beside those of the transforms."""
+    """Return the dot product of two arrays without the threads of a BLAS library.
+
+    Those are slow to wake beside the threads of the transforms.
+    """
     return float(np.einsum("ij,ij->", first, second))
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """The pressure cut to 0 ... H, after shifts of the pressed points that give it the right mean; others only where those that
-    are pressed cannot carry the load."""
+    """Return the pressure cut to 0 ... H and shifted to the right mean.
+
+    Only pressed points are shifted; others where the pressed ones cannot carry the load.
+    """
     top, wanted = problem.hardness, problem.mean * pressure.size
     cut = np.clip(pressure, 0.0, top)
     for _ in range(_SHIFTS):
@@ -209,8 +235,11 @@ def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Of all pressures that (1) allows, the one nearest to this: cut to 0 ... H after one shift of all points, found by
-    Newton's rule, and by halves where that leaves the bracket."""
+    """Return the admissible pressure of (1) nearest to this one.
+
+    All points are shifted and cut to 0 ... H; the shift is found by Newton's rule, with bisection where it leaves the
+    bracket.
+    """
     top, wanted = problem.hardness, problem.mean
     low = -float(pressure.max())
     high = (top if math.isfinite(top) else wanted * pressure.size) - float(pressure.min())

@@ -37,21 +37,25 @@ _DEPTH = 1.5  # c over t
 
 
 def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
-    """k_y as a column and k_x as a row [1/m], of the entries of `rfft2`; size: (y, x) [m] of the grid."""
+    """Return k_y as a column and k_x as a row [1/m] of the entries of `rfft2`.
+
+    size: (y, x) [m] of the grid.
+    """
     (rows, columns), (high, wide) = shape, size
     along_y = 2.0 * math.pi * fftfreq(rows, high / rows)
     return along_y[:, None], 2.0 * math.pi * rfftfreq(columns, wide / columns)
 
 
 def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
-    """|k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
+    """Return |k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
     return np.hypot(*components(shape, size))
 
 
 class PeriodicBoundary:
-    """Displacements of one period of a map. shape: (rows, columns); size: (y, x) [m].
+    """Displacements of one period of a map.
 
-    knows_approach: whether displacements count from where the bodies were; if not, from their mean.
+    shape: (rows, columns); size: (y, x) [m]. knows_approach: whether displacements count from where the bodies were; if not,
+    from their mean.
     """
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -60,14 +64,14 @@ class PeriodicBoundary:
         self._kernel = compliance.at(wavevectors(shape, size))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        """Return the displacement [m], positive away from the pressure [Pa]."""
         return _through(pressure, self.shape, self._kernel)
 
 
 class MirroredBoundary:
-    """Displacements of a window that is continued by its mirror images. shape: (rows, columns); size: (y, x) [m].
+    """Displacements of a window that its mirror images continue.
 
-    knows_approach: as of one period.
+    shape: (rows, columns); size: (y, x) [m]. knows_approach: as of one period.
     """
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -76,7 +80,7 @@ class MirroredBoundary:
         self._kernel = compliance.at(np.hypot(along_y[:, None], along_x))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        """Return the displacement [m], positive away from the pressure [Pa]."""
         workers = _workers(pressure.size)
         waves = dctn(pressure, workers=workers)
         waves *= self._kernel
@@ -84,7 +88,10 @@ class MirroredBoundary:
 
 
 class FreeBoundary:
-    """Displacements of a map outside of which nothing presses. shape: (rows, columns); size: (y, x) [m]."""
+    """Displacements of a map outside of which nothing presses.
+
+    shape: (rows, columns); size: (y, x) [m].
+    """
 
     knows_approach = True
 
@@ -100,12 +107,12 @@ class FreeBoundary:
             self._kernel += _rest(compliance, self._doubled, pitch)
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Displacement [m], positive away from the pressure [Pa]; both of the map's shape."""
+        """Return the displacement [m], positive away from the pressure [Pa]."""
         return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
 
 
 def _through(pressure, grid, kernel):
-    """The pressure, filled with zeros to the grid, times the kernel in wavevectors."""
+    """Multiply the zero-padded pressure with the kernel in wavevectors."""
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel
@@ -117,13 +124,13 @@ def _workers(points):
 
 
 def _distances(shape, pitch):
-    """(y, x) [m] from the first point of a grid that is carried around its ends, of the nearest copy."""
+    """Return (y, x) [m] from the first point of a periodic grid to nearest copies."""
     rows, columns = shape
     return fftfreq(rows, 1.0 / (rows * pitch[0]))[:, None], fftfreq(columns, 1.0 / (columns * pitch[1]))
 
 
 def _of_pixels(shape, pitch, depth=0.0):
-    """(1), or what (3) puts in its place, times E*/p [m]."""
+    """Return (1), or its replacement (3), times E*/p [m]."""
     y, x = _distances(shape, pitch)
     b, a = 0.5 * pitch[0], 0.5 * pitch[1]
     total = _corner(x + a, y + b, depth)
@@ -134,7 +141,7 @@ def _of_pixels(shape, pitch, depth=0.0):
 
 
 def _corner(x, y, depth):
-    """f of (1) and (3); no corner of a pixel lies on an axis."""
+    """Return f of (1) and (3); no corner of a pixel lies on an axis."""
     if depth == 0.0:
         return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
     corner = x * np.arcsinh(y / np.hypot(x, depth))
@@ -144,7 +151,7 @@ def _corner(x, y, depth):
 
 
 def _rest(compliance, shape, pitch):
-    """D(k) of (2) [m/Pa] on a grid; of a pixel of uniform pressure."""
+    """Return D(k) of (2) [m/Pa] on a grid, for a pixel of uniform pressure."""
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
     depth = _DEPTH * compliance.depth
     k[0, 0] = 1e-3 / depth  # D is finite at 0, and this near to it

@@ -21,7 +21,10 @@ LEAST_CONTACT = 1000  # points in contact, at the lightest load
 
 @dataclass(frozen=True)
 class SampledContacts:
-    """contacts: of the sampled map; every: r, 1: all points were solved."""
+    """Contacts of the sampled map.
+
+    every: r, 1: all points were solved.
+    """
 
     contacts: MapContacts
     every: int
@@ -31,8 +34,11 @@ def solve_sampled(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool,
     solve: Callable[..., MapContacts] = solve_map, **how,
 ) -> SampledContacts:  # fmt: skip
-    """`solve_map` of the fewest points that are enough: those that give four in the shortest wave, or more where at the
-    lightest load fewer than 1000 would be in contact. Arguments and errors as there; solve: what solves in its place."""
+    """Solve as `solve_map` with the fewest points that are enough.
+
+    Enough are four points in the shortest wave, or more where at the lightest load fewer than 1000 would be in contact.
+    Arguments and errors as in `solve_map`; solve: the solver to call instead.
+    """
     size = size_in_metres(size)
     for every in _candidates(heights, size, periodic):
         sampled = np.ascontiguousarray(heights[::every, ::every])
@@ -49,13 +55,13 @@ def solve_sampled(
 
 
 def fewest_points(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> int:
-    """How many points `solve_sampled` solves at least."""
+    """Return how many points `solve_sampled` solves at least."""
     every = _candidates(heights, size, periodic)[0]
     return heights[::every, ::every].size
 
 
 def _candidates(heights, size, periodic):
-    """Distances between points, in points, from the longest to 1."""
+    """Return spacings of points, in points, from the longest to 1."""
     if np.ndim(heights) != 2 or not np.isfinite(heights).all() or np.ptp(heights) == 0.0 or min(np.shape(heights)) < 16:
         return [1]  # refused there
     pitch = max(length / count for length, count in zip(size, heights.shape, strict=True))

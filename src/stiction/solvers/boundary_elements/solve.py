@@ -69,7 +69,10 @@ class MapContact:
 
 @dataclass(frozen=True)
 class MapContacts:
-    """Contacts at rising loads, as a sequence; doubts: of the map at all loads; complete: False where it was interrupted."""
+    """Contacts at rising loads, as a sequence.
+
+    doubts: warnings of the map at all loads; complete: False where it was interrupted.
+    """
 
     contacts: tuple[MapContact, ...]
     doubts: tuple[MapDoubt, ...]
@@ -85,13 +88,16 @@ class MapContacts:
         return iter(self.contacts)
 
     def array(self, name: str) -> np.ndarray:
-        """A number of every contact by its name, as an array over the loads."""
+        """Return one number of every contact, by its name, as an array over the loads."""
         return np.array([getattr(contact, name) for contact in self.contacts], dtype=float)
 
 
 @dataclass(frozen=True)
 class Progress:
-    """Where a solution is. load: number of the load, from 0, of `loads`; step; residual: to fall to the tolerance."""
+    """Position of a solution.
+
+    load: number of the load, from 0, of `loads`; step; residual: falls to the tolerance.
+    """
 
     load: int
     loads: int
@@ -104,30 +110,29 @@ def solve_map(
     film: Film | None = None, counter_film: Film | None = None, hardness: float | None = None,
     menisci: Menisci | None = None, **how,
 ) -> MapContacts:  # fmt: skip
-    """Contact of the map with a rigid flat face that is pressed on its highest points, at every load.
+    """Solve the contact of a map with a rigid flat face at every load.
 
-    heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* of both bodies [Pa], of
-    what carries no film where there is one, or one on each (infinite: the other is rigid); loads: [N], > 0, any order;
-    periodic: whether the map is one period of an endless surface, or a window of it, which its mirror images continue;
-    hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between the faces, in equilibrium with its
-    vapour, None: dry. Further, by name: free: whether nothing presses outside of a map that is not periodic (False);
-    tolerance: of the residual; most_steps; keep_maps: whether pressure maps are kept (True); stiffness:
-    whether it is computed (True); progress: called with a `Progress` before every step; done: called with each contact that
-    is found. Results are in the order of the loads.
+    heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* [Pa] of the bodies
+    without their films (infinite: rigid); loads: [N], > 0, any order; periodic: whether the map is one period of an endless
+    surface, or a window of it, which its mirror images continue; hardness: the largest pressure [Pa], None: elastic; menisci:
+    of the liquid between the faces, in equilibrium with its vapour, None: dry. Further, by name: free: whether nothing
+    presses outside of a map that is not periodic (False); tolerance: of the residual; most_steps; keep_maps: whether pressure
+    maps are kept (True); stiffness: whether it is computed (True); progress: called with a `Progress` before every step;
+    done: called with each contact. Results are in the order of the loads.
 
-    A load that did not converge has a doubt `not_converged`. Interrupted by the keyboard, it gives the loads that are done.
-    Raises InputError for what cannot be used, also for a load that the hardness cannot carry, or too little memory.
+    A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned.
+    Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
     """
-    asked = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
+    request = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)
-    of_map = doubts_of_map(asked.heights, asked.size, film or counter_film, periodic)
-    order = np.argsort(asked.pressures, kind="stable")
+    of_map = doubts_of_map(request.heights, request.size, film or counter_film, periodic)
+    order = np.argsort(request.pressures, kind="stable")
     done: dict[int, MapContact] = {}
     try:
-        for index, contact in zip(order, _rising(asked, compliance, asked.pressures[order]), strict=True):
+        for index, contact in zip(order, _rising(request, compliance, request.pressures[order]), strict=True):
             done[int(index)] = contact
-            if asked.how.done is not None:
-                asked.how.done(contact)
+            if request.how.done is not None:
+                request.how.done(contact)
     except KeyboardInterrupt:
         if not done:
             raise
@@ -135,7 +140,7 @@ def solve_map(
 
 
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
-    """InputError for a map, loads or keywords that `solve_map` refuses."""
+    """Raise InputError for a map, loads or keywords that `solve_map` refuses."""
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
     _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
 
@@ -164,7 +169,7 @@ class _How:
 
 @dataclass(frozen=True)
 class _Asked:
-    """What was asked for, checked."""
+    """Checked arguments of `solve_map`."""
 
     heights: np.ndarray
     size: tuple[float, float]
@@ -176,7 +181,7 @@ class _Asked:
 
     @property
     def ends(self) -> bool:
-        """Whether the map ends, and nothing presses outside of it."""
+        """Return whether the map ends, with nothing pressing outside of it."""
         return self.how.free and not self.periodic
 
     @classmethod
@@ -211,55 +216,63 @@ def usable_map(heights) -> np.ndarray:
     return heights
 
 
-def _rising(asked: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
-    """Contacts at rising mean pressures, each from the one before."""
-    boundary = PeriodicBoundary if asked.periodic else FreeBoundary if asked.ends else MirroredBoundary
-    displacement = boundary(compliance, asked.heights.shape, asked.size)
-    length = rms_step(asked.heights)
+def _rising(request: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
+    """Solve at rising mean pressures, each from the solution before."""
+    boundary = PeriodicBoundary if request.periodic else FreeBoundary if request.ends else MirroredBoundary
+    displacement = boundary(compliance, request.heights.shape, request.size)
+    length = rms_step(request.heights)
     start = None
     for index, mean in enumerate(pressures.tolist()):
         if start is None:
-            start = _from_coarser(asked, compliance, boundary, mean, asked.heights)
-        problem = Problem(displacement, asked.heights, mean, asked.hardness, length)
+            start = _from_coarser(request, compliance, boundary, mean, request.heights)
+        problem = Problem(displacement, request.heights, mean, request.hardness, length)
         seen = None
-        if asked.how.progress is not None:
-            seen = _reporting(asked.how.progress, index, len(pressures))
-        held = condense(problem, asked.menisci, start, tolerance=asked.how.tolerance, most=asked.how.most_steps, seen=seen)
-        yield _contact(asked, problem, held, displacement.knows_approach)
-        start = held.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / held.found.pressure.mean())
+        if request.how.progress is not None:
+            seen = _reporting(request.how.progress, index, len(pressures))
+        wetted = condense(
+            problem, request.menisci, start, tolerance=request.how.tolerance, most=request.how.most_steps, seen=seen
+        )
+        yield _contact(request, problem, wetted, displacement.knows_approach)
+        start = wetted.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / wetted.found.pressure.mean())
 
 
 def _reporting(progress, index, loads):
     return lambda step, residual: progress(Progress(index, loads, step, residual))
 
 
-def _from_coarser(asked, compliance, boundary, mean, heights) -> np.ndarray:
-    """A first pressure: the solution of every second point, found the same way; of a small map, the mean everywhere."""
+def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
+    """Return a first pressure from the solution of every second point.
+
+    Applied recursively; a small map begins with the mean everywhere.
+    """
     if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
         return np.full(heights.shape, mean)
     coarse = np.ascontiguousarray(heights[::2, ::2])
-    start = _from_coarser(asked, compliance, boundary, mean, coarse)
-    problem = Problem(boundary(compliance, coarse.shape, asked.size), coarse, mean, asked.hardness, rms_step(coarse))
-    found = minimise(problem, start, tolerance=_COARSE_TOLERANCE, most=asked.how.most_steps)
-    return found.pressure.repeat(2, axis=0).repeat(2, axis=1)
+    start = _from_coarser(request, compliance, boundary, mean, coarse)
+    problem = Problem(boundary(compliance, coarse.shape, request.size), coarse, mean, request.hardness, rms_step(coarse))
+    solution = minimise(problem, start, tolerance=_COARSE_TOLERANCE, most=request.how.most_steps)
+    return solution.pressure.repeat(2, axis=0).repeat(2, axis=1)
 
 
-def _contact(asked: _Asked, problem: Problem, held: Condensed, knows_approach: bool) -> MapContact:
-    """The numbers of one load. What presses the solids is the pressure found, less the suction of the liquid around them."""
-    found, gap = held.found, held.found.gap
-    suction = 0.0 if asked.menisci is None else asked.menisci.pressure
-    nominal = asked.size[0] * asked.size[1]
+def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approach: bool) -> MapContact:
+    """Collect the numbers of one load.
+
+    The solids press with the pressure of the solution less the suction of the liquid around them.
+    """
+    solution, gap = wetted.found, wetted.found.gap
+    suction = 0.0 if request.menisci is None else request.menisci.pressure
+    nominal = request.size[0] * request.size[1]
     pixel = nominal / gap.size
-    contact, flows = found.pressure > 0.0, found.pressure >= asked.hardness + suction
-    pressure = found.pressure if asked.menisci is None else _of_solids(found.pressure, suction)
-    mean = float(found.pressure.mean())
+    contact, flows = solution.pressure > 0.0, solution.pressure >= request.hardness + suction
+    pressure = solution.pressure if request.menisci is None else _of_solids(solution.pressure, suction)
+    mean = float(solution.pressure.mean())
     plastic = int(np.count_nonzero(flows))
-    corrected, perimeter = _without_excess(asked, pressure, pixel)
+    corrected, perimeter = _without_excess(request, pressure, pixel)
     free = contact & ~flows
-    per_area = stiffness_per_area(problem.displacement, free, pressure) if asked.how.stiffness else math.nan
-    wanted = problem.mean + suction * float(held.wet.mean())
+    per_area = stiffness_per_area(problem.displacement, free, pressure) if request.how.stiffness else math.nan
+    wanted = problem.mean + suction * float(wetted.wet.mean())
     error = abs(mean / wanted - 1.0)
-    highest = float(asked.heights.max())
+    highest = float(request.heights.max())
     return MapContact(
         load=float(problem.mean) * nominal,
         mean_pressure=float(problem.mean),
@@ -267,34 +280,37 @@ def _contact(asked: _Asked, problem: Problem, held: Condensed, knows_approach: b
         area=corrected,
         area_pixels=int(np.count_nonzero(contact)) * pixel,
         perimeter=perimeter,
-        separation=-found.offset - float(asked.heights.mean()),
+        separation=-solution.offset - float(request.heights.mean()),
         mean_gap=float(np.mean(gap, where=gap > 0.0)) * float(np.mean(gap > 0.0)) if (gap > 0.0).any() else 0.0,
-        approach=highest + found.offset if knows_approach else None,
+        approach=highest + solution.offset if knows_approach else None,
         stiffness=per_area * nominal,
         plastic_area=plastic * pixel,
-        plastic_share=plastic * asked.hardness / float(pressure.sum()) if plastic else 0.0,
-        residual=found.residual,
+        plastic_share=plastic * request.hardness / float(pressure.sum()) if plastic else 0.0,
+        residual=solution.residual,
         load_error=error,
-        steps=found.steps,
+        steps=solution.steps,
         points=int(np.count_nonzero(contact)),
-        load_at_ends=share_at_ends(pressure) if asked.ends else 0.0,
-        doubts=doubts_of_load(found, error, asked.ends, asked.how.tolerance),
-        pressure=pressure if asked.how.keep_maps else None,
-        pull=suction * (int(np.count_nonzero(held.wet)) * pixel - corrected) if suction else 0.0,
+        load_at_ends=share_at_ends(pressure) if request.ends else 0.0,
+        doubts=doubts_of_load(solution, error, request.ends, request.how.tolerance),
+        pressure=pressure if request.how.keep_maps else None,
+        pull=suction * (int(np.count_nonzero(wetted.wet)) * pixel - corrected) if suction else 0.0,
     )
 
 
 def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
-    """What the solids bear of the pressure over the suction: next to nothing where points touch, and are drawn together."""
+    """Return the pressure between the solids, from that over the suction.
+
+    It is next to nothing where points touch and are drawn together.
+    """
     return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
 
 
-def _without_excess(asked: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
-    """Area [m2] without what pixels at edges add, and length of the edges [m]."""
-    sides = edges(pressure > 0.0, asked.periodic)
+def _without_excess(request: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
+    """Return area [m2] without the excess of edge pixels, and edge length [m]."""
+    sides = edges(pressure > 0.0, request.periodic)
     counted = int(np.count_nonzero(pressure)) * pixel
     corrected = counted - PIXEL_EXCESS * sides.count * pixel
-    least = float(pressure.sum()) * pixel / asked.hardness
-    pitch = asked.size[0] / pressure.shape[0], asked.size[1] / pressure.shape[1]
+    least = float(pressure.sum()) * pixel / request.hardness
+    pitch = request.size[0] / pressure.shape[0], request.size[1] / pressure.shape[1]
     perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
     return max(corrected, least), perimeter

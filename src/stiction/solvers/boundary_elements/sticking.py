@@ -24,32 +24,41 @@ if TYPE_CHECKING:
 
 
 def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
-    """The range of attraction [m] that the points of a map just resolve; work: of adhesion [J/m2]."""
+    """Return the range of attraction [m] that the points of a map just resolve.
+
+    work: of adhesion [J/m2].
+    """
     near = Compliance(bodies.modulus, bodies.film, bodies.counter_film).near
     return math.sqrt(LEAST_POINTS * max(surface.pitch) * near * work)
 
 
 def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
-    """Contacts at nominal pressures [Pa] in the order given, negative: pulled, each from the one before. work: of adhesion
-    [J/m2]; reach: range of attraction [m]. Raises InputError for a map that ends, for bodies that flow, for films on both."""
+    """Solve an adhesive map at nominal pressures [Pa] in the order given.
+
+    Negative pressures pull; each is solved from the one before. work: of adhesion [J/m2]; reach: range of attraction [m].
+    Raises InputError for a map that ends, for bodies that flow, and for films on both.
+    """
     if not surface.periodic:
         raise InputError("adhesion", "on a map that ends", "left_out, or one period of a surface (periodic = true)")
     if bodies.hardness is not None:
         raise InputError("yielding", "at_hardness", "none: adhesion is solved for elastic bodies")
     if bodies.counter_film is not None:
         raise InputError("coating.bodies", "both", "first or second, where a map adheres")
-    whole = surface.size[0] * surface.size[1]
-    found = solve_adhesive(
+    nominal = surface.size[0] * surface.size[1]
+    adhesive = solve_adhesive(
         surface.heights, surface.size, modulus=bodies.modulus, film=bodies.film, work=work, reach=reach,
-        loads=[float(pressure) * whole for pressure in pressures],
+        loads=[float(pressure) * nominal for pressure in pressures],
     )  # fmt: skip
-    numbers = of_map(surface, bodies, 1) | {"adhesion_range": reach, "points_at_edge": found[0].points_at_edge}
-    contacts = tuple(_as_contact(one, whole) for one in found)
-    return MapCurve(contacts, 1, numbers, {"attraction_residual": np.array([one.residual for one in found])})
+    numbers = of_map(surface, bodies, 1) | {"adhesion_range": reach, "points_at_edge": adhesive[0].points_at_edge}
+    contacts = tuple(_as_contact(contact, nominal) for contact in adhesive)
+    return MapCurve(contacts, 1, numbers, {"attraction_residual": np.array([contact.residual for contact in adhesive])})
 
 
 def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
-    """Faces that do not touch are infinitely far apart. The pressure is left out: it pulls also where there is contact."""
+    """Convert an adhesive contact to a MapContact without pressures.
+
+    Faces that do not touch are infinitely far apart. The pressure is left out because it pulls also where there is contact.
+    """
     return MapContact(
         load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,
         perimeter=one.perimeter, separation=one.mean_gap, mean_gap=one.mean_gap, approach=None, stiffness=math.nan,

@@ -10,7 +10,7 @@ _listeners: list[Callable[[Progress], None]] = []
 
 @contextmanager
 def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
-    """Calls the listener before every step of every solution inside."""
+    """Call the listener before every step of every solution inside."""
     _listeners.append(listener)
     try:
         yield
@@ -19,6 +19,6 @@ def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
 
 
 def tell(progress: Progress) -> None:
-    """What a solver calls."""
+    """Report a step of a solver to the listener."""
     for listener in _listeners:
         listener(progress)

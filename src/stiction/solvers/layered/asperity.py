@@ -30,21 +30,24 @@ _MOST_STEPS = 100
 
 @formula
 def _place(u, per_root):
-    """z, and (1 - z^2)/2 = dz/d ln u. At infinite u they are 1 and 0."""
+    """Return z and (1 - z^2)/2 = dz/d ln u; at infinite u they are 1 and 0."""
     rest = 1.0 / (per_root * u + 1.0)
     return 1.0 - 2.0 * rest, 2.0 * rest * (1.0 - rest)
 
 
 @formula
 def _next(z, sums, coefficient):
-    """Horner's step of a polynomial and of its derivative."""
+    """Advance Horner's scheme of a polynomial and its derivative by one step."""
     value, slope = sums
     return value * z + coefficient, slope * z + value
 
 
 @formula
 def _polynomial(z, c):
-    """Sum c_k z^k and its derivative; step by step, because a loop over a tuple is not unrolled in time to be vectorised."""
+    """Return Sum c_k z^k and its derivative.
+
+    Written out step by step: a loop over a tuple is not unrolled in time to be vectorised.
+    """
     sums = _next(z, _next(z, _next(z, (c[18], 0.0), c[17]), c[16]), c[15])
     sums = _next(z, _next(z, _next(z, sums, c[14]), c[13]), c[12])
     sums = _next(z, _next(z, _next(z, sums, c[11]), c[10]), c[9])
@@ -55,14 +58,14 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Sum c_k z^k times 1 - z^2, and its derivative by ln u."""
+    """Return Sum c_k z^k times 1 - z^2, and its derivative by ln u."""
     value, slope = _polynomial(z, c)
     return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)
 
 
 @formula
 def _hertzian(u, row):
-    """z, dz/d ln u, E_P, D, and the derivatives of their logarithms by ln u."""
+    """Return z, dz/d ln u, E_P, D, and the derivatives of their logarithms by ln u."""
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
     approach, approach_slope = _curve(z, by_u, row[_APPROACH:PLAIN])
@@ -72,7 +75,7 @@ def _hertzian(u, row):
 
 @formula
 def plain(u, *row):
-    """Without the edge's energy: displacement, its derivative by u, load less the pull, area."""
+    """Return displacement, its slope, load less pull, and area, without edge energy."""
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
     return D * u3 * u, D * u3 * (4.0 + approach_slope), E_P * u3 * u3 - row[2], u3 * u
@@ -80,20 +83,20 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """1/sqrt(B), and its logarithm's derivative by ln u."""
+    """Return 1/sqrt(B) and its logarithm's derivative by ln u."""
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
 
 
 @formula
 def _stiffness(E_P, D, load_slope, approach_slope):
-    """(3/2) E_S = (dP_H/du)/(dw_H/du)/u^2."""
+    """Return (3/2) E_S = (dP_H/du)/(dw_H/du)/u^2."""
     return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
 
 
 @formula
 def parted(u, row):
-    """P_H, and by how much the load of an adhesive contact on the same radius is less."""
+    """Return P_H, and how much smaller the adhesive load is on the same radius."""
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     u3, softness = u * u * u, _edge(z, by_u, row)[0]
     return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
@@ -101,7 +104,7 @@ def parted(u, row):
 
 @formula
 def edged(u, *row):
-    """With the edge's energy; the pull is s."""
+    """Return the same as `plain` with edge energy; the pull is s."""
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
     u3, back = u * u * u, row[2] * softness
@@ -112,7 +115,10 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """u at the displacement w, by Newton's method in logarithms: ln w_H rises with ln u, by slopes near to 4."""
+    """Solve for u at the displacement w.
+
+    By Newton's method in logarithms, where ln w_H rises with ln u by slopes near 4.
+    """
     if not w > 0.0:
         return 0.0
     if w == math.inf:
@@ -129,7 +135,10 @@ def plain_coordinate(w, *row):
 
 @formula
 def _approached(w, row):
-    """u at the displacement w >= 0: with w + v in place of w_H, v the edge's part, ln(w_H/(w + v)) rises with ln u (Newton)."""
+    """Solve for u at the displacement w >= 0 with edge energy.
+
+    With w + v in place of w_H, v the edge's part, ln(w_H/(w + v)) rises with ln u, which suits Newton's method.
+    """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
         z, by_u, _, D, _, approach_slope = _hertzian(u, row)
@@ -145,19 +154,19 @@ def _approached(w, row):
 
 @formula
 def touch(row):
-    """u at which w = 0 under the edge's energy: where contact is made."""
+    """Return u at w = 0 under the edge energy, where contact is made."""
     return _approached(0.0, row)
 
 
 @formula
 def _comes_off(u, row):
-    """Whether the displacement falls with u."""
+    """Return whether the displacement falls with u."""
     return edged(u, *row)[1] <= 0.0
 
 
 @formula
 def _is_short(u, given):
-    """Whether u lies before the displacement w, or where that falls with u."""
+    """Return whether u lies before the displacement w, or where that falls with u."""
     w, row = given
     here = edged(u, *row)
     return here[0] < w or here[1] <= 0.0
@@ -168,7 +177,7 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 
 @formula
 def edged_coordinate(w, *row):
-    """u at the displacement w on the side where that grows with u."""
+    """Solve for u at the displacement w on the branch where it grows with u."""
     if w == math.inf:
         return math.inf
     if w >= 0.0:
@@ -181,8 +190,10 @@ def edged_coordinate(w, *row):
 
 @formula
 def pulled_off(row):
-    """u at which a contact that is drawn apart comes off at a given displacement: dw/du = 0, the first on the way back from
-    where it was made."""
+    """Return u at which a contact under withdrawal detaches.
+
+    At a given displacement dw/du = 0; it is the first such point on the way back from where contact was made.
+    """
     low = high = touch(row)
     while not _comes_off(low, row):
         low, high = 0.97 * low, low

@@ -27,7 +27,10 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the same over the hardness H of the bodies (n, m), of spots of an area (n, m) over pi R sigma."""
+    """Return the pressure at which the body below flows, over the hardness H (n, m).
+
+    For spots of an area (n, m) over pi R sigma.
+    """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2
     depth = np.cbrt(np.reshape(whole.film_modulus, (-1, 1))) / np.maximum(radius, 1e-12)

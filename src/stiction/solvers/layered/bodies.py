@@ -15,9 +15,12 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
 
 class Bodies(NamedTuple):
-    """pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Of
-    their film the plane-strain modulus, over that of both bodies together without a film; of the other body, where that is
-    bare, the share in their compliance and Poisson's ratio."""
+    """Bodies of a layered contact.
+
+    pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Numbers:
+    plane-strain modulus of the film over that of both bodies without a film; share of the other body, where bare, in the
+    compliance, and its Poisson's ratio.
+    """
 
     pair: Pair
     coated: tuple[CoatedBody, ...]
@@ -27,30 +30,36 @@ class Bodies(NamedTuple):
 
 
 def per_root(groups: Groups) -> np.ndarray:
-    """(R sigma)^(1/4)/sqrt(t_1), t_1 the thickness of one film (n,), of complete groups: times x^(1/4) it is sqrt(a/t_1)."""
+    """Return (R sigma)^(1/4)/sqrt(t_1) (n,) of complete groups.
+
+    t_1: thickness of one film; times x^(1/4) it is sqrt(a/t_1).
+    """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
 
 
 def columns_of(groups: Groups) -> np.ndarray:
-    """What decides the bodies (6, n), of complete groups."""
+    """Return the columns (6, n) of complete groups that decide the bodies."""
     return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Of rows as of `columns_of`: the film's share (n,) in the compliance of the surfaces that meet, which is all of it if both
-    bodies are coated, and the modulus of the film over that of its body. Raises InputError for bodies that cannot be."""
+    """Return the film's share (n,) in the surface compliance, and its modulus ratio.
+
+    Rows as of `columns_of`; the share is 1 if both bodies are coated; the ratio is to the modulus of the body. Raises
+    InputError for impossible bodies.
+    """
     n_E, bodies, first = given[:3]
-    one = bodies == 1.0
-    share = np.where(one, 1.0 - (1.0 - first) * n_E, 1.0)
+    single = bodies == 1.0
+    share = np.where(single, 1.0 - (1.0 - first) * n_E, 1.0)
     if (share <= 0.0).any():
         at = int(np.argmax(share <= 0.0))
         raise InputError("n_E", float(n_E[at]), f"less than 1/(1 - coated_share), {1.0 / (1.0 - first[at]):.6g} here")
-    return share, np.where(one, first * n_E / share, n_E)
+    return share, np.where(single, first * n_E / share, n_E)
 
 
 def bodies_of(groups: Groups) -> tuple[list[Bodies], np.ndarray]:
-    """The different bodies among n contacts with a film, and which of them each contact has (n,). Complete groups."""
+    """Return the distinct bodies of n contacts with a film, and their indices (n,)."""
     each, which = np.unique(columns_of(groups), axis=1, return_inverse=True)
     return [_bodies(row) for row in each.T], np.ravel(which)
 

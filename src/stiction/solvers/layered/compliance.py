@@ -36,7 +36,7 @@ class Layer:
 
     @classmethod
     def of(cls, share: float, ratio: float, nu: float, nu_below: float) -> "Layer":
-        """From Poisson's ratios, 0 to 0.5, of the film and of the body below."""
+        """Build a layer from Poisson's ratios, 0 to 0.5, of the film and the body below."""
         return cls(share, ratio, float(poisson_excess(ratio, nu, nu_below)))
 
 
@@ -45,10 +45,12 @@ Pair = tuple[Layer, ...]
 
 
 def poisson_excess(ratio, nu, nu_below):
-    """4 beta - alpha, Dundurs' parameters of a film on a body; -1 to 1, for any ratio of moduli the same range. Arrays.
+    """Return 4 beta - alpha, Dundurs' parameters of a film on a body.
 
-    alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)),
-    m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
+    It lies in -1 to 1 for any ratio of moduli. Arrays.
+
+    alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 -
+    nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
     """
     softness, softness_below = 1.0 - nu, 1.0 - nu_below
     shear = ratio * softness / softness_below
@@ -57,7 +59,7 @@ def poisson_excess(ratio, nu, nu_below):
 
 
 def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
-    """c(x) of one film."""
+    """Return c(x) of one film."""
     alpha = (ratio - 1.0) / (ratio + 1.0)
     beta = (excess + alpha) / 4.0
     K, L = (alpha - beta) / (1.0 - beta), (alpha + beta) / (1.0 + beta)
@@ -66,16 +68,20 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 
 
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
-    """Compliance (n,) of both bodies together at the wavenumbers x = k t (n,), over that of the two surfaces that meet as
-    half-spaces, 2/(E1 k); t is the thickness of one film."""
-    whole = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
+    """Return the compliance (n,) of both bodies at wavenumbers x = k t (n,).
+
+    Relative to 2/(E1 k), that of the two surfaces as half-spaces; t is the thickness of one film.
+    """
+    total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
-        whole += layer.share * _film(x, layer.ratio, layer.excess)
-    return whole
+        total += layer.share * _film(x, layer.ratio, layer.excess)
+    return total
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Plane-strain modulus of both bodies together without any film, over that of the two surfaces that meet; infinite if both
-    are rigid."""
+    """Return the plane-strain modulus of both bodies without any film.
+
+    Relative to that of the two surfaces that meet; infinite if both bodies are rigid.
+    """
     long_waves = 1.0 - sum(layer.share * (1.0 - layer.ratio) for layer in pair)
     return 1.0 / long_waves if long_waves > 0.0 else np.inf

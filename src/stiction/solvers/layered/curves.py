@@ -42,22 +42,29 @@ def _solved(pair: Pair) -> tuple[float, ...]:
 
 
 def curves(pair: Pair) -> np.ndarray:
-    """The coefficients (CURVES, TERMS) of ln E_P, ln D and ln B, from exact solutions, which are kept for each pair.
+    """Return coefficients (CURVES, TERMS) of ln E_P, ln D and ln B.
 
-    Not for two rigid bodies, whose modulus without a film is infinite.
+    From exact solutions, which are cached for each pair. Two rigid bodies are excluded: their modulus without a film is
+    infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
 
 
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
-    """The coefficients (CURVES, TERMS) from Responses (radii, 7) at RADII; below: the modulus without a film."""
+    """Fit coefficients (CURVES, TERMS) to Responses (radii, 7) at RADII.
+
+    below: the modulus without a film.
+    """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}
     return np.stack([fit_one(np.log(at[name]), at[f"{name}_slope"], rise) for name, rise in ends.items()])
 
 
 def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
-    """The coefficients (TERMS,) of one curve from its values and slopes by ln a at RADII; it rises from 0 by so much in all."""
+    """Fit the coefficients (TERMS,) of one curve to its values and slopes at RADII.
+
+    Slopes are by ln a; the curve rises from 0 by a given total.
+    """
     root = np.sqrt(RADII)
     z = (root - 1.0) / (root + 1.0)
     by_radius = (1.0 - z * z) / 4.0  # dz/d ln a
@@ -68,7 +75,7 @@ def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(1 - z^2) T_k(z) (n, TERMS), and its derivative by z."""
+    """Return (1 - z^2) T_k(z) (n, TERMS) and its derivative by z."""
     unit = np.eye(TERMS)
     value = chebyshev.chebval(z, unit).T
     slope = chebyshev.chebval(z, chebyshev.chebder(unit)).T

@@ -32,12 +32,15 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """ln D, A and B as rows (FORMS, 2 + EDGE_TERMS): the values f and g of a half-space of the film and of a film without
-    thickness, and c_k in (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. Of two unlike bodies, at every
-    radius, that whose film the traction stresses more."""
+    """Return ln D, A and B as rows (FORMS, 2 + EDGE_TERMS).
+
+    Each row holds the values f and g of a half-space of the film and of a film without thickness, and c_k in (1 - z)/2 f + (1
+    + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. Of two unlike bodies the one is taken, at every radius, whose film the
+    traction stresses more.
+    """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
-    whole = np.stack(each)
-    worse = np.take_along_axis(whole, whole[:, :, :1].argmax(axis=0)[None], axis=0)[0]
+    rows = np.stack(each)
+    worse = np.take_along_axis(rows, rows[:, :, :1].argmax(axis=0)[None], axis=0)[0]
     root = np.sqrt(_RADII)
     z = (root - 1.0) / (root + 1.0)
     ends, inner = worse[[0, -1]], worse[1:-1]
@@ -50,18 +53,18 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 
 
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
-    """ln D, A and B without end, at the radii and without thickness: (radii + 2, FORMS)."""
+    """Return ln D, A and B (radii + 2, FORMS) without end, at the radii and at t = 0."""
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
 
 
 @lru_cache(maxsize=64)
 def half_space(nu: float) -> Radial:
-    """The stresses of a half-space there."""
+    """Return the stresses of a half-space at the edge."""
     return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """The traction is ahead of the edge that trails."""
-    A, B, D, _ = (float(one[0, 0]) for one in forms_of(radial))
+    """Return the forms ahead of the trailing edge, where the traction stresses most."""
+    A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

@@ -42,9 +42,11 @@ Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
-    """First yield under a mean pressure of 1 and a traction in proportion: by how much the von Mises stress is more than the
-    yield stress of the film (`excess`), and where: "film", "interface" (on either side) or "body", x ahead of the axis and z
-    below the surface, over the contact radius."""
+    """First yield under a mean pressure of 1 and a proportional traction.
+
+    excess: von Mises stress over the yield stress of the film; where: "film", "interface" (on either side) or "body"; x ahead
+    of the axis and z below the surface, over the contact radius.
+    """
 
     excess: float
     where: str
@@ -53,9 +55,11 @@ class Yield(NamedTuple):
 
 
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
-    """Where it first yields under a traction that is this multiple of the pressure, 0 or more; film_strength: yield stress of
-    the film over that of the body below."""
-    found = []
+    """Locate first yield under a traction that is this multiple >= 0 of the pressure.
+
+    film_strength: yield stress of the film over that of the body below.
+    """
+    candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
         forms = forms_of(radial)
         square, cosine = _over_directions(forms, 1.0, traction)
@@ -63,13 +67,15 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
         ahead = r[at[1]] * cosine[at] * (-1.0 if forms[1][at] < 0.0 else 1.0)
         between = abs(z[at[0]] - stresses.thickness) < 1e-9 * stresses.thickness
         largest = _refined(square[..., None], np.ones(square.shape, dtype=bool))[0] ** 0.5
-        found.append(Yield(float(largest / strength), "interface" if between else name, float(ahead), float(z[at[0]])))
-    return max(found)
+        candidates.append(Yield(float(largest / strength), "interface" if between else name, float(ahead), float(z[at[0]])))
+    return max(candidates)
 
 
 def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
-    """The largest tension across the interface of film and body, 0 if there is none, and the largest shear on it, over the mean
-    pressure, under a traction that is this multiple of the pressure, 0 or more."""
+    """Return the largest tension and shear at the interface of film and body.
+
+    Over the mean pressure, under a traction that is this multiple >= 0 of the pressure; 0 if there is no tension.
+    """
     r = np.unique(np.concatenate([_RADII, 2.0 * _WIDE * max(1.0, stresses.thickness)]))
     radial = stresses.in_film(r, np.array([stresses.thickness]))
     _, _, zz, rz = radial.pressed
@@ -80,7 +86,10 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
-    """N of the PARTS (PARTS, m) in the directions (m,) of ANGLES' kind: all but the last are of the film."""
+    """Return N of the PARTS (PARTS, m) in directions (m,) of ANGLES' kind.
+
+    All parts but the last are of the film.
+    """
     (film, _, _), (body, _, _) = _fields(stresses)
     return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
 
@@ -88,8 +97,10 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 @lru_cache(maxsize=64)
 @on_one_thread
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
-    """ln N of the films and of the bodies below, whichever of two is larger: (2, PLACES, ANGLES). The body's is of N times
-    1 + (t/a)^2, which is finite where it is not felt."""
+    """Return ln N of films and bodies below, the larger of two: (2, PLACES, ANGLES).
+
+    That of the body is of N times 1 + (t/a)^2, which stays finite where the body is not stressed.
+    """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
         felt = -np.log1p(((1.0 - PLACES) / (1.0 + PLACES)) ** 4)[:, None]
@@ -98,7 +109,10 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
-    """ln N of the PARTS (PARTS, PLACES, ANGLES), the last two of N times 1 + (t/a)^2."""
+    """Return ln N of the PARTS (PARTS, PLACES, ANGLES).
+
+    The last two are of N times 1 + (t/a)^2.
+    """
     from scipy.interpolate import Akima1DInterpolator  # slow to import
 
     radii = ((1.0 + _SOLVED) / (1.0 - _SOLVED)) ** 2
@@ -114,8 +128,11 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
 
 
 def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
-    """N of the parts of a film (4, m): its surface but the edge of the contact, the edge, inside, and the last of its depths;
-    the first two (2, m) of a film that is all surface."""
+    """Return N of the parts of a film (4, m).
+
+    Its surface without the edge of contact, the edge, the inside, and the last of its depths; only the first two (2, m) of a
+    film that is all surface.
+    """
     rest = np.arange(len(_RADII)) != _EDGE
     depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
     surface, last = depth == 0, depth == depth.size - 1
@@ -125,7 +142,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Stresses in film and body, at the radii and depths of the search."""
+    """Return stresses in film and body at the radii and depths of the search."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
@@ -137,19 +154,19 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Depths in a thick film, dense where a half-space is stressed."""
+    """Return depths in a thick film, dense where a half-space is stressed."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 
 @lru_cache(maxsize=64)
 def _alone(nu: float) -> Radial:
-    """Of a half-space: of a film like its body, of any thickness."""
+    """Return stresses of a half-space: a film like its body, of any thickness."""
     whole = Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5)
     return whole.in_film(_RADII, _IN_BODY)
 
 
 def stretched(below: Radial, body: CoatedBody) -> Radial:
-    """A film of no thickness on the surface of a half-space, which stretches it."""
+    """Return stresses of a film of no thickness that a half-space stretches."""
     surface = Radial(*(tuple(one[:1] for one in part) for part in below))
     stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
 
@@ -162,7 +179,7 @@ def stretched(below: Radial, body: CoatedBody) -> Radial:
 
 
 def forms_of(radial: Radial) -> Forms:
-    """What the stresses make of M."""
+    """Return the quadratic forms of the stresses in M."""
     *along, rt, tz = radial.dragged
     return (
         _product(radial.pressed, radial.pressed),
@@ -172,14 +189,17 @@ def forms_of(radial: Radial) -> Forms:
     )
 
 
-def _product(one, other) -> np.ndarray:
-    """3/2 of the double contraction of two deviators."""
-    mean = (one[0] + one[1] + one[2]) * (other[0] + other[1] + other[2]) / 3.0
-    return 1.5 * (one[0] * other[0] + one[1] * other[1] + one[2] * other[2] - mean) + 3.0 * one[3] * other[3]
+def _product(first, second) -> np.ndarray:
+    """Return 3/2 of the double contraction of two deviators."""
+    mean = (first[0] + first[1] + first[2]) * (second[0] + second[1] + second[2]) / 3.0
+    return 1.5 * (first[0] * second[0] + first[1] * second[1] + first[2] * second[2] - mean) + 3.0 * first[3] * second[3]
 
 
 def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
-    """The largest M over theta, and |cos(theta)| there. s, q: numbers or arrays that broadcast with the forms."""
+    """Return the largest M over theta, and |cos(theta)| there.
+
+    s, q: numbers or arrays that broadcast with the forms.
+    """
     A, B, D, C = forms
     across = np.maximum(C - D, 1e-300) * q
     cosine = np.where(np.abs(B) * s < across, np.abs(B) * s / np.maximum(across, 1e-300), 1.0)
@@ -188,7 +208,7 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """M (n, m, angles) in these directions, and |cos(theta)| of the worst place."""
+    """Return M (n, m, angles) in these directions, and |cos(theta)| at its maximum."""
     return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
 
 
@@ -197,7 +217,10 @@ def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
-    """The largest of (n, m, angles) among some of the places (n, m): (angles,), by parabolas through it and its neighbours."""
+    """Return the maxima (angles,) of (n, m, angles) among some places (n, m).
+
+    Refined by parabolas through each maximum and its neighbours.
+    """
     n, m, count = square.shape
     where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)
     i, j, every = where // m, where % m, np.arange(count)

@@ -24,9 +24,9 @@ _DEEPEST, _GROWTH = 0.35, 3.0
 
 
 def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """H_mn at the radii r (m,) and depths z (n,), over the contact radius: (2, 4, n, m), for m = 1, 2 and n = 0 to 3.
+    """Return H_mn at radii r (m,) and depths z (n,), over the contact radius.
 
-    g: coefficients of the pressure, as of `sphere.pressure`.
+    Of shape (2, 4, n, m), for m = 1, 2 and n = 0 to 3. g: coefficients of the pressure, as of `sphere.pressure`.
     """
     s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
     out = np.empty((2, 4, z.size, r.size))
@@ -55,7 +55,7 @@ def _add_up(s, weighed, r, z, out):
 
 @lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes s and weights ds of the quarter ellipse."""
+    """Return nodes s and weights ds of the quarter ellipse."""
     v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
     left, step = np.pi / 2.0 * v**2, np.pi * v

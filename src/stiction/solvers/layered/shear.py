@@ -26,50 +26,61 @@ _STEP = 1e-4  # of ln x, for slopes of compliances
 
 
 def shear_ends(bodies: Bodies) -> tuple[float, float]:
-    """K beta as far as the film alone is felt, and without it; K = 4/3 of the modulus of both bodies without a film."""
-    film = _of_surfaces(bodies, *np.array([[1.0 - one.nu, 1.0] for one in bodies.coated]))
-    below = [np.array([1.0 - one.nu_below, 1.0]) * one.shear_ratio for one in bodies.coated]
+    """Return K beta where only the film is felt, and without it.
+
+    K is 4/3 of the modulus of both bodies without a film.
+    """
+    film = _of_surfaces(bodies, *np.array([[1.0 - body.nu, 1.0] for body in bodies.coated]))
+    below = [np.array([1.0 - body.nu_below, 1.0]) * body.shear_ratio for body in bodies.coated]
     return 4.0 / 3.0 * float(film.sum()), 4.0 / 3.0 * float(_of_surfaces(bodies, *below).sum())
 
 
 def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
-    """K beta in T = 8 a delta/beta at the contact radius, over the thickness of one film, and its slope: d ln beta/d ln a."""
+    """Return K beta in T = 8 a delta/beta, and its slope d ln beta/d ln a.
+
+    At the contact radius a over the thickness of one film.
+    """
     k, weights, even = spherical_waves(radius)
     x = k / radius
-    far = _of_surfaces(bodies, *np.array([[1.0 - one.nu, 1.0] for one in bodies.coated]))
+    far = _of_surfaces(bodies, *np.array([[1.0 - body.nu, 1.0] for body in bodies.coated]))
     near, lower, higher = (_compliances(bodies, x * step) for step in (1.0, np.exp(-_STEP), np.exp(_STEP)))
     matrix = _matrix(weights, even, near - far[:, None])
     matrix += _matrix_of_half_space(len(even), far)
-    found = np.linalg.solve(matrix, np.eye(len(matrix))[0])
-    slope = found @ _matrix(weights, even, (lower - higher) / (2.0 * _STEP)) @ found
-    return 4.0 / 3.0 / float(found[0]), float(slope / found[0])
+    solution = np.linalg.solve(matrix, np.eye(len(matrix))[0])
+    slope = solution @ _matrix(weights, even, (lower - higher) / (2.0 * _STEP)) @ solution
+    return 4.0 / 3.0 / float(solution[0]), float(slope / solution[0])
 
 
 @lru_cache(maxsize=256)
 @on_one_thread
 def shear_curve(bodies: Bodies) -> np.ndarray:
-    """Coefficients (TERMS,) of ln beta, as those of `curves`: ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 -
-    z^2) Sum c_k z^k."""
+    """Return coefficients (TERMS,) of ln beta, as those of `curves`.
+
+    ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 - z^2) Sum c_k z^k.
+    """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
     return fit_one(np.log(solved[:, 0]) - film, solved[:, 1], below - film)
 
 
 def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
-    """C_L and C_T (2, ...) of both bodies, from those of each coated one times the shear modulus of its film."""
+    """Return C_L and C_T (2, ...) of both bodies.
+
+    From those of each coated body times the shear modulus of its film.
+    """
     per_film = 2.0 / bodies.film_modulus
     bare = 2.0 * bodies.bare_share * np.array([1.0, 1.0 / (1.0 - bodies.bare_nu)])
-    whole = sum(per_film / (1.0 - one.nu) * found for one, found in zip(bodies.coated, of_films, strict=True))
-    return whole + bare.reshape(2, *(1,) * (np.ndim(whole) - 1))
+    total = sum(per_film / (1.0 - body.nu) * compliance for body, compliance in zip(bodies.coated, of_films, strict=True))
+    return total + bare.reshape(2, *(1,) * (np.ndim(total) - 1))
 
 
 def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
-    """The same of the waves x = k t (2, m)."""
-    return _of_surfaces(bodies, *(waves(x, one).surface_compliances(one.nu) for one in bodies.coated))
+    """Return C_L and C_T of the waves x = k t (2, m)."""
+    return _of_surfaces(bodies, *(waves(x, body).surface_compliances(body.nu) for body in bodies.coated))
 
 
 def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> np.ndarray:
-    """Galerkin's matrix of both harmonics for these compliances (2, m)."""
+    """Return Galerkin's matrix of both harmonics for these compliances (2, m)."""
     along, across = compliances
     first, second = even[:-1], even[1:]
     total, difference = weights * (along + across), weights * (along - across)
@@ -78,7 +89,10 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
 
 
 def _matrix_of_half_space(count: int, compliances: np.ndarray) -> np.ndarray:
-    """The same of a half-space, in closed form: the functions are orthonormal, and those of both harmonics the same but one."""
+    """Return Galerkin's matrix of a half-space in closed form.
+
+    The functions are orthonormal, and those of both harmonics are the same but for one.
+    """
     along, across = compliances
     mixed = (across - along) * np.eye(count - 1, k=-1)
     return np.block([[(along + across) * np.eye(count - 1), mixed], [mixed.T, (along + across) * np.eye(count - 1)]])

@@ -34,11 +34,11 @@ _LONGEST = 60.0
 
 
 class Response(NamedTuple):
-    """What a sphere feels at one contact radius; moduli over the plane-strain modulus of the two surfaces that meet.
+    """Response of a sphere at one contact radius.
 
-    load: E_P in P = 4 E_P a^3/(3R); approach: D in delta = D a^2/R; stiffness: E_S in dP/d delta = 2 a E_S; edge: B in dS/da =
-    2 B, which is what an adhesive edge feels; load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by
-    ln a.
+    Moduli are over the plane-strain modulus of the two surfaces that meet. load: E_P in P = 4 E_P a^3/(3R); approach: D in
+    delta = D a^2/R; stiffness: E_S in dP/d delta = 2 a E_S; edge: B in dS/da = 2 B, which an adhesive edge feels; load_slope,
+    approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
     """
 
     load: float
@@ -51,7 +51,10 @@ class Response(NamedTuple):
 
 
 def respond(pair: Pair, radius: float) -> Response:
-    """The response at the contact radius, over the thickness of one film: above 0, and up to 1000 tried; to 1e-6."""
+    """Return the response at a contact radius over the thickness of one film.
+
+    The radius is above 0, tried up to 1000; the response is good to 1e-6.
+    """
     _, _, even, at_edge, edge_slope = _waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
     to_edge_slope = even @ (softer * edge_slope)
@@ -73,7 +76,9 @@ def respond(pair: Pair, radius: float) -> Response:
 
 
 def pressure(pair: Pair, radius: float) -> np.ndarray:
-    """The pressure of a sphere (n,), as coefficients of orthonormal even polynomials in g; mean pressure and contact radius 1.
+    """Return the pressure of a sphere (n,) in orthonormal even polynomials of g.
+
+    Mean pressure and contact radius are 1.
 
     P(k) = Integral_0^1 g(s) cos(k s) ds is its Hankel transform. radius: as in `respond`.
     """
@@ -84,28 +89,36 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
 
 
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Wavenumbers over 1/a (m,), their weights with the factor 2/pi, and the transforms (n, m) of orthonormal even
-    polynomials."""
+    """Return wavenumbers over 1/a (m,), weights times 2/pi, and transforms (n, m).
+
+    The transforms are those of orthonormal even polynomials.
+    """
     k, weights, even, _, _ = _waves(float(radius))
     return k, weights, even
 
 
 def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """g(s) of coefficients (n,) of orthonormal even polynomials on 0 to 1; s may be complex."""
+    """Return g(s) from coefficients (n,) of orthonormal even polynomials on 0 to 1.
+
+    s may be complex.
+    """
     series = np.zeros(2 * g.size - 1)
     series[::2] = g * np.sqrt(4.0 * np.arange(g.size) + 1.0)
     return np.polynomial.legendre.legval(s, series)
 
 
 def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
-    """P(k) at k (m,) > 0, over 1/a."""
+    """Return P(k) at k (m,) > 0, over 1/a."""
     order = np.arange(g.size)
     return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
 
 
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
-    """Weights of the waves times what the compliance is more than the surfaces'; g_0, g_2, and the solution for what the edge
-    adds, as coefficients; and what the edge gets of each coefficient."""
+    """Solve for g_0, g_2 and the edge.
+
+    Returns the weights of the waves times the excess of the compliance over that of the surfaces; g_0, g_2 and the solution
+    for the edge's addition, as coefficients; and the edge's part of each coefficient.
+    """
     k, weights, even, at_edge, _ = _waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
     matrix = (even * softer) @ even.T
@@ -119,8 +132,11 @@ def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=256)
 def _waves(radius: float) -> tuple[np.ndarray, ...]:
-    """Wavenumbers k (m,) over 1/a, their weights with the factor 2/pi, the transforms (n, m) of orthonormal even polynomials on
-    0 to 1, cos k, and -k sin k. They know no material, and are kept."""
+    """Return wavenumbers k (m,), weights, transforms (n, m), cos k and -k sin k.
+
+    Wavenumbers are over 1/a, weights have the factor 2/pi, transforms are of orthonormal even polynomials on 0 to 1. They
+    depend on no material, and are cached.
+    """
     x, weights = gauss(_ENDS, radius)
     k = radius * x
     order = np.arange(int(9.0 + 4.0 * radius**0.5))
@@ -129,7 +145,10 @@ def _waves(radius: float) -> tuple[np.ndarray, ...]:
 
 
 def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of Gauss-Legendre over waves x = k t between these ends, dense enough for cos^2(x radius)."""
+    """Return Gauss-Legendre nodes and weights over waves x = k t between these ends.
+
+    Dense enough for cos^2(x radius).
+    """
     nodes, weights = [], []
     for low, high in pairwise(ends):
         places = np.linspace(low, high, 2 + int((high - low) * radius / _LONGEST))
@@ -141,8 +160,10 @@ def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]
 
 
 def _even_bessel(k: np.ndarray, count: int) -> np.ndarray:
-    """Spherical Bessel functions (count, m) of the orders 0, 2, 4 ... at k (m,) > 0: by the recurrence upwards where k is above
-    the order, else by Miller's downwards."""
+    """Return spherical Bessel functions (count, m) of even orders at k (m,) > 0.
+
+    By the upward recurrence where k is above the order, else by Miller's downward one: each is unstable on the other side.
+    """
     out = np.empty((count, k.size))
     far = k > 2.0 * count
     for chosen, part in ((far, _upwards(k[far], count)), (~far, _downwards(k[~far], count))):

@@ -30,8 +30,11 @@ _SMALL = 0.05
 
 
 class Radial(NamedTuple):
-    """Stresses at depths and radii (n, m), over the mean pressure, of a traction as large as the pressure. rr, tt, zz, rz:
-    under pressure. Under a traction in the direction x: rr, tt, zz, rz times cos(theta), rt, tz times sin(theta)."""
+    """Stresses at depths and radii (n, m), over the mean pressure.
+
+    The traction is as large as the pressure. rr, tt, zz, rz: under pressure. Under a traction in the direction x: rr, tt, zz,
+    rz times cos(theta), rt, tz times sin(theta).
+    """
 
     pressed: tuple[np.ndarray, ...]
     dragged: tuple[np.ndarray, ...]
@@ -54,7 +57,7 @@ class Stresses:
         self._weights = radius * weights * self._k * transform(self._g, self._k)
 
     def in_film(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """At the radii r (m,) and depths z (n,), 0 to the thickness."""
+        """Return stresses at radii r (m,) and depths z (n,) from 0 to the thickness."""
         near = integrals(self._g, r, z)
         nu, depth = self.body.nu, z[:, None]
 
@@ -66,11 +69,11 @@ class Stresses:
         return _assembled(lambda name, order: of_half_space(*half[name], order) + sent_back(name, order))
 
     def in_body(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """At the radii r (m,) and depths z (n,), from the thickness of the film on."""
+        """Return stresses at radii r (m,) and depths z (n,) below the film."""
         return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
 
     def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
-        """<f>_n of an amplitude f, by its name and n: (n, m)."""
+        """Return <f>_n (n, m) of an amplitude f, by its name and n."""
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
         sides = [across(self._waves, depth / self.thickness) for depth in z]
@@ -80,8 +83,10 @@ class Stresses:
 
 
 def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.ndarray, ...]:
-    """The six stresses x, y, z, xy, yz, xz under pressure and a traction in the direction x that is this multiple of it, at the
-    angles theta (m,) of the radii."""
+    """Return the stresses x, y, z, xy, yz, xz at the angles theta (m,) of the radii.
+
+    Under pressure and a traction in the direction x that is this multiple of it.
+    """
     c, s = np.cos(theta), np.sin(theta)
     rr, tt, zz, rz = (one + traction * c * other for one, other in zip(radial.pressed, radial.dragged[:4], strict=True))
     rt, tz = (traction * s * one for one in radial.dragged[4:])
@@ -96,7 +101,7 @@ def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.nd
 
 
 def _half_space(nu: float) -> dict[str, tuple[float, float]]:
-    """Amplitudes of a half-space: c and d in (c + d k z) exp(-k z)."""
+    """Return amplitudes c and d of (c + d k z) exp(-k z) in a half-space."""
     return {
         "pressed_zz": (-1.0, -1.0), "pressed_xz": (0.0, -1.0), "pressed_xx": (-1.0, 1.0), "pressed_yy": (-2.0 * nu, 0.0),
         "dragged_zz": (0.0, -1.0), "dragged_xz": (-1.0, 1.0), "dragged_xx": (-2.0, 1.0), "dragged_yy": (-2.0 * nu, 0.0),
@@ -105,7 +110,10 @@ def _half_space(nu: float) -> dict[str, tuple[float, float]]:
 
 
 def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
-    """Stresses of the stress functions F, F', F'' (3, 2, n, waves) under pressure and shear."""
+    """Return stresses of the functions F, F', F'' (3, 2, n, waves).
+
+    Under pressure and shear.
+    """
     (p, q), (p1, q1), (p2, q2) = F
     return {
         "pressed_zz": -p, "pressed_xz": p1, "pressed_xx": p2, "pressed_yy": nu * (p2 - p),
@@ -114,7 +122,10 @@ def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
 
 
 def _across_film(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Shear across the wave, on planes of constant depth and in the plane, that the film adds."""
+    """Return the shear across the wave that the film adds.
+
+    On planes of constant depth and in the plane.
+    """
     up, down = waves.across * np.exp((depth - 1.0) * waves.x), waves.across * np.exp(-(depth + 1.0) * waves.x)
     return up - down, -up - down
 
@@ -125,7 +136,7 @@ def _across_body(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
-    """Stresses of the transforms `of(amplitude, order)`."""
+    """Return the stresses from the transforms `of(amplitude, order)`."""
     mean = (of("pressed_xx", 0) + of("pressed_yy", 0)) / 2.0
     difference = (of("pressed_xx", 2) - of("pressed_yy", 2)) / 2.0
     pressed = mean - difference, mean + difference, of("pressed_zz", 0), of("pressed_xz", 1)
@@ -133,8 +144,11 @@ def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
 
 
 def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
-    """With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4
-    and <cos sin^2 sin> (J1 + J3)/4."""
+    """Return the stresses under a traction from transforms of orders 0 to 3.
+
+    With psi between wave and radius: <cos^2 cos(kr cos)>, <sin^2 cos> are (J0 -+ J2)/2, <cos^3 sin(kr cos)> (3 J1 - J3)/4 and
+    <cos sin^2 sin> (J1 + J3)/4.
+    """
     along, both = {}, {}
     for name in ("dragged_xx", "dragged_yy"):
         first, third = of(name, 1), of(name, 3)
@@ -155,12 +169,15 @@ def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=64)
 def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of all waves x = k t, dense enough for J(k r) cos(k) up to r = 3."""
+    """Return nodes and weights of all waves x = k t.
+
+    Dense enough for J(k r) cos(k) up to r = 3.
+    """
     return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
 
 
 def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:
-    """J_0 to J_3 of k r: (4, k, r)."""
+    """Return J_0 to J_3 of k r: (4, k, r)."""
     x = np.outer(k, r)
     safe = np.maximum(x, _SMALL)
     J0, J1 = special.j0(x), special.j1(x)

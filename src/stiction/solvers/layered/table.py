@@ -26,7 +26,10 @@ _FILE = "curves.npz"
 
 @on_one_thread
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
-    """The coefficients (n, CURVES, TERMS), as `curves` gives them, of a film on one of two bodies: Layers as arrays (n,)."""
+    """Return coefficients (n, CURVES, TERMS) as `curves`, for a film on one body.
+
+    Layers are given as arrays (n,).
+    """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
     out = np.empty((len(places), CURVES, TERMS))
@@ -38,13 +41,13 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
 
 
 def _together(share, ratio):
-    """v of the table. Arrays or numbers."""
+    """Return v of the table, for arrays or numbers."""
     root = np.sqrt(ratio)
     return root * share / (1.0 - share + root * share)
 
 
 def _interpolated(places: np.ndarray) -> np.ndarray:
-    """Coefficients (n, CURVES, TERMS) at places (n, 3) within -1 and 1."""
+    """Interpolate coefficients (n, CURVES, TERMS) at places (n, 3) within -1 and 1."""
     table, modes = _table()
     series = [chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True)]
     if np.ptp(places[:, 2]) == 0.0:  # a sweep over materials on one kind of counterbody, rigid as a rule
@@ -59,7 +62,10 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
 
 @cache
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Chebyshev coefficients (sizes, _MODES), and the modes (_MODES, CURVES * TERMS) in powers of z."""
+    """Return Chebyshev coefficients (sizes, _MODES) and the modes.
+
+    The modes (_MODES, CURVES * TERMS) are in powers of z.
+    """
     with resources.files("stiction.solvers.layered").joinpath(_FILE).open("rb") as file:
         data = np.load(file)
         table, modes = data["table"].astype(float), data["modes"].astype(float)
@@ -67,14 +73,17 @@ def _table() -> tuple[np.ndarray, np.ndarray]:
 
 
 def _pair(place: tuple[float, float, float]) -> Pair:
-    """The bodies at a place of the table."""
+    """Return the bodies at a place of the table."""
     ratio, v = float(np.exp(place[0] * _RANGE)), (place[2] + 1.0) / 2.0
     share = v / (v + np.sqrt(ratio) * (1.0 - v))
     return (Layer(float(share), ratio, float(place[1])),)
 
 
 def make() -> tuple[np.ndarray, np.ndarray]:
-    """The table and its modes, by exact solutions at Chebyshev's extreme points of the three coordinates."""
+    """Compute the table and its modes from exact solutions.
+
+    At Chebyshev's extreme points of the three coordinates.
+    """
     points = [-np.cos(np.pi * np.arange(size) / (size - 1)) for size in _SIZES]
     solved = np.zeros((*_SIZES, CURVES * TERMS))
     to_chebyshev = np.linalg.inv(POWERS)

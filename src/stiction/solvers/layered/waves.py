@@ -19,8 +19,11 @@ import numpy as np
 
 @dataclass(frozen=True)
 class CoatedBody:
-    """A film bonded to a half-space. ratio: plane-strain modulus of the film over that of the body below, above 0, finite; nu,
-    nu_below: Poisson's ratios of the two, 0 to 0.5."""
+    """A film bonded to a half-space.
+
+    ratio: plane-strain modulus of the film over that of the body below, above 0, finite; nu, nu_below: Poisson's ratios of
+    the two, 0 to 0.5.
+    """
 
     ratio: float
     nu: float
@@ -28,17 +31,19 @@ class CoatedBody:
 
     @property
     def shear_ratio(self) -> float:
-        """Shear modulus of the film over that of the body below."""
+        """Return the shear modulus of the film over that of the body below."""
         return self.ratio * (1.0 - self.nu) / (1.0 - self.nu_below)
 
 
 @dataclass(frozen=True)
 class Waves:
-    """Amplitudes at wavenumbers x = k t (m,). added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's
-    stress function beside that of a half-space, y = x - z, under pressure and under shear along the wave; below (2, 2, m): of
-    exp(-s) and s exp(-s) in that of the body, s = z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) beside the
-    displacement exp(-z) of a half-space, and of exp(-s) below, under shear across the wave, times the shear modulus of
-    either."""
+    """Amplitudes at wavenumbers x = k t (m,).
+
+    added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's stress function beside that of a half-space, y
+    = x - z, under pressure and under shear along the wave; below (2, 2, m): of exp(-s) and s exp(-s) in that of the body, s =
+    z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) beside the displacement exp(-z) of a half-space, and of
+    exp(-s) below, under shear across the wave, times the shear modulus of either.
+    """
 
     x: np.ndarray
     added: np.ndarray
@@ -47,15 +52,17 @@ class Waves:
     across_below: np.ndarray
 
     def surface_compliances(self, nu: float) -> np.ndarray:
-        """Displacement of the surface along and across the wave (2, m) under unit shear along and across it, times k times the
-        shear modulus of the film: 1 - nu and 1 on a half-space."""
+        """Return surface displacements along and across the wave (2, m) under unit shear.
+
+        Times k times the shear modulus of the film: 1 - nu and 1 on a half-space.
+        """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
         return np.stack([along, 1.0 + 2.0 * self.across * np.exp(-self.x)])
 
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
-    """The amplitudes of the waves x = k t (m,) > 0."""
+    """Return the amplitudes of the waves x = k t (m,) > 0."""
     m = body.shear_ratio
     equations, right = np.zeros((x.size, 6, 6)), np.zeros((x.size, 6, 2))
     top, bottom, under = _film(0.0, x), _film(x, x), _decaying(np.zeros_like(x))
@@ -72,38 +79,41 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
         scale = 1.0 if row < 2 else 1.0 / (1.0 + m)
         equations[:, 2 + row, :4], equations[:, 2 + row, 4:] = scale * film.T, -scale * body_below.T
         right[:, 2 + row] = -scale * given
-    found = np.moveaxis(np.linalg.solve(equations, right), 0, -1)
+    amplitudes = np.moveaxis(np.linalg.solve(equations, right), 0, -1)
     once, twice = np.exp(-x), np.exp(-2.0 * x)
     across = (m - 1.0) * once / (1.0 + twice + m * (1.0 - twice))
-    return Waves(x, found[:4], found[4:], across, once - across * (1.0 - twice))
+    return Waves(x, amplitudes[:4], amplitudes[4:], across, once - across * (1.0 - twice))
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """F, F' and F'' (3, 2, m) of what the film adds, under pressure and shear, at the depth over t."""
+    """Return F, F' and F'' (3, 2, m) of what the film adds, at the depth over t.
+
+    Under pressure and shear.
+    """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 
 
 def body_function(waves: Waves, depth: float) -> np.ndarray:
-    """The same of all that is in the body, at the depth over t, at least 1."""
+    """Return F, F' and F'' of the body, at the depth over t, at least 1."""
     return _sum(_decaying((depth - 1.0) * waves.x), waves.below)
 
 
 def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
-    """F, F' and F'' (3, 2, m)."""
+    """Return F, F' and F'' (3, 2, m) as a sum of amplitudes times functions."""
     total = functions[:3, 0, None] * amplitudes[0]
-    for one, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
-        total += one[:, None] * amplitude
+    for function, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
+        total += function[:, None] * amplitude
     return total
 
 
 def _decaying(z) -> np.ndarray:
-    """exp(-z) and z exp(-z) and their three derivatives: (4, 2, m)."""
+    """Return exp(-z), z exp(-z) and their three derivatives: (4, 2, m)."""
     down = np.exp(-z)
     return np.stack([[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]])
 
 
 def _film(z, x) -> np.ndarray:
-    """The four functions of a film and their derivatives: (4, 4, m)."""
+    """Return the four functions of a film and their derivatives: (4, 4, m)."""
     z = np.broadcast_to(z, x.shape)
     down, up = _decaying(z), _decaying(x - z)
     up[1::2] *= -1.0
@@ -111,10 +121,13 @@ def _film(z, x) -> np.ndarray:
 
 
 def _weigh(amplitudes, z) -> np.ndarray:
-    """F to F''' (4, m) of a half-space."""
+    """Return F to F''' (4, m) of a half-space."""
     return np.einsum("dbm,b->dm", _decaying(z), np.array(amplitudes))
 
 
 def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, ...]:
-    """What goes on through an interface: F and F', and both displacements times 2 mu of the film."""
+    """Return the numbers that are continuous at an interface.
+
+    F and F', and both displacements times 2 mu of the film.
+    """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])
