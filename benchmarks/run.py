@@ -142,11 +142,11 @@ def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
     others |= {"hardening": 0.01 * ones, "peeling": 0.3 * ones}
-    if choice.meniscus:
+    if choice.beside.get("meniscus"):
         others |= {"meniscus_index": 10 ** rng.uniform(-2, 0, count), "meniscus_height": 10 ** rng.uniform(-2, 0, count)}
-    if choice.ageing:
+    if choice.beside.get("ageing"):
         others |= {"waiting": 1e3 * ones, "strengthening": 0.02 * ones}
-    if choice.contamination:
+    if choice.beside.get("contamination"):
         others |= {"strength_variation": 0.5 * ones}
     return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)
 
@@ -156,7 +156,7 @@ def speed_of_model(choice: Choice, film: bool) -> float:
     model = find(choice.model_key, RoughSurface)
     count = 4_000 if model.asperity else 40  # theories that are no sum take each law by itself
     groups = groups_of_models(count, film, choice)
-    if model.asperity and not choice.contamination:  # whose variance is a sum of its own
+    if model.asperity and not choice.beside.get("contamination"):  # whose variance is a sum of its own
         seconds = best(lambda: totals_on_grid(problem_of(groups, choice).regimes, SEPARATIONS, gaussian()), repeats=3)
     elif model.asperity or model.curve is not None:
         seconds = best(lambda: problem_of(groups, choice).on_grid(SEPARATIONS), repeats=3)

@@ -28,7 +28,7 @@ from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
-from stiction.records.registry import GRADES, KINDS, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, records, text_of
+from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records, text_of
 from stiction.report.lists import LISTED, with_range
 from stiction.solving.accuracy import film_tables
 from stiction.solving.accuracy.film_tables import summary
@@ -134,8 +134,8 @@ COLUMNS = {
 
 def shares_its_key(model: dict) -> bool:
     """Whether a model of an earlier kind has this key too."""
-    kinds = [kind.kind for kind in KINDS if kind.keyword]
-    earlier = kinds[: kinds.index(model["kind"])] if model["kind"] in kinds else kinds
+    chosen = [kind.kind for kind in kinds() if kind.keyword]
+    earlier = chosen[: chosen.index(model["kind"])] if model["kind"] in chosen else chosen
     return any(other.key == model["key"] and other.kind in earlier for other in records())
 
 

@@ -10,7 +10,7 @@ from links import relinked
 from model_pictures import picture
 
 import stiction as st
-from stiction.records.registry import KINDS, Record, RoughSurface, records
+from stiction.records.registry import Record, RoughSurface, kinds, records
 from stiction.records.sources import bibliography
 
 TITLES = {
@@ -117,7 +117,7 @@ def index() -> str:
         "What is behind each name: equations, picture, record and BibTeX. [Models](../models.md) explains the list.",
         "",
     ]
-    for kind in KINDS:
+    for kind in kinds():
         mine = [one for one in records() if type(one) is kind]
         lines += [f"## {TITLES[kind.kind]}", "", "| key | what it is | grade |", "|---|---|---|"]
         lines += [f"| [`{one.key}`]({file_of(one)}.md) | {one.title} | {one.grade} |" for one in mine]

@@ -14,17 +14,17 @@ from matplotlib.figure import Figure
 import stiction as st
 from stiction.contact.indices import Groups
 from stiction.engine.regime import Regime
+from stiction.laws.ageing.kind import Ageing
+from stiction.laws.contamination.kind import Contamination
 from stiction.laws.joining import states
+from stiction.laws.meniscus.kind import Meniscus
+from stiction.laws.presliding.kind import Presliding
 from stiction.records.registry import (
-    Ageing,
     AsperityLaw,
     AsperityMethod,
     Composite,
-    Contamination,
     Criterion,
     FilmLaw,
-    Meniscus,
-    Presliding,
     Record,
     RoughSurface,
     TangentialLaw,

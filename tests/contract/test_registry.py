@@ -13,23 +13,23 @@ from stiction.engine import summation
 from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.laws.joining import coordinates, normal_states
+from stiction.laws.presliding.kind import Presliding
 from stiction.quantities.errors import InputError
 from stiction.quantities.notices import Notice, notice
 from stiction.quantities.table import QUANTITIES
 from stiction.records import record as record_finding
 from stiction.records.registry import (
     GRADES,
-    KINDS,
     TRAITS,
     AsperityLaw,
     AsperityMethod,
     FilmLaw,
-    Presliding,
     RoughSurface,
     TangentialLaw,
     find,
     friction_incompatibility,
     incompatibility,
+    kinds,
     of_kind,
     records,
     resolve_options,
@@ -241,7 +241,7 @@ def choice_of(record, kind, options=None):
     key = {"model": PLAIN} | {kind.keyword: record.key}
     if kind is TangentialLaw:
         key["asperity"] = next(one.key for one in ASPERITIES if not incompatibility(record, one))
-    return Choice(**key, options=options or {})
+    return Choice.of(key.pop("model", None), key | (options or {}))
 
 
 @pytest.mark.parametrize(("record", "limit"), list(limits()))
@@ -455,7 +455,7 @@ def test_theories_in_closed_form(record):
 
 @each_record
 def test_record_is_complete(record):
-    assert type(record) in KINDS
+    assert type(record) in kinds()
     assert re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", record.key)
     for what in ("pieces", "tangential_resistance", "curve", "area_at_load", "value", "find"):
         if (one := getattr(record, what, None)) is not None:
@@ -548,9 +548,9 @@ def test_a_law_depends_on_what_it_says(record, kind):
 
 
 def test_order_and_lookup():
-    kinds = [record.kind for record in records()]
-    assert kinds == sorted(kinds, key=[kind.kind for kind in KINDS].index)
-    for kind in KINDS:
+    found = [record.kind for record in records()]
+    assert found == sorted(found, key=[kind.kind for kind in kinds()].index)
+    for kind in kinds():
         keys = [record.key for record in records() if record.kind == kind.kind]
         assert keys == sorted(keys) and len(set(keys)) == len(keys) > 0
     for kind in (*CHOSEN, Presliding):

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import stiction as st
+from stiction.laws.presliding.kind import Presliding
 from stiction.quantities.errors import InputError
-from stiction.records.registry import AsperityLaw, FilmLaw, Presliding, RoughSurface, TangentialLaw, of_kind
+from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, TangentialLaw, of_kind
 from stiction.solving.problem import make_problem
 from stiction.studies.comparison.compare import candidates
 
@@ -54,7 +55,7 @@ def choices(contact):
         for tangential in of_kind(TangentialLaw):
             yield replace(plain, asperity=asperity, tangential=tangential)
         for presliding in () if contact.has_film else of_kind(Presliding):
-            yield replace(plain, asperity=asperity, presliding=presliding)
+            yield replace(plain, asperity=asperity, beside={"presliding": presliding})
         for film in of_kind(FilmLaw) if contact.has_film else ():
             yield replace(plain, asperity=asperity, tangential=interface, film=film)
 

@@ -69,14 +69,15 @@ def test_any_tangential_law(tangential):
     given, h = draw(10), np.linspace(-1.0, 3.0, 4)
     if not tangential.of_area:
         with refusal("ageing"):
-            problem_of(given, Choice(PLAIN, tangential=tangential.key, asperity=suiting(tangential), ageing="berthoud_1999"))
+            laws = {"tangential": tangential.key, "asperity": suiting(tangential), "ageing": "berthoud_1999"}
+            problem_of(given, Choice.of(PLAIN, laws))
         return
     grown = berthoud_1999.factor(given)[:, None]
     for asperity in of_kind(AsperityLaw).values():
         if incompatibility(tangential, asperity):
             continue
         choice = {"model": PLAIN, "asperity": asperity.key, "tangential": tangential.key}
-        rested, first = (problem_of(given, Choice(**choice, ageing=key)).on_grid(h) for key in (None, "none"))
+        rested, first = (problem_of(given, Choice(**choice, beside={"ageing": key})).on_grid(h) for key in (None, "none"))
         ratio = rested["friction_force"] / np.maximum(first["friction_force"], 1e-300)
         assert (ratio >= 1.0 - 1e-12).all() and (ratio <= grown * (1.0 + 1e-12)).all()
         if tangential.key == "bowden_tabor_1943":
@@ -94,7 +95,7 @@ def test_films(film):
     asperity = next(key for key, one in of_kind(AsperityLaw).items() if not incompatibility(of_kind(FilmLaw)[film], one))
     choice = {"model": PLAIN, "asperity": asperity, "tangential": "bowden_tabor_1943", "film": film}
     given, h = draw(6, coated=True), np.linspace(-1.0, 3.0, 4)
-    rested, first = (problem_of(given, Choice(**choice, ageing=key)).on_grid(h) for key in (None, "none"))
+    rested, first = (problem_of(given, Choice(**choice, beside={"ageing": key})).on_grid(h) for key in (None, "none"))
     grown = berthoud_1999.factor(given)[:, None]
     assert_allclose(rested["friction_force"], first["friction_force"] * grown, rtol=1e-11)
 

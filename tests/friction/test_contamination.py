@@ -17,6 +17,7 @@ from stiction.solving.problem import problem_of
 from tables import column, columns_of_groups, groups, random_groups, random_others, read
 
 PLAIN = "greenwood_williamson_1966"
+LAW = "independent_junctions"
 SURFACE = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="5 um", asperity_density="1.7e11 1/m^2")
 CONTACT = st.Contact(
     first="copper",
@@ -69,7 +70,7 @@ def test_any_tangential_law(tangential):
     for asperity in of_kind(AsperityLaw).values():
         if incompatibility(tangential, asperity):
             continue
-        choice = Choice(PLAIN, asperity=asperity.key, tangential=tangential.key, contamination="independent_junctions")
+        choice = Choice(PLAIN, asperity=asperity.key, tangential=tangential.key, beside={"contamination": LAW})
         if not tangential.of_area:
             with refusal("contamination"):
                 problem_of(given, choice)
@@ -94,7 +95,7 @@ def test_what_it_says():
     assert "strength_variation" in unused.attrs["inputs_not_used"]
     with refusal("contamination", "independent_junctions", "sequential"):
         st.solve(coated, load="1 mN", model=PLAIN, film="sequential", tangential="bowden_tabor_1943",
-                 contamination="independent_junctions")  # fmt: skip
+                 contamination=LAW)  # fmt: skip
     assert height_distribution("gaussian").key == "gaussian"
     closed = st.solve(CONTACT, load="1 mN", model="persson_2001")
     assert "strength_variation" in closed.attrs["inputs_not_used"]

@@ -16,11 +16,11 @@ from stiction.engine.heights import gaussian, height_distribution
 from stiction.engine.summation import on_grid, scattered
 from stiction.laws.joining import states
 from stiction.laws.meniscus import equilibrium_meniscus, hertzian_meniscus
+from stiction.laws.meniscus.kind import Meniscus
 from stiction.quantities.errors import InputError
 from stiction.records.registry import (
     AsperityLaw,
     FilmLaw,
-    Meniscus,
     RoughSurface,
     TangentialLaw,
     friction_incompatibility,
@@ -155,8 +155,8 @@ def draw(n, coated=False, seed=3):
 def added(choice, given, heights, law):
     """Results with a liquid and without at the same separations; refused laws skipped."""
     h = np.linspace(-1.0, 4.0, 6)
-    wet = problem_of(given, replace(choice, meniscus=law.key), heights).on_grid(h)
-    dry = problem_of(given, replace(choice, meniscus="none"), heights).on_grid(h)
+    wet = problem_of(given, replace(choice, beside={"meniscus": law.key}), heights).on_grid(h)
+    dry = problem_of(given, replace(choice, beside={"meniscus": "none"}), heights).on_grid(h)
     alone = on_grid(law.pull(given), h, heights or gaussian()).sum(axis=0)[:, 1]
     laplace = 1.0 / (given.roughness_parameter * given.meniscus_height * given.meniscus_index)  # gamma A_n/r per asperity
     free = np.clip(1.0 - math.pi * given.roughness_parameter[:, None] * dry["contact_area"], 0.0, 1.0)  # of solids, over A_n
@@ -191,7 +191,7 @@ def test_any_asperity_law(law, asperity):
     if not reason:
         return check(choice, given, law)
     with refusal("asperity"):
-        problem_of(given, replace(choice, meniscus=law.key))
+        problem_of(given, replace(choice, beside={"meniscus": law.key}))
 
 
 @pytest.mark.parametrize("tangential", of_kind(TangentialLaw).values(), ids=lambda one: one.key)
@@ -225,7 +225,7 @@ def test_theories_without_asperities_refuse(record):
     if record.on_film:
         pytest.skip("a bare contact has no film")
     with refusal("meniscus"):
-        problem_of(draw(2), Choice(record.key, meniscus="equilibrium_meniscus"))
+        problem_of(draw(2), Choice(record.key, beside={"meniscus": "equilibrium_meniscus"}))
 
 
 SURFACE = st.Roughness(asperity_height_deviation="10 nm", asperity_radius="1 um", asperity_density="1e13 1/m^2")

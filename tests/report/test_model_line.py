@@ -32,10 +32,10 @@ presliding = "mindlin_1949"
 LAWS = {
     "asperity": "hertz",
     "tangential": "bowden_tabor_1943",
-    "presliding": "mindlin_1949",
-    "meniscus": "equilibrium_meniscus",
     "ageing": "berthoud_1999",
     "contamination": "independent_junctions",
+    "meniscus": "equilibrium_meniscus",
+    "presliding": "mindlin_1949",
 }
 LINE = ", ".join(["greenwood_williamson_1966", *(f"{kind} law {key}" for kind, key in LAWS.items())])
 

@@ -34,12 +34,14 @@ from stiction.quantities.errors import InputDoubt, InputError, field_as
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
+from stiction.records.additions import names_of_additions
 from stiction.records.registry import all_options
 from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
 from stiction.surfaces.finished import Finished, FinishedBodies, is_finished
 from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
 
 _CASE_FILE = "a TOML case file"
+_SOLVE = "a table with separation or load"
 _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
 
 
@@ -122,10 +124,6 @@ class _Solve(Input):
     asperity: str | None = Field(None, description="key of an asperity law in place of the model's own, see `stiction models`")
     tangential: str | None = Field(None, description="key of a tangential law in place of the model's own, or none")
     film: str | None = Field(None, description="key of a film law, see `stiction models`")
-    presliding: str | None = Field(None, description="mindlin_1949: the tangential stiffness before sliding, too")
-    meniscus: str | None = Field(None, description="key of a law of menisci where the contact has a liquid, or none")
-    ageing: str | None = Field(None, description="key of a law of strengthening at rest, where the contact waits, or none")
-    contamination: str | None = Field(None, description="key of a law of junctions of different strength, or none")
     options: dict[str, str] = Field(
         default_factory=dict, description="options of the model or of a law, which may also stand here"
     )
@@ -164,7 +162,7 @@ class _CaseFile(Input):
     )
     contact: Contact | None = None
     indices: Indices | None = None
-    solve: _Solve = Field(description="a table with separation or load")
+    solve: _Solve = Field(description=_SOLVE)
     uncertainty: Uncertainty | None = Field(None, description="a table: how numbers that are uncertain are drawn")
 
     @model_validator(mode="after")
@@ -182,6 +180,9 @@ def _case_file() -> type[_CaseFile]:
         name: (form | None, Field(None, description=f"a table: {description}"))
         for name, (form, description) in study_tables().items()
     }
+    described = {name: f"key of a law of {text}" for name, text in names_of_additions().items()}
+    beside: dict[str, Any] = {name: (str | None, Field(None, description=text)) for name, text in described.items()}
+    tables["solve"] = (create_model("_Solve", __base__=_Solve, __doc__=_Solve.__doc__, **beside), Field(description=_SOLVE))
     return create_model("_CaseFile", __base__=_CaseFile, __doc__=_CaseFile.__doc__, **tables)
 
 
@@ -298,7 +299,7 @@ def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> C
         subject=subject,
         separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
         load=points_of(solve.load, "load", subject, "solve.load"),
-        choice=Choice(options=dict(solve.options), **{name: getattr(solve, name) for name in LAWS}),
+        choice=Choice.of(solve.model, solve.options | {name: getattr(solve, name) for name in LAWS if name != "model"}),
         uncertainty=file.uncertainty or Uncertainty(**{}),
     )
 

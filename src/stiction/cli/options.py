@@ -61,9 +61,9 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
     """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
 
     def complete(incomplete: str) -> list[str]:
-        from stiction.records.registry import KINDS, of_kind
+        from stiction.records.registry import kinds, of_kind
 
-        known = [key for one in KINDS if one.keyword == kind for key in of_kind(one)]
+        known = [key for one in kinds() if one.keyword == kind for key in of_kind(one)]
         return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
 
     return complete

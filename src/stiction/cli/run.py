@@ -1,6 +1,8 @@
 """`stiction run`: one case, solved."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from inspect import Parameter, Signature, signature
 from pathlib import Path
 
 import typer
@@ -23,11 +25,11 @@ from stiction.cli.options import (
 )
 from stiction.cli.program import app, present, read, solving
 from stiction.quantities.errors import InputError
+from stiction.records.additions import names_of_additions
 
 _SLIDING = "From rest to sliding"
 
 
-@app.command(cls=TakesOptionsOfRecords)
 def run(
     context: typer.Context,
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
@@ -41,12 +43,9 @@ def run(
     asperity: Asperity = None,
     tangential: Tangential = None,
     film: str | None = option("Film.", autocompletion=keys_of("film"), **LAW),
-    presliding: str | None = option("mindlin_1949: stiffness before sliding.", **LAW),
-    meniscus: str | None = option("Menisci; none: without.", autocompletion=keys_of("meniscus"), **LAW),
-    ageing: str | None = option("Strengthening at rest; none: without.", autocompletion=keys_of("ageing"), **LAW),
-    contamination: str | None = option("Junctions that differ; none: without.", autocompletion=keys_of("contamination"), **LAW),
     sliding: bool = option("Force against displacement.", False, "--sliding", rich_help_panel=_SLIDING),
     kept: float = option("Share of its strength that an asperity keeps.", 1.0, rich_help_panel=_SLIDING),
+    **beside: str | None,
 ) -> None:
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
 
@@ -79,3 +78,18 @@ def run(
         from stiction.report.views.run import run_view
 
         present(run_view(chosen.with_surface_moments(data.attrs["model"]), data, all_rows), out, json, details or all_rows)
+
+
+def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
+    """Return the command with an option for each kind of law that goes beside a model."""
+    own = [one for one in signature(command).parameters.values() if one.kind is not Parameter.VAR_KEYWORD]
+    options = {
+        name: option(f"{text.capitalize()}.", autocompletion=keys_of(name), **LAW)
+        for name, text in names_of_additions().items()
+    }
+    beside = [Parameter(name, Parameter.KEYWORD_ONLY, default=one, annotation=str | None) for name, one in options.items()]
+    command.__signature__ = Signature([*own, *beside])  # type: ignore[attr-defined]
+    return command
+
+
+app.command("run", cls=TakesOptionsOfRecords)(_with_options_of_additions(run))

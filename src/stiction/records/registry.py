@@ -7,10 +7,20 @@ command line, citations and contract tests are made from the record.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, ClassVar
 
 from stiction.quantities.errors import InputError
+from stiction.records.additions import names_of_additions
 from stiction.records.claims import FILM_LIMITS, GRADES, TRAITS, YIELDED, Departure, Jump, Limit, Parameter, Validity
 from stiction.records.record import Record, find, of_kind, text_of
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from stiction.contact.indices import Groups
+    from stiction.engine.regime import Regime
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -167,45 +177,50 @@ class Composite(Record):
     landmarks: Callable | None = None
 
 
-@dataclass(frozen=True, kw_only=True)
-class Presliding(TangentialLaw):
-    """How a contact yields elastically to a tangential force before it slides: a tangential law whose resistance is the
-    tangential stiffness of one asperity at no force, times sigma and in the unit of the load."""
-
-    kind = keyword = "presliding"
+# What a law that strengthens or spreads the force of an interface wants of a tangential law.
+OF_AREA = "none, or a tangential law whose force is a strength of the interface on the area"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Meniscus(Record):
-    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+class Addition(Record):
+    """A law that a contact may have beside those of its model.
 
-    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
-    no area, no resistance, and loads below zero. wants: trait of the asperity law that it cannot do without -> why.
+    A kind of them is a folder of `laws`: `__init__.py` says in its docstring what is to be named, and kind.py has KIND, a
+    subclass of this. default: key of the law that is taken where the contact states what it is about, `is_stated`; "" where
+    none is. order: of its kind among the others. wants: trait of the asperity law that it cannot do without -> why.
     """
 
-    kind = keyword = "meniscus"
-    pull: Callable
+    default: ClassVar[str] = ""
+    order: ClassVar[int] = 100
     wants: Mapping[str, str] = field(default_factory=dict)
 
+    @classmethod
+    def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
+        """Return what is allowed instead where no law of this kind suits these, "" where one does."""
+        return ""
 
-@dataclass(frozen=True, kw_only=True)
-class Ageing(Record):
-    """How an interface strengthens at rest.
+    @classmethod
+    def is_stated(cls, groups: "Groups") -> bool:
+        """Return whether the contact states what this is about."""
+        return False
 
-    aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
-    over the area that it had at first.
-    """
+    def changed(self, groups: "Groups") -> "Groups":
+        """Return the groups that all other laws take."""
+        return groups
 
-    kind = keyword = "ageing"
-    aged: Callable
+    def regimes(self, groups: "Groups") -> "list[Regime]":
+        """Return what is added to the sum over asperities."""
+        return []
 
-
-@dataclass(frozen=True, kw_only=True)
-class Contamination(TangentialLaw):
-    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
-    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
-
-    kind = keyword = "contamination"
+    def results(
+        self,
+        results: "Mapping[str, np.ndarray]",
+        summed: "Callable[[TangentialLaw], np.ndarray]",
+        asperities: "np.ndarray | None",
+    ) -> "dict[str, np.ndarray]":
+        """Return more results (n, m) of a sum. summed(law): the sum per asperity of a law in the place of the tangential law;
+        asperities: their number (n, 1), None where that is not known."""
+        return {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -247,31 +262,31 @@ class AsperityMethod(Record):
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
 
 
-KINDS: tuple[type[Record], ...] = (
-    RoughSurface,
-    AsperityLaw,
-    TangentialLaw,
-    FilmLaw,
-    Composite,
-    Presliding,
-    Meniscus,
-    Ageing,
-    Contamination,
-    Criterion,
-    AsperityMethod,
-)
+@cache
+def kinds_of_additions() -> dict[str, type[Addition]]:
+    """Return the kinds of laws that go beside a model, by keyword."""
+    found = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
+    return {kind.keyword: kind for kind in sorted(found, key=lambda kind: kind.order)}
+
+
+def kinds() -> tuple[type[Record], ...]:
+    """Return the kinds of records."""
+    additions = kinds_of_additions().values()
+    return RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, *additions, Criterion, AsperityMethod
+
+
 # What the authors of records and those who read them import from here.
 __all__ = [
-    "FILM_LIMITS", "GRADES", "JUNCTIONS", "KINDS", "NO_JUNCTIONS", "TRAITS", "YIELDED", "Ageing", "AsperityLaw",
-    "AsperityMethod", "Composite", "Contamination", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Meniscus",
-    "Parameter", "Presliding", "Record", "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find",
-    "friction_incompatibility", "incompatibility", "of_kind", "records", "resolve_options", "select_options", "text_of",
+    "FILM_LIMITS", "GRADES", "JUNCTIONS", "NO_JUNCTIONS", "OF_AREA", "TRAITS", "YIELDED", "Addition", "AsperityLaw",
+    "AsperityMethod", "Composite", "Criterion", "Departure", "FilmLaw", "Jump", "Limit", "Parameter", "Record",
+    "RoughSurface", "TangentialLaw", "Validity", "all_options", "composites_of", "find", "friction_incompatibility",
+    "incompatibility", "kinds", "kinds_of_additions", "of_kind", "records", "resolve_options", "select_options", "text_of",
 ]  # fmt: skip
 
 
 def records() -> tuple[Record, ...]:
-    """Every record, in the order of KINDS, each kind in alphabetical order."""
-    return tuple(record for kind in KINDS for record in of_kind(kind).values())
+    """Every record, in the order of their kinds, each kind in alphabetical order."""
+    return tuple(record for kind in kinds() for record in of_kind(kind).values())
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
@@ -293,8 +308,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
     return key, *(one for one in known if one != key)
 
 
-def incompatibility(law: TangentialLaw | FilmLaw | Meniscus, asperity: AsperityLaw) -> str:
-    """Why a tangential law, a film or a meniscus cannot go with an asperity law; "" if it can."""
+def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
+    """Why a tangential law, a film or an addition cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 

@@ -15,7 +15,7 @@ from stiction.records.registry import (
     friction_incompatibility,
     of_kind,
 )
-from stiction.solving.choice import LAWS, RECOMMENDED, Choice
+from stiction.solving.choice import RECOMMENDED, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
@@ -117,8 +117,7 @@ def choice_of(name: str | None, given: Mapping[str, str | None], subject: Subjec
                 raise InputError(error.field, name, "the key of a model here: `stiction compare --all` lists them") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
-    laws = {law: getattr(asked, law) for law in LAWS if law != "model"}
-    return known[name].with_changes(laws, asked.options)
+    return known[name].with_changes(asked.laws() | {"model": None}, asked.options)
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:

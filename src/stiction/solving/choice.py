@@ -1,13 +1,14 @@
 """What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from stiction.quantities.errors import InputError
+from stiction.records.additions import names_of_additions
 
-# Keywords of the kinds of records that a user chooses.
-LAWS = ("model", "asperity", "tangential", "film", "presliding", "meniscus", "ageing", "contamination")
+_OF_MODEL = ("model", "asperity", "tangential", "film")
+LAWS = (*_OF_MODEL, *names_of_additions())  # keywords of the kinds of records that a user chooses
 
 # The model that answers where none is named, and the name under which the prediction is asked for in place of a model.
 DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
@@ -16,19 +17,15 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 @dataclass(frozen=True)
 class Choice:
     """What is to answer: a model (None: the default one), and in place of what it takes by itself another asperity law,
-    tangential law ("none" for contact only) or film law; how the contact yields before it slides, if that is wanted; how
-    menisci pull ("none": as if there were no liquid), how the interface strengthens at rest ("none": it does not), and how
-    it varies; keys of the registry. options: options of any of these, by name; None for a default."""
+    tangential law ("none" for contact only) or film law; keys of the registry. options: options of any of these, by name; None
+    for a default. beside: laws that go beside the model, by keyword ("none": without, whatever the contact states)."""
 
     model: str | None = None
     asperity: str | None = None
     tangential: str | None = None
     film: str | None = None
     options: Mapping[str, str | None] = field(default_factory=dict)
-    presliding: str | None = None
-    meniscus: str | None = None
-    ageing: str | None = None
-    contamination: str | None = None
+    beside: Mapping[str, str | None] = field(default_factory=dict)
 
     def __post_init__(self):
         for name, value in (self.arguments() | {"model": None}).items():  # an unknown model is refused with the known ones
@@ -39,8 +36,13 @@ class Choice:
     def of(cls, model: str | None, given: Mapping[str, str | None]) -> "Choice":
         """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
         words = dict(given)
-        laws = {name: words.pop(name) for name in LAWS if name in words}
-        return cls(model, options=words, **laws)
+        laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
+        beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}
+        return cls(model, options=words, beside=beside, **laws)
+
+    def laws(self) -> dict[str, str | None]:
+        """Return the keys of model and laws by keyword, None where none is named."""
+        return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property
     def model_key(self) -> str:
@@ -54,15 +56,16 @@ class Choice:
         >>> Choice("greenwood_williamson_1966", tangential="tabor_1959").name
         'greenwood_williamson_1966 + tabor_1959'
         """
-        laws = [getattr(self, law) for law in LAWS if law != "model" and getattr(self, law) is not None]
+        laws = [key for law, key in self.laws().items() if law != "model" and key is not None]
         options = [f"{name} {value}" for name, value in self.options.items() if value is not None]
         return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
         """The same with those laws and options that are not None."""
-        changed = {name: value for name, value in options.items() if value is not None}
-        return replace(self, **{k: v for k, v in laws.items() if v is not None}, options={**self.options, **changed})
+        changed = {name: value for name, value in {**laws, **options}.items() if value is not None}
+        words = {**self.laws(), **self.options, **changed}
+        return Choice.of(words.pop("model"), words)
 
     def arguments(self) -> dict[str, Any]:
         """The keywords of `solve`."""
-        return {name: getattr(self, name) for name in LAWS} | dict(self.options)
+        return self.laws() | dict(self.options)

@@ -10,6 +10,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import (
     JUNCTIONS,
     NO_JUNCTIONS,
+    Addition,
     AsperityLaw,
     FilmLaw,
     Record,
@@ -18,9 +19,9 @@ from stiction.records.registry import (
     find,
     friction_incompatibility,
     incompatibility,
+    kinds_of_additions,
     resolve_options,
 )
-from stiction.solving.additions import ADDITIONS, added
 from stiction.solving.choice import Choice
 
 
@@ -30,7 +31,7 @@ class Chosen:
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
     ignored: what was chosen too and has nothing to answer for. additions: the other laws of the contact, by keyword, see
-    `additions.ADDITIONS`. dry: whether menisci were left out by name.
+    `registry.Addition`. dry: whether menisci were left out by name.
     """
 
     model: RoughSurface
@@ -39,7 +40,7 @@ class Chosen:
     film: FilmLaw | None
     options: Mapping[str, str]
     ignored: tuple[str, ...] = ()
-    additions: Mapping[str, Any] = field(default_factory=dict)
+    additions: Mapping[str, Addition] = field(default_factory=dict)
     dry: bool = False
 
     @property
@@ -83,13 +84,13 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
         additions = _additions(choice, groups, model, tangential, None)
-        return Chosen(model, None, tangential, None, options, ignored, additions, choice.meniscus == "none")
+        return Chosen(model, None, tangential, None, options, ignored, additions, choice.beside.get("meniscus") == "none")
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
     additions = _additions(choice, groups, model, tangential, film)
     if choice.film and not coated:
         find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
-    for one in (tangential, film, additions.get("meniscus")):
+    for one in (tangential, film, *additions.values()):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
             raise InputError(field, value, f"laws that go together: {reason}")
@@ -101,10 +102,26 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
     return Chosen(model, asperity, tangential, film, options, _ignored(choice, coated), additions)
 
 
-def _additions(choice: Choice, groups: Groups | None, *laws: Any) -> dict[str, Any]:
-    """Return the laws beside model, tangential law and film, by keyword."""
-    found = {keyword: added(keyword, getattr(choice, keyword), groups, *laws) for keyword in ADDITIONS}
-    return {keyword: law for keyword, law in found.items() if law is not None}
+def _additions(
+    choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
+) -> dict[str, Addition]:
+    """Return the laws beside model, tangential law and film, by keyword: those that are named, and those of what is stated.
+
+    Raises InputError for a key that is not known, and for a law that does not suit the others.
+    """
+    found: dict[str, Addition] = {}
+    for keyword, kind in kinds_of_additions().items():
+        key = choice.beside.get(keyword)
+        if (key is None and (groups is None or not kind.is_stated(groups))) or (key == "none" and kind.default):
+            continue
+        allowed = kind.allowed(model, tangential, film)
+        if key is None and allowed:
+            continue
+        law = find(key or kind.default, kind)
+        if allowed:
+            raise InputError(keyword, law.key, allowed)
+        found[keyword] = law
+    return found
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:

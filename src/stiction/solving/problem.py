@@ -49,9 +49,8 @@ class Sum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Those of the solids, then those of menisci between them."""
-        menisci = self.chosen.additions.get("meniscus")
-        return self._solids() if menisci is None else [*self._solids(), *menisci.pull(self.groups)]
+        """Those of the solids, then those of other laws, as of menisci between them."""
+        return [*self._solids(), *(one for law in self.chosen.additions.values() for one in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
         record, film = self.record, self.chosen.film
@@ -87,28 +86,17 @@ class Sum(Problem):
             return totals_on_grid(self.regimes, h, self.heights, threads=self.threads)[:, 0]
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
-    def stiffness(self, h: np.ndarray) -> np.ndarray:
-        """Tangential stiffness per asperity (n, m) at the separations h (n, m), before anything slides."""
-        return self._summed_alone(self.chosen.additions["presliding"], h)
-
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
         """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
-        plain = self.chosen.without("meniscus", model=replace(self.record, regimes=None), tangential=law)
+        plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
-
-    def _spread(self, results: dict[str, np.ndarray], h: np.ndarray) -> np.ndarray:
-        """Standard deviation of mu (n, m): variances of the asperities' forces add up, and so do their loads."""
-        asperities = number_of_asperities(self.groups)
-        assert asperities is not None  # the law needs what decides it
-        variance = self._summed_alone(self.chosen.additions["contamination"], h) / asperities
-        return quotient(np.sqrt(variance), results["load"])
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
         results = self._by_name(self._on_grid(h))
         if (published := self._as_published()) is not None:
             friction = totals_on_grid(published.regimes, h, self.heights, threads=self.threads)[:, 2]
             results |= _published(results["load"], friction)
-        return self._with_stiffness(results, np.tile(h, (len(self.groups), 1)))
+        return self._with_additions(results, np.tile(h, (len(self.groups), 1)))
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         return self._at_sums(h, self.sums_at(h))
@@ -126,7 +114,7 @@ class Sum(Problem):
         if (published := self._as_published()) is not None:
             sums = published.sums_at(h).sum(axis=0)
             results |= _published(results["load"], sums[..., SLIP_LIMITED] + sums[..., _YIELD_LIMITED])
-        return self._with_stiffness(results, h)
+        return self._with_additions(results, h)
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
@@ -149,10 +137,10 @@ class Sum(Problem):
             return None
         return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
 
-    def _with_stiffness(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
-        if "contamination" in self.chosen.additions:
-            results["friction_coefficient_spread"] = self._spread(results, h)
-        return results | {"tangential_stiffness": self.stiffness(h)} if "presliding" in self.chosen.additions else results
+    def _with_additions(self, results: dict[str, np.ndarray], h: np.ndarray) -> dict[str, np.ndarray]:
+        for law in self.chosen.additions.values():
+            results |= law.results(results, lambda law: self._summed_alone(law, h), number_of_asperities(self.groups))
+        return results
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
         """Results (n, m) from the sums (regimes, n, m, 5) by what the regimes are labelled."""
@@ -351,5 +339,6 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
                 raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
-    groups = chosen.additions["ageing"].aged(groups) if "ageing" in chosen.additions else groups
+    for law in chosen.additions.values():
+        groups = law.changed(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -10,10 +10,9 @@ from stiction.laws.validity import as_attributes
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import span
-from stiction.records.registry import JUNCTIONS
+from stiction.records.registry import JUNCTIONS, Addition
 from stiction.solving import unused
 from stiction.solving.accuracy import film_errors, measured_error
-from stiction.solving.additions import ADDITIONS
 from stiction.solving.conditions import doubts_of_results
 from stiction.solving.inversion import Inversion, pull_off
 from stiction.solving.points import Points, Solved
@@ -133,7 +132,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "title": f"Static friction after {problem.record.key}",
         "model": problem.record.key,
         **laws,
-        **{one.kind: one.key for one in records if one.kind in ADDITIONS},
+        **{one.kind: one.key for one in records if isinstance(one, Addition)},
         **problem.options,
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,

@@ -26,7 +26,6 @@ from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
-from stiction.solving.additions import ADDITIONS
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import doubts_of_rounding
 from stiction.solving.inversion import largest_tension
@@ -192,9 +191,9 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """The way apart under these laws; InputError, with the reason, where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
-    for name in ("film", *ADDITIONS):
-        if getattr(choice, name) is not None:
-            raise InputError(name, getattr(choice, name), "nothing: of what unloads there is no such option")
+    for name, key in choice.laws().items():
+        if key is not None and name not in ("model", "asperity", "tangential"):
+            raise InputError(name, key, "nothing: of what unloads there is no such option")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
         reason = f"{tangential} speaks of asperities as they are pressed"

@@ -14,7 +14,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import LAWS, RECOMMENDED, Choice
+from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.sliding import slide
 from stiction.solving.solve import solve
 from stiction.studies.comparison.compare import compare
@@ -98,11 +98,11 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """The choice with the model that its name stands for. Raises InputError."""
-    laws = {law: getattr(choice, law) for law in LAWS if law != "model"}
+    laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)
         if not model.asperity:  # it takes none of the laws that the case names beside its own
-            laws = {law: key for law, key in laws.items() if key != getattr(case.choice, law)}
+            laws = {law: key for law, key in laws.items() if key != case.choice.laws()[law]}
     return choice_of(choice.model, laws | dict(choice.options), case.subject)
 
 

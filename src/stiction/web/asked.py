@@ -15,7 +15,7 @@ from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import questions
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
-from stiction.records.registry import KINDS, all_options, of_kind
+from stiction.records.registry import all_options, kinds, of_kind
 from stiction.report.answer import answer_lines, grade_line, model_line
 from stiction.report.honest_digits import rounded
 from stiction.report.report_answer import interval_of, value_in_words
@@ -130,7 +130,7 @@ def compared(question: Question, load: float | None, progress: Any) -> tuple[Cas
 def keys_by_choice(case: Case | None) -> dict[str, list[str]]:
     """Return what each choice of laws may be: models that may be asked of the case, and the laws of every kind."""
     keys: dict[str, list[str]] = {choice: [] for choice in LAWS}
-    for kind in KINDS:
+    for kind in kinds():
         keys.get(kind.keyword, []).extend(of_kind(kind))
     names = [] if case is None else [one.name for one in candidates(case.subject)]
     return keys | {"model": list(dict.fromkeys([*keys["model"], *names]))}

@@ -7,6 +7,7 @@ from nicegui import ui
 
 from stiction.contact.materials import material, material_names
 from stiction.quantities.errors import InputError
+from stiction.records.registry import kinds_of_additions
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
 from stiction.web.asked import keys_by_choice, option_values, states_of
@@ -33,7 +34,7 @@ _PREDICTION = "recommended"
 _NONE = "the model's own"
 _LABELS = {"kind": "kind of surface"}
 # Laws that may be left out of a contact that would have them.
-_MAY_BE_NONE = ("tangential", "meniscus", "ageing", "contamination")
+_MAY_BE_NONE = ("tangential", *(name for name, kind in kinds_of_additions().items() if kind.default))
 _SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
 _LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
 _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups

@@ -1,0 +1,1 @@
+"""strengthening at rest; none: without"""

@@ -33,7 +33,8 @@ Over about five decades of time it was followed; results that wait longer say so
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.records.registry import Ageing, Validity
+from stiction.laws.ageing.kind import Ageing
+from stiction.records.registry import Validity
 from stiction.records.sources import Source
 
 

@@ -1,0 +1,1 @@
+"""junctions that differ; none: without"""

@@ -22,8 +22,8 @@ $\langle A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every 
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
+from stiction.laws.contamination.kind import Contamination
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.records.registry import Contamination
 from stiction.records.sources import Source
 
 # Far beyond any height in reach some laws' areas are so large that their squares are none.

@@ -1,0 +1,1 @@
+"""menisci; none: without"""

@@ -48,8 +48,9 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.laws.asperity import maugis_1992
 from stiction.laws.meniscus import equilibrium_meniscus
+from stiction.laws.meniscus.kind import Meniscus
 from stiction.laws.shared_claims import ELASTIC
-from stiction.records.registry import Limit, Meniscus, Validity
+from stiction.records.registry import Limit, Validity
 from stiction.records.sources import Source
 
 _ring = maugis_1992.ring

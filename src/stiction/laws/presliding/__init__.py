@@ -1,0 +1,1 @@
+"""stiffness before sliding"""

@@ -53,7 +53,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.records.registry import Presliding, Validity
+from stiction.laws.presliding.kind import Presliding
+from stiction.records.registry import Validity
 from stiction.records.sources import Source
 
 

@@ -79,7 +79,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
-    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", meniscus="none"))  # which never pull
+    plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # which never pull
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
     answers = [_ask(situation, one) for one in progress(candidates(contact))]
     return _dataset(contact, answers, target)

@@ -33,7 +33,7 @@ __all__ = ["Pull", "pull_of"]
 _SUM = "greenwood_williamson_1966"
 _ADHESION = (Choice("soft_coating_2015", tangential="none"), Choice(_SUM, asperity="maugis_1992", tangential="none"))
 _DRY, _WET = (
-    Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", meniscus=law)
+    Choice(_SUM, asperity="zhao_maietta_chang_2000", tangential="none", beside={"meniscus": law})
     for law in ("none", "equilibrium_meniscus")
 )
 _ADHESION_ERROR = 0.25  # standard deviation of ln of the factor, over ln of the factor

@@ -1,0 +1,42 @@
+"""Contamination: a law beside a model."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.contact.indices import Groups
+from stiction.quantities.quotient import quotient
+from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, TangentialLaw, find
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contamination(Addition, TangentialLaw):
+    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
+    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
+
+    kind = keyword = "contamination"
+    order = 4
+    default = "independent_junctions"
+
+    @classmethod
+    def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
+        if not model.asperity:
+            return f"none: {model.key} knows no single junctions"
+        if film is not None:
+            return f"none: how a junction is shared by film and substrate ({film.key}) is not known"
+        return "" if tangential is not None and tangential.of_area else OF_AREA
+
+    @classmethod
+    def is_stated(cls, groups: Groups) -> bool:
+        return all(map(groups.knows, find(cls.default, cls).needs))
+
+    def results(
+        self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
+    ) -> dict[str, np.ndarray]:
+        """Return the standard deviation of mu: variances of the asperities' forces add up, and so do their loads."""
+        assert asperities is not None  # the law needs what decides it
+        return {"friction_coefficient_spread": quotient(np.sqrt(summed(self) / asperities), results["load"])}
+
+
+KIND = Contamination

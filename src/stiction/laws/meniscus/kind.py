@@ -1,0 +1,36 @@
+"""Menisci: a law beside a model."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from stiction.contact.indices import Groups
+from stiction.engine.regime import Regime
+from stiction.records.registry import Addition, FilmLaw, RoughSurface, TangentialLaw
+
+
+@dataclass(frozen=True, kw_only=True)
+class Meniscus(Addition):
+    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+
+    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
+    no area, no resistance, and loads below zero.
+    """
+
+    kind = keyword = "meniscus"
+    order = 2
+    default = "equilibrium_meniscus"  # which goes with every asperity law
+    pull: Callable[[Groups], list[Regime]]
+
+    @classmethod
+    def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
+        return "" if model.asperity else f"none: {model.key} knows no single asperities for a liquid to bridge"
+
+    @classmethod
+    def is_stated(cls, groups: Groups) -> bool:
+        return groups.meniscus_index is not None
+
+    def regimes(self, groups: Groups) -> list[Regime]:
+        return self.pull(groups)
+
+
+KIND = Meniscus

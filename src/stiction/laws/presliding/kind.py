@@ -1,0 +1,31 @@
+"""Presliding: a law beside a model."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.records.registry import Addition, FilmLaw, RoughSurface, TangentialLaw
+
+
+@dataclass(frozen=True, kw_only=True)
+class Presliding(Addition, TangentialLaw):
+    """How a contact yields elastically to a tangential force before it slides: a tangential law whose resistance is the
+    tangential stiffness of one asperity at no force, times sigma and in the unit of the load."""
+
+    kind = keyword = "presliding"
+    order = 1
+
+    @classmethod
+    def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
+        if not model.asperity:
+            return f"nothing: {model.key} knows no single asperities"
+        return "nothing: how film and substrate share it is not known" if film is not None else ""
+
+    def results(
+        self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
+    ) -> dict[str, np.ndarray]:
+        return {"tangential_stiffness": summed(self)}
+
+
+KIND = Presliding
