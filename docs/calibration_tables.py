@@ -1,6 +1,6 @@
-"""Tables and picture of docs/calibration.md, from the scores in validation/.
+"""Tables and picture of docs/explanation/calibration.md, from the scores in validation/.
 
-    python docs/calibration_tables.py     # draws docs/calibration.svg
+    python docs/calibration_tables.py     # draws docs/explanation/calibration.svg
 
 The tables are written by docs/make_tables.py.
 """
@@ -133,4 +133,4 @@ def _within(below: np.ndarray, levels: np.ndarray) -> np.ndarray:
 
 
 if __name__ == "__main__":
-    figure().savefig(HERE / "calibration.svg")
+    figure().savefig(HERE / "explanation" / "calibration.svg")

@@ -1,6 +1,6 @@
 """Draws friction of one map against load, solved point by point and by the models.
 
-    python docs/draw_map_contact.py                                     # a made map: docs/boundary-elements.png
+    python docs/draw_map_contact.py                                     # a made map: docs/explanation/boundary-elements.png
     python docs/draw_map_contact.py SCAN --size "20 um" --out mu.png    # any scan that stiction reads, by every model
 
 Of the made map also against the cutoff. The bodies are steel on silicon nitride with an interface of 300 MPa; a scan is
@@ -128,7 +128,7 @@ def main() -> None:
     words.add_argument("--unit", help="of the numbers in the file")
     words.add_argument("--shortest", help='waves that are kept of a scan, from here, e.g. "400 nm"')
     words.add_argument("--form", type=int, default=1, help="order of the polynomial taken off a scan, 1")
-    words.add_argument("--out", type=Path, default=Path(__file__).with_name("boundary-elements.png"))
+    words.add_argument("--out", type=Path, default=Path(__file__).parent / "explanation" / "boundary-elements.png")
     given = words.parse_args()
     if not given.scan:
         draw(made(), given.out)

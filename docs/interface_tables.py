@@ -1,4 +1,4 @@
-"""Tables of docs/interfaces.md, from the states and finishes of the package; written by docs/make_tables.py."""
+"""Tables of docs/reference/interfaces.md, from the states and finishes of the package; written by docs/make_tables.py."""
 
 from markdown_table import table
 

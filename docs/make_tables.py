@@ -3,7 +3,7 @@
     python docs/make_tables.py
 
 - models.md: lists of models and laws, from their records;
-- published-models.md: a section for each, the docstring of its file and what its record says;
+- combining-laws.md: how asperities that have yielded unload, from the docstring of that module;
 - materials.md: the presets, from their files;
 - calibration.md: how often the interval of a prediction holds, from scores in validation/ (calibration_tables.py);
 - interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
@@ -28,7 +28,7 @@ from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_DOUBT
-from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records, text_of
+from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records
 from stiction.report.lists import LISTED, with_range
 from stiction.solving.accuracy import film_tables
 from stiction.solving.accuracy.film_tables import summary
@@ -44,8 +44,8 @@ import truth_tables  # noqa: E402 - beside this file
 import what_mu_rests_on  # noqa: E402
 from markdown_table import table  # noqa: E402
 
-REFERENCE = HERE.parent / "reference"
-SECTIONS = "published-models.md"
+ROOT = HERE.parent
+REFERENCE = ROOT / "reference"
 
 
 def grades() -> str:
@@ -63,7 +63,7 @@ def ways() -> str:
     return table(
         ("key", "an asperity is", "grade", "found in profiles too", "options, the default first"),
         [
-            (f"[`{key}`](published-models.md#{anchor(rows[key])})", one.title, one.grade, "yes" if one.of_profiles else "no",
+            (link(rows[key]), one.title, one.grade, "yes" if one.of_profiles else "no",
              "; ".join(options_of(rows[key])))
             for key, one in methods().items()
         ],
@@ -143,36 +143,25 @@ def heading(model: dict) -> str:
     return f"`{model['key']}` ({model['kind']} law)" if shares_its_key(model) else f"`{model['key']}`"
 
 
-def anchor(model: dict) -> str:
-    """What a link to the model's heading ends with."""
-    return re.sub(r"[^\w\- ]", "", heading(model).lower()).replace(" ", "-")
+def file_of(model: dict) -> Path:
+    """Return the file of the package that holds the model's record, relative to the project."""
+    folder = model["kind"].replace(" ", "_")
+    return next((ROOT / "src" / "stiction").glob(f"*/{folder}/{model['key']}.py")).relative_to(ROOT)
 
 
 def link(model: dict) -> str:
-    """The key, as a link to the model's section."""
-    return f"[`{model['key']}`]({SECTIONS}#{anchor(model)})"
+    """Return the key as a link from a folder of docs/ to the model's file; the site leads to the model's page instead."""
+    return f"[`{model['key']}`](../../{file_of(model).as_posix()})"
 
 
-def year(model: dict) -> int:
-    """The year in the key of a model, else that of its latest source."""
-    keys = [model["key"], *(source.key for source in record_of(model).sources)]
-    years = [int(found[1]) for key in keys if (found := re.search(r"_(\d{4})", key))]
-    return years[0] if re.search(r"_\d{4}", model["key"]) else max(years)
-
-
-def details(kind: str) -> str:
-    """A section for each model of a kind, in the order of their years."""
-    return "\n\n".join(section(model) for model in sorted(of_kind(kind), key=year))
-
-
-def section(model: dict) -> str:
-    """All that the file of one model says: its docstring, and its record."""
+def record_lines(model: dict) -> str:
+    """Return what the record of a model states, as a list."""
     record = record_of(model)
     options = options_of(model)
-    lines = [f"### {heading(model)}", "", text_of(record), "", f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
+    lines = [f"- Grade {model['grade']}: {GRADES[model['grade']]}"]
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Checked against: {model['verified']}"]
-    lines += [f"- Reference values: [`{name}`](../reference/{name})" for name in reference_tables(record)]
+    lines += [f"- Reference values: [`{name}`](../../../reference/{name})" for name in reference_tables(record)]
     good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
     lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
@@ -296,7 +285,8 @@ def film_errors_on_maps() -> str:
 
 def letting_go() -> str:
     """How asperities that have yielded are let go, where their law says nothing of that."""
-    return inspect.getdoc(unloading) or ""
+    files = {model["key"]: file_of(model) for model in of_kind("asperity")}
+    return re.sub(r"\]\(#(\w+)\)", lambda found: f"](../../{files[found[1]].as_posix()})", inspect.getdoc(unloading) or "")
 
 
 @cache
@@ -345,19 +335,17 @@ NAMES = {
 }
 
 TABLES = {
-    "models.md": {"grades": grades, **{name: partial(overview, kind) for name, kind in NAMES.items()}},
-    SECTIONS: {
-        **{f"formulas of {name}": partial(details, kind) for name, kind in NAMES.items()},
-        "letting go": letting_go,
-    },
-    "surfaces.md": {"formats": formats, "methods": ways},
-    "which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
-    "trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt},
-    "truth.md": truth_tables.TABLES,
-    "calibration.md": calibration_tables.TABLES,
-    "what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
-    "materials.md": {"materials": materials, "sources of materials": material_sources},
-    "interfaces.md": interface_tables.TABLES,
+    "reference/models.md": {"grades": grades, **{name: partial(overview, kind) for name, kind in NAMES.items()}},
+    "explanation/combining-laws.md": {"letting go": letting_go},
+    "how-to/surfaces.md": {"formats": formats},
+    "reference/surface-statistics.md": {"methods": ways},
+    "explanation/which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
+    "explanation/trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt},
+    "explanation/truth.md": truth_tables.TABLES,
+    "explanation/calibration.md": calibration_tables.TABLES,
+    "explanation/what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
+    "reference/materials.md": {"materials": materials, "sources of materials": material_sources},
+    "reference/interfaces.md": interface_tables.TABLES,
     "../reference/README.md": {"scripts": reference_scripts},
 }
 

@@ -1,4 +1,4 @@
-"""Measures the errors that docs/numerics.md states, and writes its table anew. Takes less than a minute.
+"""Measures the errors that docs/explanation/numerics.md states, and writes its table anew. Takes less than a minute.
 
 python docs/measure_accuracy.py
 """
@@ -93,7 +93,7 @@ def table() -> str:
 
 
 if __name__ == "__main__":
-    page = HERE / "numerics.md"
+    page = HERE / "explanation" / "numerics.md"
     text = page.read_text(encoding="utf-8")
     marks = r"(<!-- accuracy: begin[^\n]*-->\n).*?(<!-- accuracy: end -->)"
     fresh = table()

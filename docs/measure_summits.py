@@ -1,4 +1,4 @@
-"""Measures how far each method of finding asperities is off on Gaussian surfaces, and writes the tables of docs/surfaces.md
+"""Measure the errors of the methods of finding asperities on Gaussian surfaces; write docs/explanation/asperity-errors.md
 anew. About half a minute.
 
     python docs/measure_summits.py
@@ -14,7 +14,7 @@ from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.prepare import level
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
 
-PAGE = Path(__file__).parent / "surfaces.md"
+PAGE = Path(__file__).parent / "explanation" / "asperity-errors.md"
 
 WAVE = 100e-9  # the unit of length: shortest wave of the one, correlation length of the other
 TARGETS = {

@@ -1,4 +1,4 @@
-"""Tables and pictures of docs/truth.md, from the set of solved surfaces in the package.
+"""Tables and pictures of docs/explanation/truth.md, from the set of solved surfaces in the package.
 
     python docs/truth_tables.py
 
@@ -219,5 +219,5 @@ def errors_figure():
 
 
 if __name__ == "__main__":
-    areas_figure().savefig(HERE / "truth_areas.png", dpi=90)
-    errors_figure().savefig(HERE / "truth_errors.png", dpi=90)
+    areas_figure().savefig(HERE / "explanation" / "truth_areas.png", dpi=90)
+    errors_figure().savefig(HERE / "explanation" / "truth_errors.png", dpi=90)

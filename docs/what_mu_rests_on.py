@@ -1,8 +1,8 @@
 """What friction rests on: one contact with each of its assumptions switched, in numbers and in one picture.
 
-    python docs/what_mu_rests_on.py     # draws docs/what-mu-rests-on.svg and docs/weak-to-full-stick.svg
+    python docs/what_mu_rests_on.py     # draws two pictures beside docs/explanation/what-mu-rests-on.md
 
-The table of docs/what-mu-rests-on.md is made from the same numbers by docs/make_tables.py. The contact is that of
+The table of docs/explanation/what-mu-rests-on.md is made from the same numbers by docs/make_tables.py. The contact is that of
 examples/what_mu_rests_on.toml.
 """
 
@@ -246,5 +246,5 @@ def strength_figure() -> Figure:
 
 
 if __name__ == "__main__":
-    figure().savefig(HERE / "what-mu-rests-on.svg")
-    strength_figure().savefig(HERE / "weak-to-full-stick.svg")
+    figure().savefig(HERE / "explanation" / "what-mu-rests-on.svg")
+    strength_figure().savefig(HERE / "explanation" / "weak-to-full-stick.svg")

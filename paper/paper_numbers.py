@@ -45,7 +45,7 @@ def numbers() -> dict[str, str]:
     kinds = {"asperity": AsperityLaw, "tangential": TangentialLaw, "film": FilmLaw, "rough": RoughSurface}
     known = solved_set()
     found = {name: str(len(of_kind(kind))) for name, kind in kinds.items()}
-    theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
+    theory = (ROOT / "docs" / "explanation" / "theory-limits.md").read_text(encoding="utf-8")
     found["departures"] = str(len(re.findall(r"^\| D\d+ \|", theory, re.MULTILINE)))
     for reading in ("published", "corrected"):
         load, _, friction = st.evaluate(1.0, 40.0, 10.0, reading=reading)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "installing.md"
+PAGE = ROOT / "docs" / "how-to" / "installing.md"
 DIST = ROOT / "build" / "dist"
 
 

@@ -1,6 +1,6 @@
 """Installs the wheel into empty environments, without extras and with each of them, and works there as a user does.
 
-    make try-install                                 # all of it, ten minutes; what weighs is written into docs/installing.md
+    make try-install                                 # ten minutes; writes its tables into docs/how-to/installing.md
     python release/try_install.py none web           # these alone, or "each"; nothing is written
 
 Each environment solves the demo out of an empty folder, far from the source. Of each extra that it has the work is done; of

@@ -4,7 +4,7 @@
     python release/try_versions.py newest python3.13 # the newest Python at hand
     python release/try_versions.py lowest --tests tests/pinned tests/cli
 
-Needs the tool uv on the path. What was tried, and when, is written into docs/installing.md. Warnings are no errors here: they
+Needs the tool uv on the path. Writes docs/how-to/installing.md. Warnings are no errors here: they
 are of libraries among themselves.
 """
 

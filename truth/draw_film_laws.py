@@ -1,4 +1,4 @@
-"""Draws the pictures of docs/which-film-law.md: what film laws make of a sphere on a film, beside the exact solution.
+"""Draw the pictures of docs/explanation/which-film-law.md: film laws on a sphere on a film, beside the exact solution.
 
 python truth/draw_film_laws.py
 """
@@ -15,7 +15,7 @@ from film_laws import LAWS, NU, asperity
 from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.sphere import respond
 
-DOCS = Path(__file__).parents[1] / "docs"
+DOCS = Path(__file__).parents[1] / "docs" / "explanation"
 MODULI, RATIO = (0.1, 2.0, 10.0), 1e-3  # thickness over radius
 WIDTHS = np.geomspace(0.05, 20.0, 60)
 LOOKS = {

@@ -2,7 +2,8 @@
 
     python truth/paper_films.py
 
-prints the table of docs/claims.md: shares of the plane of theta and lambda, 13 x 13 points, where a claim holds for all films.
+prints the table of docs/explanation/claims.md: shares of the plane of theta and lambda, 13 x 13 points, where a claim holds
+for all films.
 """
 
 from unittest.mock import patch

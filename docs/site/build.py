@@ -70,12 +70,11 @@ def lay_out(out: Path) -> None:
             target.write_text(_alone(path) + text, encoding="utf-8")
         else:
             shutil.copyfile(ROOT / path, target)
-    model_pages.lead_here(out)
 
 
 def _alone(path: PurePosixPath) -> str:
     """What stands before a page that is in no table of contents."""
-    return "" if path.parts[0] == "docs" or str(path) in OTHERS else "---\norphan: true\n---\n\n"
+    return "" if path.parts[0] == "docs" or str(path) == "CONTRIBUTING.md" else "---\norphan: true\n---\n\n"
 
 
 def build(out: Path) -> int:

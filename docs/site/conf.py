@@ -47,9 +47,19 @@ def setup(app):
     from pygments.lexers.special import TextLexer
 
     app.add_lexer("csv", TextLexer)
+    app.connect("html-page-context", short_sidebar, priority=900)  # after the theme
     app.connect("doctree-read", numbered_as_written)
     app.connect("doctree-read", sentences_wrap)
     app.connect("doctree-read", pictures_open)
+
+
+def short_sidebar(app, pagename, templatename, context, doctree):
+    """Two levels only: pages of laws and names are reached from their lists."""
+    from furo.navigation import get_navigation_tree
+
+    if "toctree" in context:
+        tree = context["toctree"](collapse=False, titles_only=True, maxdepth=2, includehidden=True)
+        context["furo_navigation_tree"] = get_navigation_tree(tree)
 
 
 def numbered_as_written(app, doctree):

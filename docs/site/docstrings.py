@@ -7,17 +7,21 @@ a list.
 import re
 from collections.abc import Collection
 
+from links import page_with
+
 # What is said of an argument, or of several: their names at the beginning of a sentence, and a colon.
 _SAYS = re.compile(r"(?:^|(?<=[.;)]) )(\*{0,2}[a-z_]\w*(?:, [a-z_]\w*)*): ", re.IGNORECASE)
 _NUMBERS = "Numbers, each with its SI unit:"
 _BLOCK = re.compile(r"^(?: {4}|[-|>]|\d+\. |```)")
-_PAGE = re.compile(r"(?<![\w/])(?<!\]\()docs/([\w-]+)\.md")
+_PAGE = re.compile(r"(?<![\w/])(?<!\]\()docs/(?:[\w-]+/)?([\w-]+)\.md")
 
 
 def as_markdown(text: str, names: Collection[str] = (), root: str = "") -> str:
     """The docstring as Markdown. names: what is said of these becomes items of a list; root: the way to the pages of docs/."""
     said = "\n\n".join(_paragraph(one, names) for one in re.split(r"\n\s*\n", text.strip()))
-    return _PAGE.sub(rf"[\1]({root}\1.md)", said) if root else said
+    if not root:
+        return said
+    return _PAGE.sub(lambda found: f"[{found[1]}]({root}{page_with(found[1]).relative_to('docs')})", said)
 
 
 def _paragraph(text: str, names: Collection[str]) -> str:

@@ -60,6 +60,7 @@ def write(out: Path) -> list[PurePosixPath]:
         run(script, folder / f"{name}.png")
         code = script.read_text(encoding="utf-8").split('"""', 2)[2].strip("\n")
         (folder / f"{name}.md").write_text(
+            "---\norphan: true\n---\n\n"
             f"# {title}\n\n{as_markdown(text, (), '../')}\n\n```{{image}} {name}.png\n:alt: {title}\n:class: drawn\n```\n\n"
             f"```python\n{code}\n```\n\nAs a file: {{download}}`{script.name} </project/{FOLDER}/{script.name}>`.\n",
             encoding="utf-8",
@@ -76,8 +77,7 @@ def write(out: Path) -> list[PurePosixPath]:
 
 
 def _index(cards: list[str]) -> str:
-    names = "\n".join(name_of(script) for script in scripts())
     return (
         "# Gallery\n\nPictures that people want to make, each with the short script that makes it; all run in the tests.\n\n"
-        ":::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n\n".join(cards) + f"\n:::::\n\n:::{{toctree}}\n:hidden:\n\n{names}\n:::\n"
+        ":::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n\n".join(cards) + "\n:::::\n"
     )

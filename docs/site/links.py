@@ -1,12 +1,17 @@
 """Where the files of the project are in the site, and the links between them.
 
-A page of docs/ stands at the root of the site; another page that is linked to, or file, under `project/` by its path. Links
-to folders become plain text: a site has none.
+A page of docs/ keeps its folder; the file of a law leads to the page of the law; any other file that is linked to stands under
+`project/`. Links to folders become plain text.
 """
 
 import os
 import re
+from functools import cache
 from pathlib import Path, PurePosixPath
+
+import make_tables
+
+from stiction.records.registry import records
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -23,7 +28,35 @@ def place_of(path: PurePosixPath) -> PurePosixPath:
     """Where a file of the project is in the site; both relative to their roots."""
     if path == PurePosixPath("README.md"):
         return PurePosixPath("index.md")
+    if path in law_pages():
+        return law_pages()[path]
     return path.relative_to("docs") if path.parts[0] == "docs" else PurePosixPath("project") / path
+
+
+@cache
+def law_pages() -> dict[PurePosixPath, PurePosixPath]:
+    """Return the page of each law in the site, by the law's file; two kinds may share a key."""
+    pages = {}
+    for record in records():
+        model = {"key": record.key, "kind": record.kind}
+        twin = f"-{record.kind}".replace(" ", "-") * make_tables.shares_its_key(model)
+        pages[PurePosixPath(make_tables.file_of(model))] = PurePosixPath("reference/laws") / f"{record.key}{twin}.md"
+    return pages
+
+
+@cache
+def page_with(stem: str, heading: str = "") -> PurePosixPath | None:
+    """Return the page of docs/ of this name with this heading; the page may be a part, as theory-films of theory."""
+    for path in sorted((ROOT / "docs").rglob(f"{stem}*.md")):
+        if not heading or heading in headings(path.read_text(encoding="utf-8")):
+            return PurePosixPath(path.relative_to(ROOT).as_posix())
+    return None
+
+
+def headings(text: str) -> set[str]:
+    """Return the anchors of the headings of a page, as the usual viewers make them."""
+    titles = re.findall(r"^#+ (.*)$", text, flags=re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
 def relinked(text: str, page: PurePosixPath, place: PurePosixPath | None = None) -> tuple[str, list[PurePosixPath]]:

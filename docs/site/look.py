@@ -20,14 +20,16 @@ from playwright.sync_api import TimeoutError as NotInTime
 SITE = Path(__file__).resolve().parents[2] / "build" / "docs" / "html"
 WIDTHS, THEMES, COUNT = (1280, 400), ("light", "dark"), 40
 FIRST = (
-    "index", "installing", "tutorials/1-bare-metal", "tutorials/2-soft-film", "tutorials/3-micromachine",
+    "index", "start", "how-to/installing", "tutorials/1-bare-metal", "tutorials/2-soft-film", "tutorials/3-micromachine",
     "tutorials/4-soft-polymer", "tutorials/5-from-a-scan", "how-to/which-thickness", "how-to/measured-disagrees",
-    "how-to/which-asperity-method", "how-to/ten-million-contacts", "theory", "published-models", "numerics", "trust", "truth",
-    "calibration", "which-film-law", "what-mu-rests-on", "gallery/index", "speed", "reference/names/index",
-    "reference/case-file", "reference/command-line", "models-by-name/index", "genindex",
+    "how-to/which-asperity-method", "how-to/ten-million-contacts", "explanation/theory", "explanation/combining-laws",
+    "explanation/numerics", "explanation/trust", "explanation/truth", "explanation/calibration", "explanation/which-film-law",
+    "explanation/what-mu-rests-on", "how-to/which-model", "how-to/which-interface-strength", "how-to/which-roughness-numbers",
+    "gallery/index", "speed", "reference/names/index", "reference/case-file", "reference/command-line", "reference/laws/index",
+    "reference/laws/kogut_etsion_2002", "reference/glossary", "reference/symbols", "genindex",
 )  # fmt: skip
-PLACES = ("theory.html#8-departures-from-the-print", "models.html#grades")
-SEARCHED = ("plasticity index", "silver", "meniscus")
+PLACES = ("explanation/theory-limits.html#8-departures-from-the-print", "reference/models.html#grades")
+SEARCHED = ("plasticity index", "silver", "meniscus", "scan upload AFM")
 # Pictures that come only as one scrolls are not asked for; what MathJax has not set stays in its delimiters.
 _BROKEN = r"""() => ({
   pictures: [...document.images].filter(one => one.complete && !one.naturalWidth).map(one => one.src),

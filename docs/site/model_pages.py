@@ -6,12 +6,13 @@ from pathlib import Path, PurePosixPath
 import make_tables
 import matplotlib.pyplot as plt
 import truth_tables
-from links import relinked
+from links import law_pages, page_with, relinked
 from model_pictures import picture
 
 import stiction as st
-from stiction.records.registry import Record, RoughSurface, kinds, records
+from stiction.records.registry import Record, RoughSurface, kinds, records, text_of
 from stiction.records.sources import bibliography
+from stiction.report.printed_sources import in_letters
 
 TITLES = {
     "rough surface": "Rough surfaces",
@@ -27,63 +28,97 @@ TITLES = {
     "asperity method": "Ways of finding asperities",
 }
 HEADING = "## Grade, evidence and validity"
-READ = "[How to read this list](published-models.md)."
-_PAGE = PurePosixPath("docs") / make_tables.SECTIONS
+READ = "[How to read this page](../../explanation/combining-laws.md#how-to-read-the-page-of-a-law)."
 _NAMED = re.compile(r"\[([a-z_]+_\d{4}\w*)\](?!\()")
 _SOURCE = re.compile(r"^- Source: (\w+)", re.MULTILINE)
-_SECTION = re.compile(rf"\]\((?P<up>[./]*){re.escape(make_tables.SECTIONS)}#(?P<place>[\w-]+)\)")
+_SHORT = re.compile(r"\]\((?:(?P<stem>[\w-]+)\.md)?(?:#(?P<place>[\w-]+))?\)")
+# What docstrings of laws call sections that have moved.
+MOVED = {"1-units": "units", "5-film-and-substrate-as-one-body": "film-and-substrate-as-one-body", "letting-go": "unloading"}
+_AUTHOR = re.compile(r"^\s*author\s*=\s*\{(.*)\},?$", re.MULTILINE)
 
 
-def file_of(record: Record) -> str:
-    """The page of a model, without its ending; keys of two kinds may be the same."""
-    twin = make_tables.shares_its_key({"key": record.key, "kind": record.kind})
-    return f"{record.key}-{record.kind}".replace(" ", "-") if twin else record.key
+def name_of(record: Record) -> str:
+    """Return the name of a law: authors and year of its paper, or its key in words where it is this project's own."""
+    cited = record.key if record.key in bibliography() else record.sources[0].key if record.sources else ""
+    if not re.search(r"_\d{4}", record.key) and record.key not in ("hertz", "jkr", "dmt", "mccool"):
+        return record.key.replace("_", " ").capitalize().replace("Rough dmt", "Rough DMT")
+    authors = _AUTHOR.search(bibliography().get(cited, ""))
+    year = re.search(r"_(\d{4})", record.key) or re.search(r"_(\d{4})", cited)
+    if not (authors and year):
+        return record.key.replace("_", " ").capitalize()
+    names = [in_letters(one).split(",")[0].strip() for one in authors[1].split(" and ")]
+    who = (
+        f"{names[0]} et al."
+        if len(names) > 3 or "others" in names
+        else " & ".join([", ".join(names[:-1]), names[-1]][len(names) == 1 :])
+    )
+    return f"{who} {year[1]}{_SHORTER.get(record.key, '')}"
+
+
+_SHORTER = {"jkr": " (JKR)", "dmt": " (DMT)"}
 
 
 def write(out: Path) -> list[PurePosixPath]:
-    """A page and a picture for each model, their list, and the bibliography."""
-    folder = out / "models-by-name"
+    """Write a page and a picture for each law, their list, and the bibliography."""
+    folder = out / "reference" / "laws"
     folder.mkdir(parents=True)
     linked = []
     for row, record in zip(st.models(), records(), strict=True):
+        place = place_of_law(record)
         drawn = picture(record)
-        drawn.savefig(folder / f"{file_of(record)}.png", dpi=120)
+        drawn.savefig((out / place).with_suffix(".png"), dpi=120)
         plt.close(drawn)
-        place = PurePosixPath("models-by-name") / f"{file_of(record)}.md"
-        text, more = relinked(page(row, record), _PAGE, place)
+        text, more = relinked(page(row, record), PurePosixPath("docs") / place)
         (out / place).write_text(_with_sources(text), encoding="utf-8")
         linked += more
     (folder / "index.md").write_text(index(), encoding="utf-8")
-    (out / "reference").mkdir(exist_ok=True)
     (out / "reference" / "bibliography.md").write_text(sources(), encoding="utf-8")
     return linked
 
 
+def place_of_law(record: Record) -> PurePosixPath:
+    """Return the page of a law in the site."""
+    return law_pages()[PurePosixPath(make_tables.file_of({"key": record.key, "kind": record.kind}))]
+
+
 def page(row: dict, record: Record) -> str:
-    """What the file of a model says, with its picture and BibTeX; links are those of docs/published-models.md."""
-    text = re.sub(r"^### ", "# ", make_tables.section(row), count=1)
-    said, points = re.split(r"\n\n(?=- Grade )", text, maxsplit=1)
-    drawn = f"```{{image}} {file_of(record)}.png\n:alt: {record.key}, drawn\n:class: drawn\n```"
-    heading, _, rest = said.partition("\n\n")
-    named = _also_named(record)
+    """Return the page of a law: its docstring, picture, record and BibTeX, with links from docs/reference/laws/."""
+    drawn = f"```{{image}} {place_of_law(record).stem}.png\n:alt: {record.key}, drawn\n:class: drawn\n```"
     entries = st.cite(list(dict.fromkeys(source.key for source in record.sources))).strip() if record.sources else ""
     cited = f"\n\n## BibTeX\n\n```bibtex\n{entries}\n```" if entries else ""
-    told = points + _measured(record)
-    parts = [heading, f"*{record.kind}: {record.title}.* {named}", rest, "## Picture", drawn, HEADING, told, READ]
+    chosen = f'Chosen with `{record.keyword}="{record.key}"`.' if record.keyword else ""
+    about = f"`{record.key}`, {record.kind}: {record.title}. {chosen}".strip()
+    stated = make_tables.record_lines(row) + _measured(record)
+    parts = [f"# {name_of(record)}", about, _with_whole_links(text_of(record)), "## Picture", drawn, HEADING, stated, READ]
     return "\n\n".join(parts) + f"{cited}\n"
 
 
 def _measured(record: Record) -> str:
-    """A line on its error against solved contacts, if it is a rough surface that was compared with them."""
+    """Return a line on the law's error, if it is a rough surface that was compared with solved contacts."""
     off = truth_tables.errors_of(record.key) if isinstance(record, RoughSurface) else ""
-    return f"\n- Error of its contact area on solved surfaces ([all of them](truth.md)), {off}" if off else ""
+    return f"\n- Error of its contact area on solved surfaces ([all of them](../../explanation/truth.md)), {off}" if off else ""
 
 
-def _also_named(record: Record) -> str:
-    """How it is chosen."""
-    if not record.keyword:
-        return ""
-    return f'Chosen with `{record.keyword}="{record.key}"`.'
+def _with_whole_links(text: str) -> str:
+    """Complete the links of a docstring, which name a page without its folder, or a law or section without its page."""
+    own = {_anchor(record): record for record in records()}
+
+    def whole(found: re.Match) -> str:
+        place = MOVED.get(found["place"] or "", found["place"] or "")
+        if not found["stem"] and place in own:
+            return f"]({place_of_law(own[place]).name})"
+        stems = [found["stem"]] if found["stem"] else ["combining-laws", "symbols", "models"]
+        goal = next((page for stem in stems if (page := page_with(stem, place))), None)
+        if goal is None:
+            raise ValueError(f"a docstring links to {found[0]}, which is nowhere")
+        return f"](../../{goal.relative_to('docs')}{'#' * bool(place)}{place})"
+
+    return _SHORT.sub(whole, text)
+
+
+def _anchor(record: Record) -> str:
+    """Return what docstrings call a law: its key, with its kind where two kinds share the key."""
+    return f"{record.key}-{record.kind}-law" if place_of_law(record).stem != record.key else record.key
 
 
 def _with_sources(text: str) -> str:
@@ -91,37 +126,20 @@ def _with_sources(text: str) -> str:
     known = bibliography()
 
     def led(found: re.Match) -> str:
-        link = f"[{found[1]}](../reference/bibliography.md#{found[1]})"
+        link = f"[{found[1]}](../bibliography.md#{found[1]})"
         return found[0].replace(f"[{found[1]}]", found[1]).replace(found[1], link) if found[1] in known else found[0]
 
     return _SOURCE.sub(led, _NAMED.sub(led, text))
 
 
-def lead_here(out: Path) -> None:
-    """Links to the section of a model on the page of all, which takes long to open, lead to its own page."""
-    own = {make_tables.anchor({"key": one.key, "kind": one.kind}): file_of(one) for one in records()}
-
-    def led(found: re.Match) -> str:
-        return f"]({found['up']}models-by-name/{own[found['place']]}.md)" if found["place"] in own else found[0]
-
-    for path in out.rglob("*.md"):
-        if path != out / make_tables.SECTIONS:
-            path.write_text(_SECTION.sub(led, path.read_text(encoding="utf-8")), encoding="utf-8")
-
-
 def index() -> str:
-    """The list of all models, by kind."""
-    lines = [
-        "# Every model",
-        "",
-        "What is behind each name: equations, picture, record and BibTeX. [Models](../models.md) explains the list.",
-        "",
-    ]
+    """Return the list of all laws by kind, each by author and year."""
+    lines = ["# Laws and models", "", "One page a law: equations, picture, range of validity, evidence and BibTeX.", ""]
     for kind in kinds():
-        mine = [one for one in records() if type(one) is kind]
-        lines += [f"## {TITLES[kind.kind]}", "", "| key | what it is | grade |", "|---|---|---|"]
-        lines += [f"| [`{one.key}`]({file_of(one)}.md) | {one.title} | {one.grade} |" for one in mine]
-        lines += ["", ":::{toctree}", ":hidden:", "", *map(file_of, mine), ":::", ""]
+        mine = sorted((one for one in records() if type(one) is kind), key=lambda one: (name_of(one).lower(), one.key))
+        lines += [f"## {TITLES[kind.kind]}", "", "| law | key | what it is | grade |", "|---|---|---|---|"]
+        lines += [f"| [{name_of(one)}]({place_of_law(one).name}) | `{one.key}` | {one.title} | {one.grade} |" for one in mine]
+        lines += ["", ":::{toctree}", ":hidden:", "", *(place_of_law(one).stem for one in mine), ":::", ""]
     return "\n".join(lines)
 
 

@@ -39,6 +39,8 @@ from stiction.solving.problem import make_problem
 SUM, COATED = "greenwood_williamson_1966", "soft_coating_2015"  # models in which other laws are drawn: bare, and with a film
 STEEL = {"preset": "hardened_steel_52100", "tangent_modulus": "2 GPa"}
 STATE_COLOURS = {"elastic": "#0072B2", "elastic-plastic": "#E69F00", "plastic": "#D55E00"}
+FLATTENED = "persson_tosatti_2001"  # refuses bodies that adhesion does not flatten
+RUBBER = {"name": "rubber", "youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "2 MPa"}
 RADIUS = 50e-6
 _FAR = 1e6  # a coordinate beyond all that is drawn
 
@@ -199,6 +201,8 @@ def surface_of(record: RoughSurface) -> st.Contact:
     if record.of_map is not None:
         spectrum = st.SelfAffine(0.8, 20e-6 / 8, 20e-6 / 16, 30e-9)
         return contact(roughness=st.gaussian_surface((64, 64), (20e-6, 20e-6), spectrum, seed=1), energy=0.0)
+    if record.key == FLATTENED:
+        return contact(energy=0.05).replace(first=RUBBER, second=RUBBER, interfacial_shear_strength=0.4e6)
     adheres = record.adheres or record.key in ("fuller_tabor_1975", "rough_dmt", COATED)
     return contact(film=record.on_film, energy=0.1 if adheres else 0.0 if not record.on_film else 0.1)
 
@@ -209,7 +213,11 @@ def rough_surface(record: RoughSurface) -> Figure:
     loads = np.geomspace(0.03, 30.0, 60) if record.of_map is None else np.geomspace(3.0, 300.0, 7)
     figure, left, right = two_panels()
     shear = None if record.tangential != "none" else "bowden_tabor_1943"
-    drawn = {record.key: shear} if record.key == SUM or record.on_film else {SUM: "bowden_tabor_1943", record.key: shear}
+    drawn = (
+        {record.key: shear}
+        if record.key in (SUM, FLATTENED) or record.on_film
+        else {SUM: "bowden_tabor_1943", record.key: shear}
+    )
     for key, law in drawn.items():
         data = st.solve(given, load=loads, model=key, tangential=law)
         own = key == record.key
@@ -220,8 +228,9 @@ def rough_surface(record: RoughSurface) -> Figure:
     right.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient")
     right.set_ylim(0.0, 1.1 * right.dataLim.y1)
     left.legend(fontsize="small")
-    shown = "its own friction" if shear is None else "an interface of 200 MPa + 0.05 p"
-    figure.suptitle(f"Steel on steel{', 200 nm of silver' * record.on_film}; {shown}", fontsize="medium")
+    shown = "its own friction" if shear is None else f"an interface of {given.interfacial_shear_strength / 1e6:g} MPa + 0.05 p"
+    pair = "Rubber on rubber" if record.key == FLATTENED else "Steel on steel"
+    figure.suptitle(f"{pair}{', 200 nm of silver' * record.on_film}; {shown}", fontsize="medium")
     return figure
 
 

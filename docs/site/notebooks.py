@@ -59,6 +59,7 @@ def executed(text: str, name: str) -> tuple[str, dict, dict[str, bytes]]:
     space: dict = {"__name__": "__main__"}
     place = 0
     found = blocks(text)
+    plt.close("all")  # figures of others are not this page's
     with sandbox() as folder:
         for block, after in zip_longest(found, found[1:]):
             start, end = _fence(text, block)

@@ -101,7 +101,7 @@ def test_the_map_covers_both_readings_and_its_summary_adds_up():
 
 
 def test_the_page_states_the_definitions_and_the_whole_map():
-    page = (Path(__file__).parents[2] / "docs" / "claims.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "explanation" / "claims.md").read_text(encoding="utf-8")
     for claim in CLAIMS:
         assert f"| ({claim.key}) | {claim.says} | {claim.number} | {'<' if claim.below else '>'} {claim.bound:g} |" in page
     for row in summary(claim_map(), 40.0, 10.0):

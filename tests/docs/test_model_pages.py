@@ -9,11 +9,11 @@ import re
 import pytest
 from pages import ROOT, make_tables
 
+import stiction as st
 from stiction.records.registry import records, text_of
 from stiction.records.sources import bibliography
 
 MADE = [(script, table) for script, tables in make_tables.tables_made().items() for table in tables]
-PAGE = (ROOT / "docs" / make_tables.SECTIONS).read_text(encoding="utf-8")
 # Ways of finding asperities are held to closed forms of surfaces (tests/contract/test_asperity_records.py), not to tables.
 TABLED = [record for record in records() if record.kind != "asperity method"]
 each_record = pytest.mark.parametrize("record", records(), ids=lambda record: f"{record.kind}-{record.key}")
@@ -30,13 +30,6 @@ OF_GRADE_C = re.compile(r"\*(Reconstruct(ed|ion)|[Uu]nknown)\*")
 
 def heading(record):
     return make_tables.heading({"key": record.key, "kind": record.kind})
-
-
-def section(record):
-    """The record's part of the page."""
-    found = re.findall(rf"^### {re.escape(heading(record))}\n(.*?)(?=^#|^<!--)", PAGE, flags=re.MULTILINE | re.DOTALL)
-    assert len(found) == 1, f"{record.key}: {len(found)} sections"
-    return found[0]
 
 
 @each_record
@@ -59,10 +52,9 @@ def test_names_in_brackets_are_in_the_bibliography(record):
 
 
 @each_record
-def test_page_has_a_section_of_every_model(record):
-    """With source, equations, grade, validity, and what verified it."""
-    text = section(record)
-    assert text_of(record) in text
+def test_record_of_every_model_is_stated(record):
+    """Source, grade, validity, and what verified it; test_site.py checks the page around it."""
+    text = make_tables.record_lines(next(row for row in st.models() if (row["key"], row["kind"]) == (record.key, record.kind)))
     assert f"- Grade {record.grade}: " in text
     assert all(f"- Source: {source}" in text for source in record.sources)
     assert f"- Checked against: {record.verified}" in text
@@ -71,10 +63,11 @@ def test_page_has_a_section_of_every_model(record):
 
 
 @each_record
-def test_list_of_models_leads_to_the_section(record):
-    anchor = make_tables.anchor({"key": record.key, "kind": record.kind})
-    models = (ROOT / "docs" / "models.md").read_text(encoding="utf-8")
-    assert f"| [`{record.key}`]({make_tables.SECTIONS}#{anchor}) | {record.title} |" in models
+def test_list_of_models_leads_to_the_file_of_every_model(record):
+    file = make_tables.file_of({"key": record.key, "kind": record.kind})
+    assert (ROOT / file).exists()
+    models = (ROOT / "docs" / "reference" / "models.md").read_text(encoding="utf-8")
+    assert f"| [`{record.key}`](../../{file.as_posix()}) | {record.title} |" in models
 
 
 @each_tabled

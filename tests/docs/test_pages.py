@@ -2,6 +2,7 @@
 
 import re
 import runpy
+import sys
 import tomllib
 
 import pytest
@@ -9,6 +10,10 @@ from pages import ROOT, blocks, make_tables, pages, refreshed, run, sandbox
 
 from stiction.case.read import parse_case
 from stiction.engine.summation import _COUNTS
+
+sys.path.append(str(ROOT / "docs" / "site"))
+
+from links import headings
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 PAGES = [pytest.param(page, id=page.name) for page in pages()]
@@ -73,12 +78,6 @@ def test_links_lead_somewhere(path):
             assert heading in headings(there.read_text(encoding="utf-8")), f"{path.name}: {target}"
 
 
-def headings(text):
-    """Anchors of the headings of a page, as the usual viewers make them."""
-    titles = re.findall(r"^#+ (.*)$", text, flags=re.MULTILINE)
-    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
-
-
 @pytest.mark.parametrize("script", EXAMPLES, ids=lambda path: path.name)
 def test_example_scripts_run(script, capsys):
     with sandbox() as folder:
@@ -94,6 +93,6 @@ def test_tables_are_up_to_date():
 
 
 def test_numbers_of_nodes_are_those_of_the_engine():
-    """docs/numerics.md speaks of them."""
+    """docs/explanation/numerics.md speaks of them."""
     short, long = _COUNTS
-    assert f"{short} nodes, or {long}" in (ROOT / "docs" / "numerics.md").read_text(encoding="utf-8")
+    assert f"{short} nodes, or {long}" in (ROOT / "docs" / "explanation" / "numerics.md").read_text(encoding="utf-8")

@@ -1,6 +1,5 @@
 """What the site is laid out from: links, pages that are made, tutorials, the gallery; and the search for dead links."""
 
-import csv
 import json
 import re
 import sys
@@ -8,7 +7,6 @@ from pathlib import Path, PurePosixPath
 
 import matplotlib
 import pytest
-from matplotlib.figure import Figure
 from pages import ROOT
 from typer.testing import CliRunner
 
@@ -22,6 +20,7 @@ sys.path[:0] = [str(ROOT / "docs" / "site"), str(ROOT / "docs")]
 
 import case_pages  # noqa: E402 - in docs/site
 import command_pages  # noqa: E402
+import draw_guides  # noqa: E402
 import gallery  # noqa: E402
 import model_pages  # noqa: E402
 import name_pages  # noqa: E402
@@ -32,23 +31,26 @@ from links import place_of, relinked  # noqa: E402
 from matplotlib.image import imread  # noqa: E402
 from model_pictures import picture  # noqa: E402
 
-PAGE = PurePosixPath("docs/theory.md")
+PAGE = PurePosixPath("docs/explanation/theory.md")
+HERTZ = "src/stiction/laws/asperity/hertz.py"
 
 
-def test_pages_of_docs_stand_at_the_root():
-    assert place_of(PAGE) == PurePosixPath("theory.md")
+def test_pages_of_docs_keep_their_folder_and_laws_have_their_page():
+    assert place_of(PAGE) == PurePosixPath("explanation/theory.md")
+    assert place_of(PurePosixPath(HERTZ)) == PurePosixPath("reference/laws/hertz.md")
     assert place_of(PurePosixPath("reference/hertz.csv")) == PurePosixPath("project/reference/hertz.csv")
 
 
 @pytest.mark.parametrize(
     ("written", "there", "leads"),
     [
-        ("[a](trust.md#in-numbers)", "[a](trust.md#in-numbers)", ["docs/trust.md"]),
-        ("[a](../CONTRIBUTING.md)", "[a](project/CONTRIBUTING.md)", ["CONTRIBUTING.md"]),
-        ("[`a`](../reference/hertz.csv)", "[`a`](project/reference/hertz.csv)", ["reference/hertz.csv"]),
-        ("![a](film_errors.svg)", "![a](film_errors.svg)", ["docs/film_errors.svg"]),
-        ("[a](../README.md)", "[a](index.md)", ["README.md"]),
-        ("[a](../validation/)", "a", []),
+        ("[a](trust.md#in-numbers)", "[a](trust.md#in-numbers)", ["docs/explanation/trust.md"]),
+        ("[a](../../CONTRIBUTING.md)", "[a](../project/CONTRIBUTING.md)", ["CONTRIBUTING.md"]),
+        ("[`a`](../../reference/hertz.csv)", "[`a`](../project/reference/hertz.csv)", ["reference/hertz.csv"]),
+        (f"[`hertz`](../../{HERTZ})", "[`hertz`](../reference/laws/hertz.md)", [HERTZ]),
+        ("![a](film_errors.svg)", "![a](film_errors.svg)", ["docs/explanation/film_errors.svg"]),
+        ("[a](../../README.md)", "[a](../index.md)", ["README.md"]),
+        ("[a](../../validation/)", "a", []),
         ("[a](#1-units)", "[a](#1-units)", []),
         ("[a](https://example.org/x)", "[a](https://example.org/x)", []),
         ("`x[1](2)`", "`x[1](2)`", []),
@@ -61,20 +63,15 @@ def test_links_of_a_page_become_those_of_the_site(written, there, leads):
     assert linked == [PurePosixPath(one) for one in leads]
 
 
-def test_links_of_a_text_that_stands_elsewhere_are_meant_from_where_it_was():
-    text, _ = relinked(
-        "[a](theory.md) [b](#4-films)", PurePosixPath("docs/published-models.md"), PurePosixPath("models-by-name/x.md")
-    )
-    assert text == "[a](../theory.md) [b](../published-models.md#4-films)"
-
-
 def test_every_page_is_in_a_table_of_contents():
-    """Of its folder; what stands at the root in that of the start page."""
-    for folder in (ROOT / "docs", *(ROOT / "docs" / name for name in ("tutorials", "how-to"))):
-        lines = (folder / "index.md").read_text(encoding="utf-8").splitlines()
-        listed = [re.sub(r"^.* <([\w-]+)>$", r"\1", line) for line in lines]  # with a title of its own, or not
-        for page in folder.glob("*.md"):
-            assert page.stem == "index" or page.stem in listed, f"{page.name} is in no toctree of {folder.name}/index.md"
+    """Of its folder, or of any other; the sidebar of the site is made of these tables."""
+    listed = set()
+    for index in (ROOT / "docs").rglob("*.md"):
+        for table in re.findall(r"```{toctree}\n(.*?)```", index.read_text(encoding="utf-8"), flags=re.DOTALL):
+            names = [re.sub(r"^.* <(.+)>$", r"\1", line) for line in table.splitlines() if line and not line.startswith(":")]
+            listed |= {(index.parent / f"{name}.md").resolve() for name in names}
+    pages = {path for path in (ROOT / "docs").rglob("*.md") if path != ROOT / "docs" / "index.md"}
+    assert pages <= listed, pages - listed
 
 
 def test_every_public_name_has_its_page():
@@ -92,9 +89,10 @@ def test_page_of_a_name_says_what_its_docstring_says():
 
 
 def test_arguments_in_a_docstring_become_a_list():
-    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in (docs/theory.md)."
+    text = "What it is.\n\npath: of the\nfile. unit, scale: of it.\nother: not listed.\n\nAs in (docs/explanation/theory.md)."
     assert as_markdown(text, {"path", "unit", "scale"}, "../") == (
-        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed.\n\nAs in ([theory](../theory.md))."
+        "What it is.\n\n- `path`: of the file.\n- `unit`, `scale`: of it. other: not listed."
+        "\n\nAs in ([theory](../explanation/theory.md))."
     )
 
 
@@ -133,7 +131,7 @@ def test_every_option_of_every_command_is_on_the_page(tmp_path):
 def test_page_of_a_model(row, record):
     """Its equations, its record, and the BibTeX of all its sources."""
     page = model_pages.page(row, record)
-    assert page.startswith("# `")
+    assert page.startswith(f"# {model_pages.name_of(record)}\n\n`{record.key}`, {record.kind}: ")
     assert f"- Grade {record.grade}: " in page
     assert page.count("```{image}") == 1
     for source in record.sources:
@@ -141,29 +139,36 @@ def test_page_of_a_model(row, record):
 
 
 def test_rough_surface_says_what_was_measured_of_it_and_leads_to_its_sources(tmp_path):
-    """The numbers are those of the table of docs/truth.md."""
+    """The numbers are those of the table of docs/explanation/truth.md."""
     key = "greenwood_williamson_1966"
     row, record = next((row, one) for row, one in zip(st.models(), records(), strict=True) if one.key == key)
     page = model_pages.page(row, record)
-    table = (ROOT / "docs" / "truth.md").read_text(encoding="utf-8")
+    table = (ROOT / "docs" / "explanation" / "truth.md").read_text(encoding="utf-8")
     *means, rms = re.search(rf"^\| `{key}` \| (.*) \|$", table, flags=re.MULTILINE)[1].split(" | ")
     assert all(f"{mean} % at" in page for mean in means) and f"rms {rms} %" in page
-    assert f"- Source: [{key}](../reference/bibliography.md#{key})" in model_pages._with_sources(page)
+    assert f"- Source: [{key}](../bibliography.md#{key})" in model_pages._with_sources(page)
 
 
-def test_links_to_the_section_of_a_model_lead_to_its_page(tmp_path):
-    (tmp_path / "how-to").mkdir()
-    link = "[a](published-models.md#hertz) [b](published-models.md#1-units)"
-    for name, text in (("x.md", link), ("how-to/y.md", link.replace("(p", "(../p")), ("published-models.md", link)):
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    model_pages.lead_here(tmp_path)
-    assert (tmp_path / "x.md").read_text() == "[a](models-by-name/hertz.md) [b](published-models.md#1-units)"
-    assert (tmp_path / "how-to" / "y.md").read_text() == "[a](../models-by-name/hertz.md) [b](../published-models.md#1-units)"
-    assert (tmp_path / "published-models.md").read_text() == link
+def test_short_links_of_a_docstring_are_completed():
+    """A page without its folder, a law or a section without its page."""
+    text = "[a](theory.md#5-coated-surface) [b](#hertz) [c](#1-units) [d](#chang_etsion_bogy_1988-tangential-law)"
+    assert model_pages._with_whole_links(text) == (
+        "[a](../../explanation/theory-films.md#5-coated-surface) [b](hertz.md) [c](../../reference/symbols.md#units) "
+        "[d](chang_etsion_bogy_1988-tangential.md)"
+    )
+    with pytest.raises(ValueError, match="nowhere"):
+        model_pages._with_whole_links("[a](#no-such-law)")
+
+
+def test_laws_are_titled_by_author_and_year():
+    named = {record.key: model_pages.name_of(record) for record in records()}
+    assert named["kogut_etsion_2002"] == "Kogut & Etsion 2002"
+    assert named["jkr"] == "Johnson, Kendall & Roberts 1971 (JKR)"
+    assert named["xu_zhu_xiao_zhou_2024"] == "Xu et al. 2024"
 
 
 def test_every_model_has_a_page_of_its_own():
-    files = [model_pages.file_of(record) for record in records()]
+    files = [str(model_pages.place_of_law(record)) for record in records()]
     assert len({name.lower() for name in files}) == len(files)
 
 
@@ -171,7 +176,7 @@ def test_list_of_models_leads_to_each_under_its_kind():
     parts = dict(zip(kinds(), model_pages.index().split("\n## ")[1:], strict=True))
     for kind, part in parts.items():
         for key in of_kind(kind):
-            assert f"| [`{key}`](" in part, (kind.kind, key)
+            assert f"| `{key}` |" in part, (kind.kind, key)
 
 
 @pytest.mark.parametrize("kind", kinds(), ids=lambda kind: kind.kind)
@@ -199,23 +204,15 @@ def test_gallery_script_draws_its_picture(script, tmp_path):
     assert drawn(tmp_path / "x.png")
 
 
-def test_the_landing_picture_shows_the_numbers_of_its_command(monkeypatch, tmp_path):
-    """Read mu of each model from the legend of the picture, and from the table that the command on the page writes."""
-    page = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
-    command = re.search(r"^stiction (compare .*)$", page, re.M)[1].split()
-    picture = re.search(r"{image} gallery/(\w+)\.png", page)[1]
-    shown, save = [], Figure.savefig
-    keep = lambda figure, *given, **more: (shown.extend(figure.legends[0].get_texts()), save(figure, *given, **more))  # noqa: E731
-    monkeypatch.setattr(Figure, "savefig", keep)
-    gallery.run(next(one for one in gallery.scripts() if gallery.name_of(one) == picture), tmp_path / "x.png")
-    monkeypatch.setattr(Figure, "savefig", save)
-    monkeypatch.chdir(ROOT)
-    answer = CliRunner().invoke(cli.app, [*command[:-1], str(tmp_path / "results")])
-    assert answer.exit_code == 0, answer.output
-    rows = (tmp_path / "results" / "compare_at_load.csv").read_text(encoding="utf-8").splitlines()
-    table = [row for row in csv.DictReader(row for row in rows if not row.startswith("#"))]
-    told = {row["model"]: f"{float(row['friction_coefficient']):.3f}" for row in table if row["friction_coefficient"]}
-    assert len(told) > 20 and {text.get_text().split()[1]: text.get_text().split()[0] for text in shown} == told
+def test_the_picture_of_the_landing_page_shows_the_prediction_of_its_example():
+    """The legend states mu with the interval that `stiction run` prints for the same case; the line is the median."""
+    figure = draw_guides.answer()
+    axes = figure.axes[0]
+    printed = CliRunner().invoke(cli.app, ["run", str(ROOT / "examples" / "soft_film.toml")]).output
+    low, high = re.search(r"90% interval ([\d.]+) to ([\d.]+)", printed).groups()
+    assert any(f"{low} to {high}" in text.get_text() for text in axes.get_legend().get_texts())
+    assert axes.lines[0].get_linewidth() >= 4 and axes.collections
+    assert "pictures/answer.svg" in (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
 
 
 TUTORIAL = """# One

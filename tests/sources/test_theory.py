@@ -6,7 +6,10 @@ from pathlib import Path
 import mpmath as mp
 import pytest
 
-TEXT = (Path(__file__).parents[2] / "docs" / "theory.md").read_text(encoding="utf-8")
+PAGES = sorted(
+    (Path(__file__).parents[2] / "docs" / "explanation").glob("theory*.md"), key=lambda path: (path.stem != "theory", path.stem)
+)
+TEXT = "".join(path.read_text(encoding="utf-8") for path in PAGES)
 EQUATION = re.compile(r"^\$\$\n(.*?)\n\$\$\n\n(.*?)\n", re.MULTILINE | re.DOTALL)
 CASES = [  # theta, lambda, nu, k
     ("0.002", "30", "0.1", "3"),

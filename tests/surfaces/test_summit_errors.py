@@ -270,7 +270,7 @@ def test_the_tables_of_errors_are_up_to_date():
     spec = importlib.util.spec_from_file_location("measure_summits", DOCS / "measure_summits.py")
     measure = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(measure)
-    page = (DOCS / "surfaces.md").read_text(encoding="utf-8")
+    page = (DOCS / "explanation" / "asperity-errors.md").read_text(encoding="utf-8")
     for name, target in measure.TARGETS.items():
         start = page.index(f"<!-- errors, {name}: begin")
         table = page[start : page.index(f"<!-- errors, {name}: end")].splitlines()

@@ -170,9 +170,10 @@ def names(doubts):
 
 
 def test_pages_state_the_coefficient_at_edges_that_is_used():
-    docs = Path(__file__).parents[3] / "docs"
-    for page in ("boundary-elements.md", "published-models.md", "truth.md"):
-        text = (docs / page).read_text(encoding="utf-8")
+    root = Path(__file__).parents[3]
+    law = "src/stiction/laws/rough_surface/boundary_elements.py"
+    for page in ("docs/explanation/boundary-elements.md", law, "docs/explanation/truth.md"):
+        text = (root / page).read_text(encoding="utf-8")
         assert f"{PIXEL_EXCESS:.3f}".lstrip("0") in text and r"\pi-1+\ln2" not in text
 
 

@@ -1,0 +1,110 @@
+"""Draw the pictures of the landing page and of the one-page guides into docs/pictures/.
+
+python docs/draw_guides.py
+"""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+
+import stiction as st
+from stiction.report.prediction_pictures import prediction_figure
+
+HERE = Path(__file__).parent
+BLUE, RED, GREY = "#0072B2", "#D55E00", "0.45"
+
+
+def answer() -> Figure:
+    """Return friction against load of the example that the README and the landing page show."""
+    case = st.read_case(str(HERE.parent / "examples" / "soft_film.toml"))
+    figure = prediction_figure(st.predict(case), "Silver film, 1 µm, on hardened steel")
+    figure.axes[0].lines[0].set_linewidth(4)
+    return figure
+
+
+def interfaces() -> Figure:
+    """Return the 90 % range of the shear strength of every state, where the softer body has H = 1 GPa and G = 40 GPa."""
+    scale = {"interfacial_shear_strength": 1.0, "shear_strength": 1e9, "strength_over_shear_modulus": 40e9}
+    rows = []
+    for row in st.interfaces():
+        strength = row["strength"]
+        values = (strength["value"], *strength["range"])
+        rows.append((row["name"], *(value * scale[strength["quantity"]] / 1e6 for value in values)))
+    rows.sort(key=lambda row: row[1])
+    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+    for at, (_, median, low, high) in enumerate(rows):
+        axes.plot([low, high], [at, at], color=BLUE, linewidth=7, alpha=0.35, solid_capstyle="butt")
+        axes.plot(median, at, "o", color=BLUE)
+        axes.text(high * 1.15, at, f"{median:.3g} MPa", va="center", fontsize=9, color=GREY)
+    axes.set_yticks(range(len(rows)), [row[0] for row in rows])
+    axes.set(xscale="log", xlim=(0.1, 2000), xlabel="shear strength [MPa] and 90 % range (softer body: H = 1 GPa)")
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def roughness() -> Figure:
+    """Return a profile with its asperities, and what sigma, R and N are on it."""
+    rng = np.random.default_rng(8)
+    x = np.linspace(0.0, 40.0, 1600)
+    waves = np.arange(3, 15)
+    z = sum(rng.normal() * np.cos(2 * np.pi * q * x / 40 + rng.uniform(0, 7)) / q**1.2 for q in waves)
+    z *= 48.0 / z.std()
+    tops = np.flatnonzero((z[1:-1] > z[:-2]) & (z[1:-1] > z[2:])) + 1
+    tops = tops[(x[tops] > 1) & (x[tops] < 39)]
+    figure, axes = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
+    axes.fill_between(x, z, -190, color="0.85")
+    axes.plot(x, z, color="black", linewidth=1.5)
+    axes.plot(x[tops], z[tops], "o", color=RED, markersize=5)
+    mean, deviation = z[tops].mean(), z[tops].std()
+    axes.axhspan(mean - deviation, mean + deviation, color=BLUE, alpha=0.15)
+    axes.axhline(mean, color=BLUE, linewidth=1)
+    axes.text(40.4, mean, "mean of the\nasperity heights\n± σ", color=BLUE, va="center", fontsize=10)
+    top = tops[np.argmax(z[tops])]
+    bend = -np.gradient(np.gradient(z, x), x)[top]
+    near = np.abs(x - x[top]) < 1.3
+    axes.plot(x[near], z[top] - bend * (x[near] - x[top]) ** 2 / 2, color=RED, linewidth=3)
+    axes.annotate("R: radius of the tops", (x[top], z[top]), (x[top] + 2.2, z[top] + 45), color=RED, fontsize=10,
+                  arrowprops={"arrowstyle": "-", "color": RED})  # fmt: skip
+    axes.text(0.3, -182, f"N: asperities per area (red dots: {tops.size} along this line)", fontsize=10)
+    axes.set(xlim=(0, 40), ylim=(-190, z.max() + 75), xlabel="position [µm]", ylabel="height [nm]")
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def models() -> Figure:
+    """Return the decision which model to ask, as a chart."""
+    figure, axes = plt.subplots(figsize=(7.2, 4.4), layout="constrained")
+    axes.set(xlim=(0, 10), ylim=(0, 6.2))
+    axes.axis("off")
+    rows = [
+        ("You want mu and how sure it is", "name no model:\nthe prediction"),
+        ("You have a scan, and time", "boundary_elements:\nthe map point by point"),
+        ("You compare with a published paper", "the key of that paper,\nas kogut_etsion_2004"),
+        ("You have a million contacts", "stiction sweep, or st.evaluate"),
+        ("You want to see every model", "stiction compare --all"),
+    ]
+    for at, (question, reply) in enumerate(rows):
+        y = 5.6 - 1.2 * at
+        first = at == 0
+        box = {
+            "boxstyle": "round,pad=0.45",
+            "facecolor": "#e3f0f8" if first else "white",
+            "edgecolor": BLUE if first else "0.6",
+        }
+        axes.text(
+            2.35, y, question, ha="center", va="center", fontsize=10.5, bbox={**box, "facecolor": "0.95", "edgecolor": "0.8"}
+        )
+        axes.annotate("", (5.5, y), (4.75, y), arrowprops={"arrowstyle": "->", "color": GREY})
+        axes.text(7.6, y, reply, ha="center", va="center", fontsize=10.5, bbox=box, weight="bold" if first else "normal")
+    return figure
+
+
+if __name__ == "__main__":
+    matplotlib.rcParams["svg.hashsalt"] = "stiction"  # the same picture, the same file
+    for draw in (answer, interfaces, roughness, models):
+        draw().savefig(HERE / "pictures" / f"{draw.__name__}.svg", metadata={"Date": None})
