@@ -47,7 +47,7 @@ def law_pages() -> dict[PurePosixPath, PurePosixPath]:
 @cache
 def page_with(stem: str, heading: str = "") -> PurePosixPath | None:
     """Return the page of docs/ of this name with this heading; the page may be a part, as theory-films of theory."""
-    for path in sorted((ROOT / "docs").rglob(f"{stem}*.md")):
+    for path in sorted((ROOT / "docs").rglob(f"{stem}*.md"), key=lambda path: len(path.stem)):
         if not heading or heading in headings(path.read_text(encoding="utf-8")):
             return PurePosixPath(path.relative_to(ROOT).as_posix())
     return None
