@@ -6,7 +6,9 @@ import sys
 from pathlib import Path, PurePosixPath
 
 import matplotlib
+import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
 from pages import ROOT
 from typer.testing import CliRunner
 
@@ -205,13 +207,17 @@ def test_gallery_script_draws_its_picture(script, tmp_path):
 
 
 def test_the_picture_of_the_landing_page_shows_the_prediction_of_its_example():
-    """The legend states mu with the interval that `stiction run` prints for the same case; the line is the median."""
-    figure = draw_guides.answer()
-    axes = figure.axes[0]
+    """The thick line and its band, at 1 N, are mu and its interval as `stiction run` prints them for the same case."""
+    axes = draw_guides.answer().axes[0]
     printed = CliRunner().invoke(cli.app, ["run", str(ROOT / "examples" / "soft_film.toml")]).output
-    low, high = re.search(r"90% interval ([\d.]+) to ([\d.]+)", printed).groups()
-    assert any(f"{low} to {high}" in text.get_text() for text in axes.get_legend().get_texts())
-    assert axes.lines[0].get_linewidth() >= 4 and axes.collections
+    mu, low, high = map(float, re.search(r"mu = ([\d.]+) +90% interval ([\d.]+) to ([\d.]+), at 1 N", printed).groups())
+    line = axes.lines[0]
+    assert line.get_linewidth() >= 4
+    assert np.interp(1.0, line.get_xdata(), line.get_ydata()) == pytest.approx(mu, abs=0.005)
+    (band,) = (one for one in axes.collections if isinstance(one, PolyCollection))
+    edge = band.get_paths()[0].vertices
+    at = edge[np.isclose(edge[:, 0], 1.0), 1]
+    assert (at.min(), at.max()) == pytest.approx((low, high), abs=0.005)
     assert "pictures/answer.svg" in (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
 
 
