@@ -27,7 +27,7 @@ import stiction as st
 from stiction.contact.materials import material_names, symbols_of
 from stiction.laws.asperity.shared import letting_go as unloading
 from stiction.quantities.table import QUANTITIES
-from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records
 from stiction.report.lists import LISTED, with_range
 from stiction.solving.accuracy import film_tables
@@ -239,7 +239,7 @@ def conditions() -> str:
 
 def kinds_of_doubt() -> str:
     """What it means to leave a range."""
-    return table(("kind", "meaning"), list(KINDS_OF_DOUBT.items()))
+    return table(("kind", "meaning"), list(KINDS_OF_WARNING.items()))
 
 
 def film_errors_on_a_sphere() -> str:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 import pytest
 import xarray
 
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.errors import InputError
 
 
@@ -25,4 +25,4 @@ def refusal(field: str, *parts: object) -> Iterator[pytest.ExceptionInfo[InputEr
 
 def outside(data: xarray.Dataset) -> set[str]:
     """Return the quantities whose range of validity a result leaves."""
-    return {doubt.quantity for doubt in doubts_of(data)}
+    return {doubt.quantity for doubt in warnings_of(data)}

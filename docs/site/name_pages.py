@@ -22,7 +22,7 @@ GROUPS = {
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
                           "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
     "What is known, and by whom": ("models", "interfaces", "cite"),
-    "What is wrong with an input": ("InputError", "InputDoubt"),
+    "What is wrong with an input": ("InputError", "InputWarning"),
 }  # fmt: skip
 _EMPTY = inspect.Parameter.empty
 

@@ -8,8 +8,8 @@ from .contact.interfaces import interfaces as interfaces
 from .contact.materials import Material as Material
 from .contact.materials import material as material
 from .engine.heights import height_distribution as height_distribution
-from .quantities.errors import InputDoubt as InputDoubt
 from .quantities.errors import InputError as InputError
+from .quantities.errors import InputWarning as InputWarning
 from .quantities.units import axis as axis
 from .report.html_report import write_report as write_report
 from .report.notebook import summary as summary

@@ -8,7 +8,7 @@ from stiction.case.measurements import read_measurements
 from stiction.case.read import read_content
 from stiction.case.uncertain import read_distribution
 from stiction.quantities.errors import InputError
-from stiction.solvers.boundary_elements.doubts import share_at_ends
+from stiction.solvers.boundary_elements.map_warnings import share_at_ends
 from stiction.studies.fit.plan import make_fit_plan
 from stiction.studies.sweep.plan import make_plan
 from stiction.studies.sweep.run import sweep

@@ -8,9 +8,9 @@ from typer.testing import CliRunner
 import stiction as st
 from cases import STEEL_ON_STEEL
 from stiction.cli import app
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.report.files import comments_of, write_csv
-from stiction.report.pictures import curve_figure, doubts_below
+from stiction.report.pictures import curve_figure, warnings_below
 
 
 def run(case, *words) -> str:
@@ -60,7 +60,7 @@ def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     assert "title: with # in it" in said and any(line.startswith("model: soft_coating_2015, asperity law ") for line in said)
     assert any(line.startswith("grade: C: ") for line in said)
     assert [line.removeprefix("doubt: ") for line in said if line.startswith("doubt: ")] == [
-        str(one) for one in doubts_of(solved)
+        str(one) for one in warnings_of(solved)
     ]
     inputs = dict(line.removeprefix("input: ").split(" = ") for line in said if line.startswith("input: "))
     contact = st.Contact(
@@ -93,7 +93,7 @@ def test_the_picture_carries_the_doubts_below_its_panels():
     result = st.solve(contact(), load=["1 N", "300 N"])
     figure = curve_figure(result)
     text = " ".join(" ".join(one.get_text() for one in figure.texts).split())
-    doubts = [str(one) for one in doubts_of(result)]
+    doubts = [str(one) for one in warnings_of(result)]
     assert doubts and all(" ".join(one.split()) in text for one in doubts[:5])
     figure.canvas.draw()
     below = max(one.get_window_extent().y1 for one in figure.texts if "outside the range" in one.get_text())
@@ -105,10 +105,12 @@ def test_the_picture_carries_the_doubts_below_its_panels():
 
 
 def test_many_doubts_are_counted():
-    from stiction.laws.validity import Doubt, with_doubts
+    from stiction.laws.validity import with_warnings
+    from stiction.records.validity_warning import ValidityWarning
 
-    result = with_doubts(st.solve(contact(), load="1 N").assign_attrs(doubts="[]"), [Doubt(f"doubt {at}") for at in range(8)])
-    lines = doubts_below(result, 100)
+    many = [ValidityWarning(f"doubt {at}") for at in range(8)]
+    result = with_warnings(st.solve(contact(), load="1 N").assign_attrs(doubts="[]"), many)
+    lines = warnings_below(result, 100)
     assert lines[0].startswith("outside the range") and "doubt 4" in lines and "doubt 5" not in lines
     assert lines[-1].startswith("and 3 more doubts")
 

@@ -10,7 +10,7 @@ import pytest
 
 import stiction as st
 from refusals import outside
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.solvers.layered.below import carried_at_depth
 
 STEEL = st.material("stainless_steel_304").hardness  # [Pa]
@@ -52,7 +52,7 @@ def test_a_thick_hard_film_bears_more():
     pressures = [pressure_of(st.solve(contact(t), load="1 N", model="rough_on_film")) for t in ("0.1 um", "0.4 um", "2 um")]
     assert pressures[0] < pressures[1] < pressures[2] and pressures[2] > 1.4
     thick = st.solve(contact("10 um"), load="1 N", model="rough_on_film")
-    assert "pressure_over_body_below" not in {one.quantity for one in doubts_of(thick)}
+    assert "pressure_over_body_below" not in {one.quantity for one in warnings_of(thick)}
 
 
 def test_it_is_continuous_in_the_thickness():
@@ -85,7 +85,7 @@ def test_no_mean_pressure_punches_the_film_through():
     radius = math.sqrt(float(found["contact_area"]) / spots / math.pi)
     bound = 1.25e9 + 2.0 * (0.1e-6 / radius) * 15e9 / (math.sqrt(3.0) * 2.8)
     assert pressure > 1.1 * bound
-    doubt = next(one for one in doubts_of(found) if one.quantity == "pressure_over_punching")
+    doubt = next(one for one in warnings_of(found) if one.quantity == "pressure_over_punching")
     assert doubt.kind == "impossible"
     assert doubt.most == pytest.approx(pressure / bound, rel=1e-9)
 
@@ -97,7 +97,7 @@ def test_a_counterbody_softer_than_the_film_leaves_the_film_its_strength():
     found = st.solve(punched().replace(second=counter), load="2 N", model="jackson_green_2005 + layered")
     pressure, spots = float(found["load"] / found["contact_area"]), float(found["touching_asperities"])
     plug = 2.0 * 0.1e-6 / math.sqrt(float(found["contact_area"]) / spots / math.pi) / (math.sqrt(3.0) * 2.8)
-    doubts = [one for one in doubts_of(found) if one.quantity == "pressure_over_punching"]
+    doubts = [one for one in warnings_of(found) if one.quantity == "pressure_over_punching"]
     assert 1.25e9 + plug * 5e9 < 0.9 * pressure < pressure < 1.25e9 + plug * 15e9 and not doubts
 
 

@@ -16,7 +16,7 @@ import stiction as st
 from cases import STEEL_ON_STEEL
 from refusals import refusal
 from stiction.laws.proportion import questions
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.candidates import candidates, choice_of
 from stiction.solving.state import expected_share
@@ -49,7 +49,7 @@ def hardness_of(contact):
 
 def check(contact, found):
     """That every one of the plain facts about a result is among its doubts."""
-    doubts = doubts_of(found)
+    doubts = warnings_of(found)
     said = {(one.quantity, one.kind) for one in doubts}
     assert all(one.kind in KINDS for one in doubts)
     fraction = float(found["contact_area"]) / contact.nominal_area
@@ -109,7 +109,7 @@ def test_asperities_that_flow_by_degrees_count_as_frictionless():
         found = st.solve(contact, load=0.1, model=model, **options)
         share = float(found["load_plastic"]) / float(found["load"])
         assert share > 0.5 and float(found["friction_coefficient"]) < 0.1
-        said = next(one for one in doubts_of(found) if one.quantity == "load_share_without_friction")
+        said = next(one for one in warnings_of(found) if one.quantity == "load_share_without_friction")
         assert said.kind == "effect" and said.most >= min(share, 1.0) - 1e-9
 
 
@@ -130,10 +130,10 @@ def test_a_handful_of_asperities_is_a_lottery():
     """1e-30 N on a millimetre gave four digits of mu from 5e-25 asperities."""
     contact = drawn(np.random.default_rng(3))
     found = st.solve(contact, load=1e-9 * contact.nominal_area, model="greenwood_williamson_1966")
-    few = next(one for one in doubts_of(found) if one.quantity == "touching_asperities")
+    few = next(one for one in warnings_of(found) if one.quantity == "touching_asperities")
     assert few.kind == "statistics" and few.most == pytest.approx(float(found["touching_asperities"])) and few.most < 10.0
     of_theory = st.solve(contact, load=1e-9 * contact.nominal_area, model="persson_2001")
-    assert "touching_asperities" in {one.quantity for one in doubts_of(of_theory)}
+    assert "touching_asperities" in {one.quantity for one in warnings_of(of_theory)}
 
 
 def test_expected_share_against_integrals():
@@ -161,16 +161,16 @@ def test_what_cannot_be_a_rough_surface_is_questioned_where_it_is_read(tmp_path)
     for old, new in SWAPPED.items():
         text = text.replace(f'= "{old}"', f'= "<{new}>"')
     path.write_text(text.replace('"<', '"').replace('>"', '"'))
-    with pytest.warns(st.InputDoubt, match="sqrt.sigma/R. is 32.3.*swapped"):
+    with pytest.warns(st.InputWarning, match="sqrt.sigma/R. is 32.3.*swapped"):
         read = st.read_case(path)
     found = st.solve_case(read)
-    assert ("sharpness", "impossible") in {(one.quantity, one.kind) for one in doubts_of(found)}
-    assert "swapped" in json.dumps([one.as_data() for one in doubts_of(found)])
+    assert ("sharpness", "impossible") in {(one.quantity, one.kind) for one in warnings_of(found)}
+    assert "swapped" in json.dumps([one.as_data() for one in warnings_of(found)])
 
 
 def test_indices_are_asked_what_they_know():
     """Without a density of asperities nobody knows the nominal area."""
-    known = {one.quantity for one in doubts_of(st.solve(st.Indices(theta=40.0, lam=10.0), separation=-1.0))}
+    known = {one.quantity for one in warnings_of(st.solve(st.Indices(theta=40.0, lam=10.0), separation=-1.0))}
     assert "touching_share" in known and not known & {"area_fraction", "touching_asperities"}
     more = st.solve(st.Indices(theta=40.0, lam=10.0, roughness_parameter=0.5), separation=-3.0)
     assert float(more["area_fraction"]) == pytest.approx(math.pi * 0.5 * float(more["contact_area"]))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 
 ROUGH = {"asperity_height_deviation": 1e-7, "asperity_radius": 3e-7, "asperity_density": 0.02 / 3e-14}
 
@@ -32,14 +32,14 @@ def test_jackson_and_green_stays_finite_where_its_exponent_has_no_meaning():
     found = st.solve(given, load=load, model="jackson_green_2005")
     elastic = st.solve(given, load=load, model="greenwood_williamson_1966")
     assert float(found["friction_coefficient"]) == pytest.approx(float(elastic["friction_coefficient"]), rel=0.5)
-    said = next(one for one in doubts_of(found) if one.quantity == "yield_strain")
+    said = next(one for one in warnings_of(found) if one.quantity == "yield_strain")
     assert said.kind == "effect" and said.most == pytest.approx(strain(0.5), rel=1e-12)
 
 
 def test_metals_are_as_printed():
     """Below Y/E* = 0.1 nothing changed, nor is anything said."""
     found = st.solve(contact(0.15), load=1.0, model="jackson_green_2005")
-    assert strain(0.15) < 0.1 and "yield_strain" not in {one.quantity for one in doubts_of(found)}
+    assert strain(0.15) < 0.1 and "yield_strain" not in {one.quantity for one in warnings_of(found)}
 
 
 def test_an_area_far_above_the_nominal_one_is_a_failure():

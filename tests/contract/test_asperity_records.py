@@ -284,7 +284,7 @@ def outside(monkeypatch):
     record_finding._outside.cache_clear()
 
 
-@pytest.mark.filterwarnings("ignore::stiction.InputDoubt")  # every point is no asperity, and is said not to be
+@pytest.mark.filterwarnings("ignore::stiction.InputWarning")  # every point is no asperity, and is said not to be
 def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
     from stiction.report.pictures import look_of, plain
 

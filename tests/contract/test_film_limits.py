@@ -6,7 +6,7 @@ import pytest
 from film_limits import QUANTITIES, H, choices, departures, groups_of
 
 import stiction as st
-from stiction.laws.validity import doubts_about
+from stiction.laws.validity import warnings_about
 from stiction.records.claims import FILM_LIMITS
 from stiction.records.registry import FilmLaw, of_kind
 from stiction.solving.problem import problem_of
@@ -53,7 +53,7 @@ def test_what_is_off_is_doubted(key, limit):
         results = problem_of(whole, choice[0]).on_grid(H)
         for i, j in zip(*np.nonzero(worst > FLAGGED), strict=True):
             one = {name: values[i, j] for name, values in results.items()}
-            assert doubts_about(whole[i : i + 1], film.validity, one), (
+            assert warnings_about(whole[i : i + 1], film.validity, one), (
                 f"off by {worst[i, j]:.2f}: {choice[0]}, contact {i}, h = {H[j]}"
             )
             doubted += 1

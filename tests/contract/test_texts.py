@@ -12,10 +12,10 @@ import numpy as np
 
 import stiction as st
 from stiction.case.read import parse_case
-from stiction.laws.validity import Doubt
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.records.registry import records
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.surfaces.fill import fill_missing
@@ -116,7 +116,7 @@ def warnings_of_laws() -> list[str]:
     for record in records():
         for rule in record.validity:
             value = 2.0 * rule.high if math.isfinite(rule.high) else 0.5 * rule.low
-            lines.add(str(Doubt(rule.why, rule.quantity, value, value, rule.low, rule.high, 1, 1, rule.kind)))
+            lines.add(str(ValidityWarning(rule.why, rule.quantity, value, value, rule.low, rule.high, 1, 1, rule.kind)))
     return sorted(lines)
 
 

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.solving.problem import as_asked, lost_in_rounding
 
 STICKY = st.Indices(theta=1.0, lam=10.0)  # pull-off force of 3.8 in its unit
 
 
 def lost(data):
-    return [str(one) for one in doubts_of(data) if "lost" in str(one)]
+    return [str(one) for one in warnings_of(data) if "lost" in str(one)]
 
 
 def test_the_load_is_the_one_that_is_carried():

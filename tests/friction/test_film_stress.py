@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import stiction as st
 from refusals import refusal
 from stiction.laws.tangential.shared.hamilton_field import stress
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.first_yield import at_interface, first_yield
 from stiction.solvers.layered.stresses import Stresses, cartesian
@@ -73,7 +73,7 @@ def test_doubts():
     neither."""
     weak = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 0.2e9}
     found = st.film_stresses(coated(weak, 300e-9, "100 MPa"), load="1 N", **LAWS | {"asperity": "hertz"})
-    said = {doubt.quantity for doubt in doubts_of(found)}
+    said = {doubt.quantity for doubt in warnings_of(found)}
     assert {"stress_over_yield", "interface_shear"} <= said
     assert float(found["interface_shear"]) > 1.0
     strong = STEEL | {"hardness": 700e9}
@@ -81,7 +81,7 @@ def test_doubts():
         st.Contact(first=strong, second=RIGID, nominal_area="1 mm^2", roughness=ROUGH, interfacial_shear_strength="1 MPa",
                    coating=st.Coating(material=strong, thickness="300 nm", bodies="first")), load="0.01 N", **LAWS
     )  # fmt: skip
-    assert not {"stress_over_yield", "interface_shear", "interface_tension"} & {doubt.quantity for doubt in doubts_of(quiet)}
+    assert not {"stress_over_yield", "interface_shear", "interface_tension"} & {doubt.quantity for doubt in warnings_of(quiet)}
 
 
 def test_groups_and_nothing_that_touches():

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stiction as st
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 
 BULK = 1.0 / (2.8 * math.sqrt(3.0))  # of the shear strength over H
 COPPER, SILVER, STEEL = st.material("copper").hardness, st.material("silver").hardness, 7e9  # hardness [Pa]
@@ -27,14 +27,14 @@ def test_a_plastic_contact_shears_at_the_strength_of_the_bulk_at_most(strength):
     """Copper of 73 MPa under a stated 2 GPa had mu = 5.6 without a warning."""
     found = st.solve(contact(strength), load="1 N", model="persson_2001_elastoplastic")
     assert float(found["friction_coefficient"]) == pytest.approx(BULK, rel=1e-3)
-    said = next(one for one in doubts_of(found) if one.quantity == "strength_over_bodies")
+    said = next(one for one in warnings_of(found) if one.quantity == "strength_over_bodies")
     assert said.most == pytest.approx(strength / (BULK * COPPER), rel=1e-9)
 
 
 def test_a_weaker_interface_is_as_stated():
     found = st.solve(contact(0.5 * BULK * COPPER), load="1 N", model="persson_2001_elastoplastic")
     assert float(found["friction_coefficient"]) == pytest.approx(0.5 * BULK, rel=1e-3)
-    assert not [one for one in doubts_of(found) if one.quantity in ("strength_over_bodies", "grown_area_ratio")]
+    assert not [one for one in warnings_of(found) if one.quantity in ("strength_over_bodies", "grown_area_ratio")]
 
 
 def test_the_yield_stress_of_the_weaker_body_decides():
@@ -72,5 +72,5 @@ def test_growing_junctions_stand_beside_those_that_do_not_grow():
 def test_the_growth_that_is_left_out():
     """A_s/A = 1/sqrt(1 - c^2) of plastic contacts: 3.2026 at c = 0.95 (Tabor 1959)."""
     found = st.solve(contact(0.95 * BULK * COPPER), load="1 N", model="persson_2001_elastoplastic")
-    said = next(one for one in doubts_of(found) if one.quantity == "grown_area_ratio")
+    said = next(one for one in warnings_of(found) if one.quantity == "grown_area_ratio")
     assert said.kind == "effect" and said.most == pytest.approx(3.2026, rel=1e-3)

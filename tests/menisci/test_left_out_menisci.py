@@ -9,7 +9,7 @@ from scipy.stats import norm
 
 import stiction as st
 from cases import SILICON_ON_SILICON
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.views.comparison import groups_of
 
@@ -20,7 +20,7 @@ def humid(humidity):
 
 
 def said_of_the_liquid(result):
-    return [one for one in doubts_of(result) if one.quantity == "meniscus_share" and one.kind == "effect"]
+    return [one for one in warnings_of(result) if one.quantity == "meniscus_share" and one.kind == "effect"]
 
 
 @pytest.mark.parametrize("model", ["persson_2001", "persson_widened", "bush_gibson_thomas_1975"])

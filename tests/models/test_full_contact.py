@@ -9,7 +9,7 @@ import stiction as st
 from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from tables import column, groups, read
 
 PDMS, GLASS = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "1 MPa"}, "soda_lime_glass"
@@ -68,7 +68,7 @@ def test_between_faces_may_need_a_load():
             kinds.add("refused")
             continue
         ratio = ratio_of(given)
-        said = "elastic_over_adhesion" in {one.quantity for one in doubts_of(found)}
+        said = "elastic_over_adhesion" in {one.quantity for one in warnings_of(found)}
         assert said == (ratio > 0.49)
         kinds.add(said)
     assert kinds == {"refused", True, False}

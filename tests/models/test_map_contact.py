@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 import stiction as st
 from refusals import refusal
 from stiction import cli
-from stiction.laws.validity import doubts_of, read_doubts
+from stiction.laws.validity import read_warnings, warnings_of
 from stiction.records.registry import RoughSurface, of_kind
 from stiction.solvers.boundary_elements import kept
 from stiction.solvers.boundary_elements.adhesive import solve_adhesive
@@ -156,7 +156,7 @@ def test_no_pressure_is_above_the_hardness_unless_asked_for(contact):
     assert float(free["load_share_plastic"]) == 0.0 < float(found["load_share_plastic"])
     least = 40e-3 / contact.second.hardness
     assert float(free["contact_area"]) < least < float(found["contact_area"])
-    assert "mean_pressure_over_hardness" in {one.quantity for one in doubts_of(free)}
+    assert "mean_pressure_over_hardness" in {one.quantity for one in warnings_of(free)}
 
 
 def test_a_film_is_solved_with_its_substrate(rough):
@@ -217,10 +217,11 @@ def test_a_window_of_few_waves_is_no_sample_for_any_model(rough, coating):
         contact, said = elastic(surface, coating=coating, work_of_adhesion=1e-6), {}
         for model in of_kind(RoughSurface):
             with suppress(st.InputError):
-                said[model] = few_waves(doubts_of(st.solve(contact, load="1 mN", model=model, tangential="none")))
+                said[model] = few_waves(warnings_of(st.solve(contact, load="1 mN", model=model, tangential="none")))
         assert set(said.values()) == {few} and len(said) >= (3 if coating else 15)
         compared = st.compare(contact, load="1 mN")
-        there = [few_waves(read_doubts(one.item())) for one in compared["doubts"][compared["friction_coefficient_at_load"] > 0]]
+        texts = compared["doubts"][compared["friction_coefficient_at_load"] > 0]
+        there = [few_waves(read_warnings(one.item())) for one in texts]
         assert set(there) == {few} and len(there) >= 3
         assert any("longest waves" in one for one in st.predict(contact, load="1 mN").warnings) == few
 
@@ -235,17 +236,17 @@ def test_scans_that_make_no_one_map_are_samples_or_not(rough):
         {"first": window, "second": replace(window, size=(2 * SIDE, 2 * SIDE))},
     ):
         contact = elastic(scans)
-        assert few_waves(doubts_of(st.solve(contact, load="1 mN", model="persson_2001")))
+        assert few_waves(warnings_of(st.solve(contact, load="1 mN", model="persson_2001")))
         assert any("longest waves" in one for one in st.predict(contact, load="1 mN").warnings)
 
 
 def test_doubts_are_those_of_the_map(rough):
     coarse = gaussian_surface((64, 64), (SIDE, SIDE), SelfAffine(0.8, SIDE / 2, SIDE / 20, 2e-6), 3)
-    said = {one.quantity for one in doubts_of(st.solve(elastic(coarse), load="1 mN", model=MODEL))}
+    said = {one.quantity for one in warnings_of(st.solve(elastic(coarse), load="1 mN", model=MODEL))}
     assert {"points_in_shortest_wave", "longest_waves_on_a_side", "map_gradient", "points_in_contact"} <= said
     assert "sharpness" not in said and "touching_asperities" not in said
     thin = elastic(rough, coating={"material": FILM, "thickness": "10 nm", "bodies": "first"})
-    assert "points_in_film" in {one.quantity for one in doubts_of(st.solve(thin, load="1 mN", model=MODEL))}
+    assert "points_in_film" in {one.quantity for one in warnings_of(st.solve(thin, load="1 mN", model=MODEL))}
 
 
 @pytest.mark.parametrize(
@@ -306,9 +307,9 @@ def test_adhesion_is_solved_if_asked_for(rough):
     assert float(found["friction_coefficient"][0]) == pytest.approx(1e6 * float(found["contact_area"][0]) / 1e-3)
     bare = st.solve(soft, load="1 mN", model=MODEL, yielding="none")
     assert float(found["contact_area"][0]) > float(bare["contact_area"])
-    said = {one.quantity for one in doubts_of(st.solve(soft, load="1 mN", **asked | {"adhesion": "atomic_range"}))}
+    said = {one.quantity for one in warnings_of(st.solve(soft, load="1 mN", **asked | {"adhesion": "atomic_range"}))}
     assert "points_at_edge" in said and "adhesion_share" not in said
-    assert "range_tabor" in {one.quantity for one in doubts_of(found)}
+    assert "range_tabor" in {one.quantity for one in warnings_of(found)}
     alone = replace(rough, periodic=False)
     for contact, changes, message in (
         (soft, {"yielding": "at_hardness"}, ("yielding",)),

@@ -16,7 +16,7 @@ from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.laws.rough_surface import persson_2001
 from stiction.laws.rough_surface.rough_on_film import area_at_load, area_on_map, thickness_over_wave, waves_of_moments
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.surfaces.theory.moments import bandwidth, density_of_bandwidth, slope_over_sharpness
 from tables import column, groups, read
 
@@ -195,7 +195,7 @@ def test_doubts():
 
     def quantities(**more):
         given = st.Indices(hardness_group=20.0, **film | more)
-        return {one.quantity for one in doubts_of(st.solve(given, load=0.1, model=LAW))}
+        return {one.quantity for one in warnings_of(st.solve(given, load=0.1, model=LAW))}
 
     assert "stiff_film_over_wave" in quantities() and "n_E" not in quantities()
     assert "stiff_film_over_wave" not in quantities(n_E=4.0) and "stiff_film_over_wave" not in quantities(film_aspect=1.0)

@@ -5,7 +5,7 @@ from html.parser import HTMLParser
 import pytest
 
 import stiction as st
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 
 
 class Cells(HTMLParser):
@@ -61,7 +61,7 @@ def test_a_result_shows_its_doubts_and_what_was_not_used():
     result = st.solve(contact(), load=["1 N", "100 N"], model="soft_coating_2015")
     shown = st.summary(result)
     texts = Cells(shown._repr_html_()).texts
-    doubts = [f"doubt: {one}" for one in doubts_of(result)]
+    doubts = [f"doubt: {one}" for one in warnings_of(result)]
     assert doubts and set(doubts) <= set(texts)
     assert any("interfacial_shear_strength is not used" in text for text in texts)
     assert all(line in repr(shown) for line in doubts) and "soft_coating_2015" in repr(shown)

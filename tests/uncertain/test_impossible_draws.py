@@ -7,7 +7,7 @@ import pytest
 
 import stiction as st
 from stiction.case.read import parse_case
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.report.views.run import uncertain_notes
 
 # Surfaces of an elastomer under a tenth of a millinewton, from rough to smooth: the smoothest would touch all over.
@@ -52,7 +52,7 @@ def test_a_band_ends_at_the_nominal_area():
     assert band[[0, -1]] == pytest.approx([alone(HEIGHTS[0])[0], alone(HEIGHTS[2])[0]], rel=1e-9)
     assert data["contact_area_quantile"].values.max() <= AREA
     assert data.attrs["impossible_draws"] == pytest.approx(0.25, abs=0.02)
-    said = [one.why for one in doubts_of(data) if "impossible" in one.why]
+    said = [one.why for one in warnings_of(data) if "impossible" in one.why]
     assert said == ["25% of the draws are impossible, above the nominal area or the hardness, and are excluded: "
                     "the band of mu is of the others"]  # fmt: skip
     assert any("excluded from the band: 0.25 of the draws" in note for note in uncertain_notes(data))
@@ -61,18 +61,18 @@ def test_a_band_ends_at_the_nominal_area():
 def test_few_are_counted_and_no_warning_is_made_of_them():
     data = st.solve_case(parse_case(case(samples(*HEIGHTS[:3] * 12, HEIGHTS[3])))).squeeze()
     assert 0.0 < data.attrs["impossible_draws"] < 0.05
-    assert not [one for one in doubts_of(data) if "impossible" in one.why]
+    assert not [one for one in warnings_of(data) if "impossible" in one.why]
 
 
 def test_where_most_are_impossible_there_is_no_band():
     data = st.solve_case(parse_case(case(samples(HEIGHTS[0], *HEIGHTS[3:] * 3)))).squeeze()
     assert np.isnan(data["friction_coefficient_quantile"].values).all()
-    assert any("there is no band" in one.why for one in doubts_of(data))
+    assert any("there is no band" in one.why for one in warnings_of(data))
 
 
 def test_where_all_are_possible_nothing_is_said():
     data = st.solve_case(parse_case(case(samples(*HEIGHTS[:3])))).squeeze()
-    assert data.attrs["impossible_draws"] == 0.0 and not [one for one in doubts_of(data) if "impossible" in one.why]
+    assert data.attrs["impossible_draws"] == 0.0 and not [one for one in warnings_of(data) if "impossible" in one.why]
 
 
 def test_draws_above_the_hardness():

@@ -30,7 +30,7 @@ from stiction.case.uncertain import (
 from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
 from stiction.laws.proportion import questions
-from stiction.quantities.errors import InputDoubt, InputError, field_as
+from stiction.quantities.errors import InputError, InputWarning, field_as
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
@@ -192,7 +192,7 @@ def read_case(path, *, ranges: bool | None = None) -> Case:
     path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
     their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
     a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
-    InputDoubt of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
+    InputWarning of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 
@@ -236,7 +236,7 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     materials are named."""
     case = case_in(content, folder)
     for question in questions(case.subject):
-        warnings.warn(question, InputDoubt, stacklevel=2)
+        warnings.warn(question, InputWarning, stacklevel=2)
     return case
 
 

@@ -16,7 +16,7 @@ from typer.core import TyperGroup
 
 from stiction.cli.interrupting import INTERRUPTED
 from stiction.cli.output import closed_pipe, give_up_output, print_json
-from stiction.quantities.errors import InputDoubt, InputError
+from stiction.quantities.errors import InputError, InputWarning
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
 from stiction.quantities.uninterrupted import uninterrupted
@@ -80,12 +80,12 @@ def _one_line() -> Iterator[None]:
 
 
 # Warnings that a user is to see: of numbers that were hardly meant, of what the program could not do.
-_SAID = (InputDoubt, Notice)
+_SAID = (InputWarning, Notice)
 
 
 def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> None:
     if issubclass(category, _SAID):
-        print(f"stiction: {'questioned: ' if category is InputDoubt else ''}{message}", file=sys.stderr)
+        print(f"stiction: {'questioned: ' if category is InputWarning else ''}{message}", file=sys.stderr)
 
 
 def _as_input(error: Any) -> InputError:

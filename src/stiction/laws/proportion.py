@@ -3,7 +3,7 @@
 from math import inf
 
 from stiction.contact.subject import Subject
-from stiction.laws.validity import doubts_about
+from stiction.laws.validity import warnings_about
 from stiction.records.claims import Validity
 
 # Beyond these what is given is no rough surface; said where it is read.
@@ -16,4 +16,4 @@ OUT_OF_PROPORTION = (
 
 def questions(subject: Subject) -> list[str]:
     """What is out of all proportion in what was given, in words; before any model is asked."""
-    return [str(doubt) for doubt in doubts_about(subject, OUT_OF_PROPORTION, {})]
+    return [str(doubt) for doubt in warnings_about(subject, OUT_OF_PROPORTION, {})]

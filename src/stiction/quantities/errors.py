@@ -77,5 +77,5 @@ def nearest(word, known: Iterable[str]) -> str:
     return f"{' or '.join(close)} (all: {every})" if close else every
 
 
-class InputDoubt(UserWarning):
+class InputWarning(UserWarning):
     """Something given is usable, but out of all proportion: most likely it was not meant."""

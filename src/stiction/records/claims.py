@@ -30,7 +30,7 @@ YIELDED = {
 }
 
 # What it means to leave a range, the worst first.
-KINDS_OF_DOUBT = {
+KINDS_OF_WARNING = {
     "impossible": "cannot be so",
     "effect": "leaves out what matters here",
     "assumption": "an assumption of the model fails",
@@ -44,7 +44,7 @@ class Validity:
     """A range in which the authors claim their model, or beyond which an assumption fails.
 
     quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside; kind: which
-    of KINDS_OF_DOUBT that is.
+    of KINDS_OF_WARNING that is.
     """
 
     quantity: str

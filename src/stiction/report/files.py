@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import installed
 from stiction.quantities.paths import require_place
@@ -62,7 +62,7 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
             "dims": list(variable.dims),
             "values": variable.values,
         }
-    doubts = [doubt.as_data() for doubt in doubts_of(data)]
+    doubts = [doubt.as_data() for doubt in warnings_of(data)]
     unused = json.loads(data.attrs.get("unused_inputs", "[]"))
     measured = json.loads(data.attrs.get("measured_error", "null"))
     attrs = {**data.attrs, "doubts": doubts, "unused_inputs": unused, "measured_error": measured}
@@ -83,7 +83,7 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
         "program": used.get("program"),
         "model": model_line(used),
         "grade": grade_line(used),
-        "doubt": [str(doubt) for doubt in doubts_of(data)] or "none: within the ranges that are claimed",
+        "doubt": [str(doubt) for doubt in warnings_of(data)] or "none: within the ranges that are claimed",
         "measured error": used.get("measured_error_in_words"),
         "area": used.get("area_by"),
         "not used": used.get("inputs_not_used"),

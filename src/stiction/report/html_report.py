@@ -24,7 +24,7 @@ from stiction.report.answer import answer_record, model_record
 from stiction.report.honest_digits import rounded
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
-from stiction.report.report_answer import answer_in_words, doubts_here, headline, interval_of, question
+from stiction.report.report_answer import answer_in_words, headline, interval_of, question, warnings_here
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
@@ -154,7 +154,7 @@ def report_record(findings: Findings) -> dict[str, Any]:
         "working_load_unit": unit,
         "friction_coefficient": mu,
         "friction_coefficient_rounded": None if here is None or mu is None else rounded(mu, interval_of(here)),
-        "doubts": [one.as_data() for one in doubts_here(findings)],
+        "doubts": [one.as_data() for one in warnings_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
         "sources": [*own, *of_materials],

@@ -6,7 +6,7 @@ Results stay datasets of xarray, whose own view folds their attributes away, and
 from html import escape
 from typing import TYPE_CHECKING
 
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities import html
 from stiction.records.registry import GRADES
 from stiction.report.answer import answer_lines
@@ -51,7 +51,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     if "grade" in used:
         rows.append(("grade", f"{used['grade']}: {GRADES.get(used['grade'], '')}"))
     rows += [(name, _range(result[name])) for name in _SHOWN if name in result and result[name].size]
-    notes = [f"doubt: {one}" for one in doubts_of(result)]
+    notes = [f"doubt: {one}" for one in warnings_of(result)]
     notes += [str(one) for one in unused_of(result)]
     notes += [used["remarks"]] if used.get("remarks") else []
     return Summary(used.get("case") or used.get("title") or "Result", rows, notes)

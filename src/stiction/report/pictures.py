@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogFormatter, LogLocator, NullFormatter, NullLocator, StrMethodFormatter
 
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.table import prefix
@@ -84,7 +84,7 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
     width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
-    notes = doubts_below(data, int(14.5 * width))
+    notes = warnings_below(data, int(14.5 * width))
     below = 0.16 * len(notes)  # inches, which the figure has more
     figure = Figure(figsize=(width, height + below))
     figure.suptitle(heading(data, title), fontsize=11)
@@ -138,14 +138,14 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
     """Write above a figure what it shows, line by line, and below it what is doubtful, for which it grows."""
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
-    if notes := doubts_below(data, int(14.0 * figure.get_figwidth())):
+    if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
         figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
         figure.supxlabel("\n".join(notes), fontsize=8, color=RED, x=0.01, ha="left")
 
 
-def doubts_below(data: "xarray.Dataset", width: int) -> list[str]:
+def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
     """Lines, of so many characters, that say below a picture what is doubtful in it; none where nothing is."""
-    doubts = [str(doubt) for doubt in doubts_of(data)]
+    doubts = [str(doubt) for doubt in warnings_of(data)]
     if not doubts:
         return []
     more = len(doubts) - _MOST_DOUBTS

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.contact.contact import Contact
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
+from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
@@ -144,13 +145,13 @@ def _span(data: "xarray.Dataset", name: str) -> str:
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
-def doubts_here(findings: Findings) -> list[Doubt]:
+def warnings_here(findings: Findings) -> list[ValidityWarning]:
     """What is doubtful of the result that is the answer."""
-    return doubts_of(findings.result)
+    return warnings_of(findings.result)
 
 
 def _trusted(findings: Findings) -> str:
-    doubts = doubts_here(findings)
+    doubts = warnings_here(findings)
     if any(one.kind == "impossible" for one in doubts):
         return ", but what it says cannot be so (see Validity), and this is no answer"
     if doubts:

@@ -12,15 +12,16 @@ from markupsafe import Markup
 
 from stiction.contact.contact import Contact
 from stiction.contact.materials import Material
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
-from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.sources import bibliography
+from stiction.records.validity_warning import ValidityWarning
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
-from stiction.report.report_answer import doubts_here, headline, load_in_words, plain_name, value_in_words
+from stiction.report.report_answer import headline, load_in_words, plain_name, value_in_words, warnings_here
 from stiction.report.table import Column, Table, numbers, with_powers
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
@@ -138,8 +139,8 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_frac
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
 
 
-def _doubt_in_words(doubt: Doubt) -> str:
-    return letters(f"{KINDS_OF_DOUBT[doubt.kind].capitalize()}: {doubt}")
+def _doubt_in_words(doubt: ValidityWarning) -> str:
+    return letters(f"{KINDS_OF_WARNING[doubt.kind].capitalize()}: {doubt}")
 
 
 def answer_table(findings: Findings) -> Table:
@@ -192,7 +193,7 @@ def validity_line(findings: Findings) -> str:
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         return f"Checked against {checked}." if checked else "Not checked against anything measured."
-    doubts = doubts_of(findings.data)
+    doubts = warnings_of(findings.data)
     if not doubts:
         return "All along the curve the model is within the range that its authors claim."
     more = f", and in {len(doubts) - 1} more respects" if len(doubts) > 1 else ""
@@ -206,7 +207,7 @@ def here_table(findings: Findings) -> Table | None:
     if here is None:
         return None
     names = [name for name in _RESULTS if name in here]
-    every, rows = doubts_here(findings), []
+    every, rows = warnings_here(findings), []
     for at, name in enumerate(names):
         mine: Any = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
         row = QUANTITIES[name]
@@ -284,7 +285,7 @@ def _unknown(some: "list[Uncertain]") -> str:
 
 def doubt_table(findings: Findings) -> Table | None:
     """Every doubt of the whole curve: the quantity, its value, what is claimed, and what that means."""
-    found = doubts_of(findings.data)
+    found = warnings_of(findings.data)
     if not found:
         return None
     rows = [[letters(cell) for cell in _doubt_row(one)] for one in found]
@@ -292,16 +293,16 @@ def doubt_table(findings: Findings) -> Table | None:
     return Table([*map(Column, heads)], rows, "Where the result leaves what the authors of its laws claim", stacked=True)
 
 
-def _doubt_row(doubt: Doubt) -> list[str]:
+def _doubt_row(doubt: ValidityWarning) -> list[str]:
     if not doubt.quantity:
-        return ["the result", "", "", "", f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+        return ["the result", "", "", "", f"{doubt.why} ({KINDS_OF_WARNING[doubt.kind]})"]
     row = QUANTITIES[doubt.quantity]
     unit = f" {row.unit}" if row.unit else ""
     ends = " to ".join(dict.fromkeys((f"{doubt.least:.3g}", f"{doubt.most:.3g}")))
     low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (doubt.low, doubt.high))
     claimed = f"{low} to {high}" if low and high else f"{low} or more" if low else f"{high} or less"
     at = f"{doubt.outside} of {doubt.points} points" if doubt.points > 1 else "the point"
-    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{doubt.why} ({KINDS_OF_DOUBT[doubt.kind]})"]
+    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{doubt.why} ({KINDS_OF_WARNING[doubt.kind]})"]
 
 
 def notes(findings: Findings) -> list[str]:

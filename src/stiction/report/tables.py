@@ -10,7 +10,7 @@ from rich.console import Group
 from rich.text import Text
 
 from stiction.contact.contact import Contact
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
@@ -121,7 +121,7 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     """Yield title, model, friction at the middle load with its interval, and how far the contact fits the model."""
     if case.title:
         yield Text(case.title, style="bold")
-    doubts = [str(one) for one in doubts_of(data)]
+    doubts = [str(one) for one in warnings_of(data)]
     more = f"; and {len(doubts) - 1} more" if len(doubts) > 1 else ""
     rows = [("model", f"{model_line(data.attrs)}; grade {data.attrs['grade']}")]
     if not case.is_several:
@@ -207,7 +207,7 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
 
 def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
     """Yield what is used beyond the claims of its authors, highlighted."""
-    if doubts := doubts_of(data):
+    if doubts := warnings_of(data):
         yield Text("outside the range of validity", style="bold yellow")
         yield from notes(map(str, doubts), "yellow")
 

@@ -13,9 +13,10 @@ import numpy as np
 
 from stiction.laws.meniscus.equilibrium_meniscus import KELVIN
 from stiction.laws.proportion import OUT_OF_PROPORTION
-from stiction.laws.validity import Doubt, doubts_about, ranges_left
+from stiction.laws.validity import ranges_left, warnings_about
 from stiction.quantities.dimensions import aligned
 from stiction.records.claims import Validity
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.on_map import OnMap
 from stiction.solving.problem import Problem, lost_in_rounding
@@ -108,12 +109,12 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 )  # fmt: skip
 
 
-def doubts_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[Doubt]:
+def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
     """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
-    return without_repeats(doubts_about(problem.subject, _rules_for(problem), _known(problem, results)))
+    return without_repeats(warnings_about(problem.subject, _rules_for(problem), _known(problem, results)))
 
 
-def doubts_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Doubt]:
+def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
     """The doubt, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
     lost = lost_in_rounding(carried, asked)
     if not lost.any():
@@ -124,14 +125,14 @@ def doubts_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Doubt]:
         f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
         f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
     )
-    return [Doubt(why, kind="impossible")]  # for the load asked for, nothing was found
+    return [ValidityWarning(why, kind="impossible")]  # for the load asked for, nothing was found
 
 
 # What a point of a curve may be: as its model claims; outside of a range; not possible at all.
 WITHIN, DOUBTFUL, IMPOSSIBLE = range(3)
 
 
-def doubtful_points(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
+def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
     """Which of WITHIN, DOUBTFUL and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
     found = np.full(curve["load"].shape, WITHIN)
     for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
@@ -203,7 +204,7 @@ def _hardens(problem: Problem) -> bool:
     return known and hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
 
 
-def without_repeats(doubts: Iterable[Doubt]) -> list[Doubt]:
+def without_repeats(doubts: Iterable[ValidityWarning]) -> list[ValidityWarning]:
     """Of doubts of one quantity of which a worse one says all, the worse only: above 1 is above 0.1, too."""
     doubts = list(doubts)
     worst = {one.quantity for one in doubts if one.kind == "impossible"}

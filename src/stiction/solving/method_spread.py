@@ -7,11 +7,12 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.engine.heights import Heights
-from stiction.laws.validity import Doubt, with_doubts
+from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import show
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_pointwise
 
@@ -33,7 +34,7 @@ _MEANINGS = {
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
     """A result with the method that stands for the surface, what was done to the scans, their sources and their doubts."""
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
-    data = with_doubts(data, map(Doubt, measured.doubts)) if measured.doubts else data
+    data = with_warnings(data, map(ValidityWarning, measured.doubts)) if measured.doubts else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 
@@ -93,7 +94,7 @@ def with_method_spread(
     meaning = {"units": "1", "long_name": "found ones that touch", "comment": "how many of the asperities found would touch"}
     result = with_range_over_methods(data, list(contacts), tables[0], points, _MU)
     result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
-    return with_doubts(result, map(Doubt, filter(None, [_on_the_tail(result)])))
+    return with_warnings(result, map(ValidityWarning, filter(None, [_on_the_tail(result)])))
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:

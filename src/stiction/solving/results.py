@@ -13,7 +13,7 @@ from stiction.quantities.units import span
 from stiction.records.registry import JUNCTIONS, Addition
 from stiction.solving import unused
 from stiction.solving.accuracy import film_errors, measured_error
-from stiction.solving.conditions import doubts_of_results
+from stiction.solving.conditions import warnings_of_results
 from stiction.solving.inversion import Inversion, pull_off
 from stiction.solving.points import Points, Solved
 from stiction.solving.problem import Problem
@@ -140,7 +140,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         **_change_by_junctions(problem, tables),
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
-        **as_attributes(doubts_of_results(problem, tables)),
+        **as_attributes(warnings_of_results(problem, tables)),
         **measured_error.as_attributes(measured_error.measured_errors(problem, tables)),
         **film_errors.as_attributes(problem, tables),
         **unused.as_attributes(unused.unused_inputs(problem)),

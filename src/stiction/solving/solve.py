@@ -6,12 +6,13 @@ import numpy as np
 
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
-from stiction.laws.validity import Doubt, with_doubts
+from stiction.laws.validity import with_warnings
 from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, find
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import doubts_of_rounding
+from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.method_spread import as_measured, with_method_spread
 from stiction.solving.points import Points, in_words, points_of, solve_points
 from stiction.solving.problem import make_problem, with_surface_moments
@@ -66,7 +67,7 @@ def solve(
     if measured is None:
         return data
     if find(choice.model_key, RoughSurface).of_map is not None:
-        return with_doubts(data, map(Doubt, measured.doubts)).assign_attrs(measured.solvable.attributes())
+        return with_warnings(data, map(ValidityWarning, measured.doubts)).assign_attrs(measured.solvable.attributes())
     contacts = measured.contacts(with_surface_moments(contact, choice.model_key))
     return as_measured(with_method_spread(data, contacts, measured.counts, choice, heights), measured)
 
@@ -96,14 +97,15 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
     missing = int(np.isnan(data["contact_area"].values).sum())
     if not missing:
         return data
-    return with_doubts(data, [Doubt(f"interrupted: {missing} of {data['contact_area'].size} loads were not solved")])
+    why = f"interrupted: {missing} of {data['contact_area'].size} loads were not solved"
+    return with_warnings(data, [ValidityWarning(why)])
 
 
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
     """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
     beside those asked for, where these are a coordinate."""
-    doubts = doubts_of_rounding(carried, points.wanted)
+    doubts = warnings_of_rounding(carried, points.wanted)
     if doubts and "load" in data.coords:
         beside = as_variables(points.problem.subject, {"load": carried}, points.factors, points.dims)["load"]
         data["load_carried"] = (*beside[:2], beside[2] | {"long_name": "net normal load that is carried"})
-    return with_doubts(data, doubts)
+    return with_warnings(data, doubts)

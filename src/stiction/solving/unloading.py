@@ -21,13 +21,13 @@ from stiction.engine.summation import FARTHEST
 from stiction.laws.asperity.shared.letting_go import drawn_apart
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece
-from stiction.laws.validity import with_doubts
+from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import doubts_of_rounding
+from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.inversion import largest_tension
 from stiction.solving.points import (
     Points,
@@ -95,7 +95,7 @@ def unload(
     doubts = []
     if is_load:
         asked = np.where(apart == 0.0, normalised(turn.value, factors["N"], dims), results["load"])
-        doubts = doubts_of_rounding(results["load"], asked)
+        doubts = warnings_of_rounding(results["load"], asked)
         results = as_asked(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
@@ -106,7 +106,7 @@ def unload(
     for name in _DESCRIBED:
         if name in data.coords:
             data[name].attrs = _described(subject, name)
-    return with_doubts(data.assign_attrs(way.summary(tables)), doubts)
+    return with_warnings(data.assign_attrs(way.summary(tables)), doubts)
 
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.

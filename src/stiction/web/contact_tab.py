@@ -4,8 +4,8 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.laws.validity import doubts_of
-from stiction.records.claims import KINDS_OF_DOUBT
+from stiction.laws.validity import warnings_of
+from stiction.records.claims import KINDS_OF_WARNING
 from stiction.report.answer import answer_lines
 from stiction.report.share_pictures import stacks
 from stiction.web.asked import remarks
@@ -67,7 +67,7 @@ class ContactTab:
         self._where.set_text(where)
         self._old.set_visibility(self._explorer.answer.error is not None)
         assert answer.data is not None
-        doubts = [(_ICONS[one.kind], f"{KINDS_OF_DOUBT[one.kind].capitalize()}: {one}") for one in doubts_of(answer.data)]
+        doubts = [(_ICONS[one.kind], f"{KINDS_OF_WARNING[one.kind].capitalize()}: {one}") for one in warnings_of(answer.data)]
         predicted = answer.prediction is not None
         self._rows.show(answer_lines(answer.prediction)[1:] if answer.prediction is not None else [])
         self._doubts.show([] if predicted else doubts or [_WITHIN])

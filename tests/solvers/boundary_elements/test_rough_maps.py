@@ -166,7 +166,7 @@ def test_alone_and_periodic_agree_far_from_the_ends():
 
 
 def names(doubts):
-    return {doubt.name for doubt in doubts}
+    return {doubt.quantity for doubt in doubts}
 
 
 def test_pages_state_the_coefficient_at_edges_that_is_used():

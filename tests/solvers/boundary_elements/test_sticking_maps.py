@@ -39,7 +39,7 @@ def test_a_sphere_on_the_way_to_johnson_kendall_roberts():
 
 def test_a_map_too_coarse_for_the_edge_is_doubted():
     (found,) = solve_adhesive(sphere(64), UNIT, modulus=1.0, loads=[0.0], work=WORK, reach=REACH)
-    assert {doubt.name for doubt in found.doubts} == {"points_at_edge"}
+    assert {doubt.quantity for doubt in found.doubts} == {"points_at_edge"}
     assert found.points_at_edge == pytest.approx(64 * REACH**2 / WORK, rel=1e-12)
 
 

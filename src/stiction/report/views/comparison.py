@@ -12,7 +12,7 @@ import numpy as np
 from rich.text import Text
 
 from stiction.contact.contact import Contact
-from stiction.laws.validity import read_doubts
+from stiction.laws.validity import read_warnings
 from stiction.quantities.units import show
 from stiction.report.answer import answer_lines, answer_record, number
 from stiction.report.files import write_csv, write_netcdf
@@ -57,7 +57,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
             "model": str(name),
             "grade": str(one["grade"].item()),
             "status": str(one["status"].item()),
-            "outside_validity": [doubt.short for doubt in read_doubts(one["doubts"].item())],
+            "outside_validity": [doubt.short for doubt in read_warnings(one["doubts"].item())],
             "doubts": json.loads(one["doubts"].item()),
             "measured_error": json.loads(one["measured_error"].item()),
             "measured_film_error": json.loads(one["measured_film_error"].item()),

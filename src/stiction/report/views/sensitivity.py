@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from stiction.laws.validity import doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.report.answer import answer_record, headline, model_line, part_name
 from stiction.report.files import record, write_csv
 from stiction.report.several_tables import of_point, points_dimension
@@ -120,7 +120,7 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
     else:
         yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
     yield Text(f"elasticities: by {model_line(used)}, at the nominal numbers", style="dim")
-    for doubt in doubts_of(data):
+    for doubt in warnings_of(data):
         yield Text(f"doubtful: {doubt}", style="bold yellow")
 
 

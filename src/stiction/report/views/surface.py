@@ -219,7 +219,7 @@ def contact_notes(contact: "ContactOfMap") -> list[Text]:
         f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
         f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
     )
-    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_doubts())]
+    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_warnings())]
     return lines
 
 

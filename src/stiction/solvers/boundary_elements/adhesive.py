@@ -34,9 +34,9 @@ import numpy as np
 from scipy.fft import irfft2, next_fast_len, rfft2
 
 from stiction.quantities.errors import InputError
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.descent import FAR, Downhill, Faces
-from stiction.solvers.boundary_elements.doubts import MapDoubt
 from stiction.solvers.boundary_elements.limits import LEAST_POINTS, MOST_ATTRACTION_LEFT
 from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
@@ -74,7 +74,7 @@ class AdhesiveContact:
     detached: bool
     residual: float
     points_at_edge: float
-    doubts: tuple[MapDoubt, ...]
+    doubts: tuple[ValidityWarning, ...]
     pressure: np.ndarray
 
 
@@ -137,11 +137,11 @@ class _Grid:
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     @property
-    def doubts(self) -> tuple[MapDoubt, ...]:
+    def doubts(self) -> tuple[ValidityWarning, ...]:
         if self.points >= LEAST_POINTS * (1.0 - 1e-9):
             return ()
         why = f"the edge of contact is pulled over {self.points:.2g} points, at least {LEAST_POINTS:g} are needed"
-        return (MapDoubt("points_at_edge", self.points, LEAST_POINTS, why),)
+        return (ValidityWarning(why, "points_at_edge", self.points, self.points, low=LEAST_POINTS),)
 
 
 def _pitch(shape: tuple[int, ...], size: tuple[float, float]) -> float:
@@ -188,7 +188,7 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
     doubts = grid.doubts
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
         why = f"not converged: pressure of {descent.residual:.2g} of the largest attraction is left where faces do not touch"
-        doubts = (*doubts, MapDoubt("not_converged", descent.residual, MOST_ATTRACTION_LEFT, why))
+        doubts = (*doubts, ValidityWarning(why, "not_converged", descent.residual, descent.residual, high=MOST_ATTRACTION_LEFT))
     return AdhesiveContact(
         load=load,
         area=max(points - grid.excess * sides.count, 0.0) * pixel,

@@ -9,7 +9,7 @@ import json
 import os
 import zipfile
 from collections.abc import Sequence
-from dataclasses import asdict, fields
+from dataclasses import fields
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -18,7 +18,8 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from stiction.quantities.cache import cache_folder, keep_file
-from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
+from stiction.records.validity_warning import ValidityWarning
+from stiction.solvers.boundary_elements.map_warnings import warnings_of_map
 from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, checked, solve_map
 
 _MOST = 1_000_000_000  # bytes of all files
@@ -43,7 +44,7 @@ def solve_kept(
             solved_before[load] = contact
     missing = [load for load in dict.fromkeys(loads) if load not in solved_before]
     if not missing:
-        of_map = doubts_of_map(np.asarray(heights, dtype=float), size, how.get("film") or how.get("counter_film"), periodic)
+        of_map = warnings_of_map(np.asarray(heights, dtype=float), size, how.get("film") or how.get("counter_film"), periodic)
         return MapContacts(tuple(solved_before[load] for load in loads), of_map)
     report = how.pop("done", None)
 
@@ -91,7 +92,7 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             numbers = json.loads(file["numbers"].item())
-            doubts = tuple(MapDoubt(**row) for row in json.loads(file["doubts"].item()))
+            doubts = tuple(ValidityWarning.from_data(row) for row in json.loads(file["doubts"].item()))
             pressure = np.zeros(shape)
             pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
         os.utime(path)
@@ -103,11 +104,11 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
 def _keep(path: Path, contact: MapContact) -> None:
     """Write the contact, so that a reader finds the whole file or none."""
     pressure = contact.pressure
-    if pressure is None or pressure.nbytes > _TOO_LARGE or any(one.name == "not_converged" for one in contact.doubts):
+    if pressure is None or pressure.nbytes > _TOO_LARGE or any(one.quantity == "not_converged" for one in contact.doubts):
         return
     touched = pressure > 0.0
     numbers = {field.name: getattr(contact, field.name) for field in fields(contact) if field.name not in _OF_FILE}
-    of_doubts, where = json.dumps([asdict(doubt) for doubt in contact.doubts]), np.packbits(touched)
+    of_doubts, where = json.dumps([doubt.as_data() for doubt in contact.doubts]), np.packbits(touched)
 
     def write(file: BinaryIO) -> None:
         np.savez(file, numbers=json.dumps(numbers), doubts=of_doubts, where=where, pressure=pressure[touched])

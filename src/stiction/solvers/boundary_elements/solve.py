@@ -15,10 +15,11 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 
 from stiction.quantities.errors import InputError, nearest
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
-from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_load, doubts_of_map, share_at_ends
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
 from stiction.solvers.boundary_elements.limits import TOLERANCE
+from stiction.solvers.boundary_elements.map_warnings import share_at_ends, warnings_of_load, warnings_of_map
 from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
 from stiction.solvers.boundary_elements.menisci import Condensed, Menisci, condense
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
@@ -62,7 +63,7 @@ class MapContact:
     steps: int
     points: int
     load_at_ends: float
-    doubts: tuple[MapDoubt, ...] = ()
+    doubts: tuple[ValidityWarning, ...] = ()
     pressure: np.ndarray | None = field(default=None, repr=False)
     pull: float = 0.0
 
@@ -75,7 +76,7 @@ class MapContacts:
     """
 
     contacts: tuple[MapContact, ...]
-    doubts: tuple[MapDoubt, ...]
+    doubts: tuple[ValidityWarning, ...]
     complete: bool = True
 
     def __getitem__(self, index: int) -> MapContact:
@@ -125,7 +126,7 @@ def solve_map(
     """
     request = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)
-    of_map = doubts_of_map(request.heights, request.size, film or counter_film, periodic)
+    of_map = warnings_of_map(request.heights, request.size, film or counter_film, periodic)
     order = np.argsort(request.pressures, kind="stable")
     done: dict[int, MapContact] = {}
     try:
@@ -291,7 +292,7 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
         steps=solution.steps,
         points=int(np.count_nonzero(contact)),
         load_at_ends=share_at_ends(pressure) if request.ends else 0.0,
-        doubts=doubts_of_load(solution, error, request.ends, request.how.tolerance),
+        doubts=warnings_of_load(solution, error, request.ends, request.how.tolerance),
         pressure=pressure if request.how.keep_maps else None,
         pull=suction * (int(np.count_nonzero(wetted.wet)) * pixel - corrected) if suction else 0.0,
     )

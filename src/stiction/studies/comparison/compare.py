@@ -9,17 +9,18 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.summation import FARTHEST
-from stiction.laws.validity import Doubt, as_attributes
+from stiction.laws.validity import as_attributes
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of
 from stiction.records.registry import Criterion, of_kind
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.accuracy import film_errors, measured_error
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import DOUBTFUL, doubtful_points, doubts_of_results, doubts_of_rounding, leaves_out_liquid
+from stiction.solving.conditions import DOUBTFUL, leaves_out_liquid, points_outside, warnings_of_results, warnings_of_rounding
 from stiction.solving.inversion import Unreachable
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.points import points_of, solve_points
@@ -154,7 +155,7 @@ class _Answer:
     curve: dict[str, np.ndarray] = field(default_factory=dict)
     doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
-    outside: list[Doubt] = field(default_factory=list)
+    outside: list[ValidityWarning] = field(default_factory=list)
     told: dict[str, Any] = field(default_factory=dict)
     dry: bool = False
     sources: list[str] = field(default_factory=list)
@@ -191,11 +192,11 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
     at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
     answer.told = _of_laws(problem)
     if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
-        answer.outside = answer.outside + doubts_of_results(problem, at_load or rows)
+        answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
         answer.told |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
     answer.curve = _in_units(problem, curve)
-    answer.doubtful = doubtful_points(problem, rows)
+    answer.doubtful = points_outside(problem, rows)
     if at_load:
         answer.told |= _measured(measured_error.measured_errors(problem, at_load))
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
@@ -239,7 +240,7 @@ def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[s
     try:
         solved = solve_points(points)
         if solved.carried is not None:
-            answer.outside = doubts_of_rounding(solved.carried, points.wanted)
+            answer.outside = warnings_of_rounding(solved.carried, points.wanted)
         return _sensible(problem, {name: table.reshape(1, 1) for name, table in solved.tables.items()}, answer)
     except Unreachable as error:
         unit = points.factors["N"]

@@ -14,12 +14,13 @@ from pydantic import Field, model_validator
 from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.read import case_of, opened, read_content
 from stiction.contact.subject import Subject
-from stiction.laws.validity import Doubt, doubts_of
+from stiction.laws.validity import warnings_of
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve
 
@@ -149,7 +150,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
     sources: dict[str, None] = {}
-    doubts: dict[str, Doubt] = {}
+    doubts: dict[str, ValidityWarning] = {}
     why = "it says nothing of what was measured"
     waiting = list(subjects)
     while waiting:
@@ -167,7 +168,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
                 predicted[row] = table[place]
         grades.add(data.attrs["grade"])
         sources |= dict.fromkeys(data.attrs["sources"].split())
-        doubts |= {doubt.rule: doubt for doubt in doubts_of(data)}
+        doubts |= {doubt.rule: doubt for doubt in warnings_of(data)}
     logarithm = np.log(np.where(predicted > 0.0, predicted / values.value, np.nan))
     return {
         "model": name, "predicted": predicted, "sources": sources, "why_not": why,

@@ -10,12 +10,12 @@ from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of, wants_ranges
 from stiction.case.several import Address
 from stiction.case.uncertain import Uncertain, with_ranges
-from stiction.laws.validity import Doubt
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import sobol_points
 from stiction.quantities.units import reason_of, show
 from stiction.records.claims import Validity
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import WHY_NOT, Pointwise, Region, solve_pointwise
@@ -331,7 +331,7 @@ def _validity_bits(solved: Pointwise, validity: str) -> dict[np.uint32, str]:
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
         if _counts(rule, validity):
-            found[np.uint32(1 << at)] = Doubt(rule.why, rule.quantity, low=rule.low, high=rule.high).rule
+            found[np.uint32(1 << at)] = ValidityWarning(rule.why, rule.quantity, low=rule.low, high=rule.high).rule
     return found
 
 

@@ -2,16 +2,17 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.curve import MapCurve, curve_of_map
-from stiction.solvers.boundary_elements.doubts import MapDoubt, doubts_of_map
+from stiction.solvers.boundary_elements.map_warnings import warnings_of_map
 from stiction.solvers.boundary_elements.measures import waves
 from stiction.surfaces.heightmap import HeightMap
 
@@ -31,7 +32,7 @@ class ContactOfMap:
     hardness: float | None
     height: float
     curve: MapCurve
-    doubts: tuple[MapDoubt, ...]
+    doubts: tuple[ValidityWarning, ...]
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
@@ -48,7 +49,7 @@ class ContactOfMap:
             "stiffness/(E* L)": curve.array("stiffness") / side,
         }
 
-    def all_doubts(self) -> list[str]:
+    def all_warnings(self) -> list[str]:
         """In words, each once: of the map, then of single pressures."""
         said = {str(one): None for one in self.doubts}
         for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
@@ -81,7 +82,7 @@ def contact_of_map(
         raise InputError("pressures", float(wanted.max()), f"< {hardness:g}, the hardness over E* h'")
     bodies = Bodies(1.0, hardness=None if hardness is None else hardness * gradient)
     curve = curve_of_map(surface, bodies, (wanted * gradient).tolist(), sampled=sampled)
-    of_map = doubts_of_map(surface.heights, surface.size, None, surface.periodic)
+    of_map = warnings_of_map(surface.heights, surface.size, None, surface.periodic)
     return ContactOfMap(wanted, gradient, hardness, float(np.std(surface.heights)), curve, of_map)
 
 
@@ -95,6 +96,6 @@ def summary_of_contact(contact: ContactOfMap) -> dict[str, Any]:
         "longest_waves_on_a_side": contact.curve.of_map["longest_waves_on_a_side"],
         "columns": {head: values.tolist() for head, values in contact.columns.items()},
         "residual": contact.curve.array("residual").tolist(),
-        "doubts": [asdict(one) for one in contact.doubts],
-        "doubts_in_words": contact.all_doubts(),
+        "doubts": [one.as_data() for one in contact.doubts],
+        "doubts_in_words": contact.all_warnings(),
     }

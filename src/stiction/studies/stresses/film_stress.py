@@ -7,7 +7,7 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
-from stiction.laws.validity import doubts_about, with_doubts
+from stiction.laws.validity import warnings_about, with_warnings
 from stiction.quantities.errors import InputError
 from stiction.records.claims import Validity
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
@@ -130,4 +130,4 @@ def _with_results(data: "xarray.Dataset", subject: Subject, rows: list[tuple]) -
     variables = {name: (like.dims, values, subject.attributes(name)) for name, values in found.items()}
     places = np.reshape(np.array([part_that_yields(subject, part) for part in where], dtype=object), like.shape)
     variables["yields_first"] = like.dims, places, {"long_name": "what yields first"}
-    return with_doubts(data.assign(variables), doubts_about(subject, _RULES, found))
+    return with_warnings(data.assign(variables), warnings_about(subject, _RULES, found))

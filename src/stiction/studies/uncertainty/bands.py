@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.laws.validity import Doubt, with_doubts
+from stiction.laws.validity import with_warnings
 from stiction.quantities.progress import Steps
+from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import WHY_NOT
 from stiction.studies.uncertainty.drawing import (
@@ -61,7 +62,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
         return data
     if solves_maps(choice):
         why = f"what is uncertain has no band: {choice.model_key} would have to solve the map for every point that is drawn"
-        return with_doubts(data, [Doubt(why)])
+        return with_warnings(data, [ValidityWarning(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]
     shares = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)
@@ -90,11 +91,11 @@ def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
     impossible = found.impossible_share
     if lost:
         why = f"in {lost:.2g} of the points that are drawn from what is uncertain nothing is known: bands are of the others"
-        data = with_doubts(data, [Doubt(why)])
+        data = with_warnings(data, [ValidityWarning(why)])
     if impossible > _MANY:
         why = f"{impossible:.0%} of the draws are impossible, above the nominal area or the hardness, and are excluded"
         left = "there is no band" if impossible > 1.0 - _LEAST_KNOWN else "the band of mu is of the others"
-        data = with_doubts(data, [Doubt(f"{why}: {left}")])
+        data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
         drawing_said(case), doubts_of_points=doubts_said(found), impossible_draws=impossible, coverage=case.uncertainty.coverage
     )
