@@ -4,9 +4,16 @@ The public names are listed once, in `__init__.pyi`, and imported when they are 
 nothing.
 """
 
+import importlib
+
 import lazy_loader
 
 _lazily, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+# Functions whose results are drawn by `.stiction.plot()`.
+_RESULTS = (
+    "compare", "compare_case", "design", "fit", "predict", "resolution_study", "sensitivity", "slide", "slide_case", "solve",
+    "solve_case", "sweep",
+)  # fmt: skip
 
 
 def __getattr__(name: str):
@@ -14,4 +21,6 @@ def __getattr__(name: str):
         from importlib.metadata import version
 
         return version("stiction")
+    if name in _RESULTS:
+        importlib.import_module("stiction.report.plotting")
     return _lazily(name)

@@ -144,7 +144,7 @@ def test_run_prints_table_summary_and_what_is_outside_validity():
 
 
 def test_run_writes_three_files_and_leaves_the_others(folder):
-    assert sorted(path.name for path in folder.iterdir()) == ["curve.csv", "curve.nc", "curve.png", "mine.txt"]
+    assert sorted(path.name for path in folder.iterdir()) == ["curve.csv", "curve.nc", "curve.png", "mine.txt", "regimes.png"]
     assert list(folder.parent.iterdir()) == [folder]
     assert (folder / "curve.png").read_bytes().startswith(PNG)
 

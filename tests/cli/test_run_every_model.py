@@ -56,7 +56,7 @@ def test_table_picture_and_json(model, tangential, tmp_path):
     text = run(*words, "--details", "--out", tmp_path / "out")
     assert "contact area" in text and ("pull-off force" in text) == (model not in NO_SEPARATION)
     names = {path.name for path in (tmp_path / "out").iterdir()}
-    assert names == {"curve.csv", "curve.nc", "curve.png"}
+    assert names == {"curve.csv", "curve.nc", "curve.png", "regimes.png"}
     found = json.loads(run(*words, "--json"))["variables"]
     np.testing.assert_allclose(found["load"]["values"], [0.1, 1.0, 10.0], rtol=1e-15)
     assert ("mean_separation" in found) == (model not in NO_SEPARATION)

@@ -420,7 +420,7 @@ def case(rough, tmp_path):
 def test_run_and_compare_a_case(case, tmp_path):
     text = run("run", case, "--details", "--out", tmp_path / "out")
     assert "every point" in text and "counted in points" in text and "persistence" not in text
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"curve.csv", "curve.nc", "curve.png"}
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"curve.csv", "curve.nc", "curve.png", "regimes.png"}
     found = json.loads(run("run", case, "--json"))
     mu = 20e6 * np.array(found["variables"]["contact_area"]["values"]) / [1.0, 3.0]
     assert_allclose(found["variables"]["friction_coefficient"]["values"], mu, rtol=1e-12)

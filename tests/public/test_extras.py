@@ -59,7 +59,7 @@ def test_a_case_is_solved_and_written_without_extras(tmp_path):
     """All but the picture, which is named, with what to install."""
     code, out, error = without_extras(tmp_path, "run", CASE, "--out", "results")
     assert code == 0 and "written to results: curve.csv, curve.nc\n" in out
-    assert error == f"stiction: not drawn without matplotlib: curve.png; {how_to_install('matplotlib')}"
+    assert error == f"stiction: not drawn without matplotlib: curve.png, regimes.png; {how_to_install('matplotlib')}"
     assert sorted(path.name for path in (tmp_path / "results").iterdir()) == ["curve.csv", "curve.nc"]
 
 
@@ -83,8 +83,8 @@ load = ["0.1 N"]
         (("run", BARE, "--model", "greenwood_williamson_1966", "--sliding"), "sliding.png"),
         (("film", CASE), "film.png"),
         (("surface", "scan.npy", "--size", "40 um", "--unit", "m"), "map.png, spectrum.png, asperities.png, fan.png"),
-        (("run", "scan.toml"), "curve.png"),
-        (("run", "scan.toml", "--model", "soft_coating_2015"), "curve.png, band.png"),
+        (("run", "scan.toml"), "curve.png, regimes.png"),
+        (("run", "scan.toml", "--model", "soft_coating_2015"), "curve.png, regimes.png, band.png"),
     ],
 )
 def test_commands_write_all_but_pictures(tmp_path, words, pictures):

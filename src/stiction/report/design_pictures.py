@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, along, canvas, finish, say
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, along, canvas, say
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
 
@@ -24,7 +24,7 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     wishes = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
     several, two = data.sizes["design"] > 1, len(wishes) == 2
     drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, wishes[0])] if several else []
-    drawn.append(lambda axes: _front(axes, data, wishes) if two else _search(axes, data, wishes[0]))
+    drawn.append(lambda axes: _front(axes, data, wishes) if two else _asked(axes, data, wishes[0]))
     if two and not several and data.sizes["front"]:
         drawn.append(lambda axes: _chosen(axes, data, wishes[0]))
     figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
@@ -73,15 +73,28 @@ def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
     along(axes, "x", wish, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
 
-def _search(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
-    value = data["best_so_far"].values
-    there = np.isfinite(value)
-    if not there.any():
-        say(axes, "no design keeps the limits")
+def _asked(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
+    """Draw every design that was asked for against the number that was chosen, between the ends of its search."""
+    columns = columns_of(data, "asked")
+    name = next((one for one in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[one]].attrs), "")
+    if not name:
+        say(axes, "no number was searched between two ends")
         return
-    y = -value[there] if data.attrs["wishes"].startswith("most ") else value[there]
-    axes.plot(1 + np.flatnonzero(there), y, color=ORANGE, linewidth=1.8, drawstyle="steps-post")
-    finish(axes, xscale="log", xlabel="designs asked", title="best design so far that keeps all limits")
-    target = " next to " in data.attrs["wishes"]
-    if not (target and y.min() <= 0.0):
-        along(axes, "y", wish, y, log=target, before="off the target: " if target else "")
+    number, value, kept = data[columns[name]], data[columns[wish]].values, data["asked_kept"].values
+    for mask, colour, text in ((~kept, GREY, "breaks a limit"), (kept, BLUE, "keeps all limits")):
+        axes.plot(
+            number.values[mask], value[mask], ".", color=colour, markersize=4, alpha=0.5, label=text if mask.any() else None
+        )
+    best = data.isel(design=0)
+    chosen = columns_of(data, "design")
+    axes.plot(float(best[chosen[name]]), float(best[chosen[wish]]), "*", color=RED, markersize=14, label="best")
+    for at, end in enumerate(("searched_from", "searched_to")):
+        axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if at else "ends of the search")
+    seen = value[kept & np.isfinite(value)] if kept.any() else value[np.isfinite(value)]
+    quantity = name.rpartition(".")[2]
+    along(axes, "x", quantity, number.values, title=f"{len(value)} designs asked")
+    along(axes, "y", wish, seen)
+    if seen.size and seen.min() > 0.0:
+        axes.set_ylim(0.7 * seen.min(), 1.4 * seen.max()) if axes.get_yscale() == "log" else axes.set_ylim(
+            0.0, 1.2 * seen.max()
+        )

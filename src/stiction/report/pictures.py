@@ -14,6 +14,7 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.table import prefix
+from stiction.solving.choice import RECOMMENDED
 from stiction.surfaces.finding import methods
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ _PANELS = (
 )  # fmt: skip
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _MANY_DECADES = 1e3
+_LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_DOUBTS = 5  # that are told below a picture
 _MU = "friction_coefficient"
@@ -128,7 +130,10 @@ def _draw_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> 
 
 def heading(data: "xarray.Dataset", title: str) -> str:
     used = data.attrs
-    words = [used["model"], *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used)]
+    words = [
+        "prediction" if used["model"] == RECOMMENDED else used["model"],
+        *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used),
+    ]
     if used.get("film", "none") != "none":
         words.append(f"film: {used['film']}")
     grade = f" (grade {used['grade']})" if "grade" in used else ""  # a prediction has none
@@ -183,12 +188,24 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.plot(load[drawn], mu[drawn], color="black", label=text, **_marked(int(drawn.sum())))
     if drawn.any():
         axes.set_xscale("log")
+        _slopes(axes, load[drawn], mu[drawn])
         scale_friction(axes, np.concatenate(seen), WIDE if len(seen) == 1 else 0.1 * WIDE)
         if load.size == 1:
             axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
     else:
         say(axes, NOT_PRESSED)
     finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL)
+
+
+def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
+    """Draw reference slopes where mu varies by a power of the load: a single sphere has -1/3, Amontons' law 0."""
+    if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < _MANY_DECADES * load.min():
+        return
+    axes.set_yscale("log")
+    middle = int(np.argsort(load)[load.size // 2])
+    for slope, text, style in ((-1.0 / 3.0, "slope -1/3, an elastic sphere", "--"), (0.0, "slope 0, Amontons", ":")):
+        ends = np.array([load.min(), load.max()])
+        axes.plot(ends, mu[middle] * (ends / load[middle]) ** slope, color=GREY, linestyle=style, linewidth=1.0, label=text)
 
 
 def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
@@ -204,7 +221,7 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
     """Make the axis of friction, or of what goes with it, logarithmic where it varies much; else it begins at 0."""
-    if values.max() > wide * values.min():
+    if axes.get_yscale() == "log" or values.max() > wide * values.min():
         axes.set_yscale("log")
     else:
         axes.set_ylim(0.0, 1.08 * values.max())  # room above a friction that does not vary
@@ -274,6 +291,10 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
     large ones."""
     axes.set(**named)
     axes.title.set_fontsize(9)
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "linear" and high - low < _LEAST_SPAN * abs(high):  # labels would differ in their last digits
+            axis.set_view_interval(low - 0.05 * abs(high), high + 0.05 * abs(high), ignore=True)
     axes.grid(True, alpha=0.3)
     if legend and axes.get_legend_handles_labels()[0]:
         axes.legend(fontsize=8, framealpha=0.9)
@@ -281,7 +302,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() == "log" and high > _MANY_DECADES * low:
             axis.set_minor_locator(NullLocator())
-        elif axis.get_scale() == "log":
+        elif axis.get_scale() == "log" and not isinstance(axis.get_minor_formatter(), InUnit):  # which `along` has set
             axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axis.set_minor_formatter(InUnit(1.0))
 

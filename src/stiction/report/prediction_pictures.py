@@ -17,7 +17,7 @@ _MU = "friction_coefficient"
 
 def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Return a figure of mu: a band along the load, or a histogram of the draws at one load."""
-    figure, (axes,) = canvas(6.4, 4.2)
+    figure, (axes,) = canvas(8.53, 4.8)
     (_band if data["load"].size > 1 else _histogram)(axes, data)
     if title:
         figure.suptitle(title, fontsize=11)
@@ -35,8 +35,6 @@ def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> F
         _working(along, prediction)
     else:
         (_band if prediction["load"].size > 1 else _histogram)(along, prediction)
-    if along.get_legend():
-        along.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False, fontsize=8)
     rests_panel(rests, prediction)
     return figure
 
@@ -67,6 +65,7 @@ def _working(axes: Axes, data: "xarray.Dataset") -> None:
     ends = [[float(here[_MU] - here[f"{_MU}_low"])], [float(here[f"{_MU}_high"] - here[_MU])]]
     axes.errorbar([float(here["load"])], [float(here[_MU])], ends, color=RED, marker="o", capsize=4, label="working load")
     finish(axes)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False, fontsize=8)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:

@@ -24,8 +24,8 @@ _ROWS = 12
 
 
 def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
-    """Name of a column -> its variable, of the best designs or of the front."""
-    before = "front_" if along == "front" else ""
+    """Name of a column -> its variable, of the best designs, the front, or all that were asked for."""
+    before = "" if along == "design" else f"{along}_"
     names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
     return {name.removeprefix(before): name for name in names}
 
@@ -80,7 +80,11 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 def _which(data: "xarray.Dataset", at: int) -> str:
     """Return which design this is, by what it takes from lists, where there are several."""
-    taken = [data[name].values[at] for name in data.data_vars if name != "violated" and data[name].dtype.kind in "UO"]
+    taken = [
+        data[name].values[at]
+        for name in data.data_vars
+        if name != "violated" and data[name].dims == ("design",) and data[name].dtype.kind in "UO"
+    ]
     return f" ({', '.join(map(str, taken)) or f'design {at + 1}'})" if data.sizes["design"] > 1 else ""
 
 
@@ -105,4 +109,4 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
     pictures = {"design.png": picture("designs by how near they come to the wish", "design_pictures.design_figure", data)}
-    return View("design", data, parts, lambda: record(data.drop_vars("best_so_far"), {}), files, pictures, tuple(missed))
+    return View("design", data, parts, lambda: record(data.drop_dims("asked"), {}), files, pictures, tuple(missed))

@@ -48,8 +48,10 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     if case.is_several:
         return _several_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
-    drawn = picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)
-    return View("curve", plain(data), parts, found, files, {"curve.png": drawn}, is_brief=True)
+    pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}
+    told = "the contact on maps of adhesion and of plasticity"
+    pictures["regimes.png"] = picture(told, "regime_pictures.regime_figure", case.subject, data, case.title)
+    return View("curve", plain(data), parts, found, files, pictures, is_brief=True)
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:

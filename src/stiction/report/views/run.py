@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import in_columns
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
@@ -127,6 +128,9 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
     drawn = "several_pictures.several_figure" if case.is_several else "pictures.curve_figure"
     pictures = {"curve.png": picture("friction, contact area and load", drawn, data, case.title)}
+    if isinstance(case.subject, Contact) and not case.is_several:
+        told = "the contact on maps of adhesion and of plasticity"
+        pictures["regimes.png"] = picture(told, "regime_pictures.regime_figure", case.subject, data, case.title)
     if "friction_coefficient_by_method" in data and not case.is_several:
         told = "friction by every way of finding asperities"
         pictures["band.png"] = picture(told, "method_pictures.method_spread_figure", data, case.title)

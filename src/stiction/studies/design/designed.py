@@ -40,6 +40,8 @@ def dataset_of(found: "Designing") -> "xarray.Dataset":
         data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
     _, wishes, worst, _ = found.archive.table()
     good = np.where(worst <= TOLERANCE, wishes[:, 0], np.inf)
+    every = _columns(found, np.arange(len(worst)), "asked")
+    data = data.merge(xarray.Dataset({f"asked_{name}": column for name, column in every.items()}))
     data["best_so_far"] = ("asked", np.minimum.accumulate(good), {"long_name": "first wish of the best design, less is better"})
     return data.assign_attrs(_attributes(found, best))
 

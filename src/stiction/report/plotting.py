@@ -1,0 +1,54 @@
+"""`result.stiction.plot()`: the picture of any result, which imports what draws it when it is asked for."""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+import xarray
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.extras import require
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# What a result has -> the function that draws it; the first that fits.
+_DRAWN = {
+    "wishes": "design_pictures.design_figure",
+    "profile_value": "fit_pictures.fit_figure",
+    "displacement": "sliding_pictures.sliding_figure",
+    "status": "model_pictures.models_figure",
+    "cutoff": "method_pictures.resolution_figure",
+    "friction_coefficient_elasticity": "sensitivity_pictures.sensitivity_figure",
+}
+
+
+@xarray.register_dataset_accessor("stiction")
+class Plotting:
+    """What stiction adds to a dataset."""
+
+    def __init__(self, data: xarray.Dataset):
+        self._data = data
+
+    def plot(self) -> "Figure":
+        """Draw the result, whatever it is of: solve, predict, compare, sweep, slide, design, fit, sensitivity.
+
+        Returns a matplotlib Figure. Raises InputError for a dataset that is no such result.
+        """
+        require("plot", "matplotlib")
+        data = self._data
+        place = next((place for name, place in _DRAWN.items() if name in data.variables or name in data.attrs), "")
+        if not place:
+            place = _of_solved(data)
+        module, _, name = place.partition(".")
+        figure: Figure = getattr(import_module(f"stiction.report.{module}"), name)(data)
+        return figure
+
+
+def _of_solved(data: xarray.Dataset) -> str:
+    from stiction.report.several_tables import varied
+
+    if "load" not in data.variables or ("model" not in data.attrs and "shares" not in data.attrs):
+        raise InputError("result", list(data.variables), "a result of stiction")
+    if varied(data):
+        return "several_pictures.several_figure"
+    return "prediction_pictures.prediction_figure" if "level" in data.attrs else "pictures.curve_figure"

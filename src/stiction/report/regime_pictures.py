@@ -1,0 +1,102 @@
+"""Two maps with a contact as a dot: how adhesion acts on its asperities, and whether they are plastic."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from stiction.quantities.table import QUANTITIES
+from stiction.report.pictures import BLUE, GREY, RED, canvas, finish, say
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.contact.contact import Contact
+
+_LEAST = 0.05  # share of the load above which adhesion counts (Johnson & Greenwood 1997)
+_FLOWING = 0.02  # share of the real area that flows at the onset of plasticity (Greenwood & Williamson 1966)
+_TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
+
+
+def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
+    """Return the map of Johnson and Greenwood for an asperity, and one of the plasticity index, at the largest load.
+
+    contact: a single contact; data: its result, whose `touching_asperities`, if known, share the load.
+    """
+    figure, (adhesion, plasticity) = canvas(8.53, 4.8, 1, 2)
+    load = float(data["load"].max())
+    _adhesion(adhesion, contact, data, load)
+    _plasticity(plasticity, contact, load / contact.nominal_area)
+    figure.suptitle(title, fontsize=11)
+    return figure
+
+
+def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: float) -> None:
+    if not contact.work_of_adhesion:
+        say(axes, "no work of adhesion is stated")
+        return
+    tabor = float(contact.tabor_parameter())
+    negligible = np.array([2.0 / _LEAST] * 2 + [negligible_load_of_jkr()] * 2)
+    axes.fill_between(_TABOR, negligible, 1e9, color=GREY, alpha=0.2, linewidth=0.0)
+    axes.plot(_TABOR, negligible, color=GREY)
+    axes.vlines(_TABOR[1:3], 1e-4, negligible[1:3], color=GREY, linestyle="--")
+    for x, y, text in (
+        (1.0, 1e6, "Hertz: adhesion below 5 % of the load"),
+        (0.01, 0.1, "DMT"),
+        (0.7, 0.1, "Maugis"),
+        (60.0, 0.1, "JKR"),
+    ):
+        axes.text(x, y, text, ha="center", fontsize=9)
+    touching = (
+        float(data["touching_asperities"].values.flat[int(np.argmax(data["load"].values))])
+        if "touching_asperities" in data
+        else 0.0
+    )
+    if touching > 0.0:
+        each = load / touching / (np.pi * contact.work_of_adhesion * contact.roughness.asperity_radius)
+        axes.plot(tabor, np.clip(each, 1e-3, 1e8), "o", color=RED, markersize=9, label="mean asperity of this contact")
+    else:
+        axes.axvline(tabor, color=RED, label="this contact")
+    name = f"{QUANTITIES['tabor_parameter'].short} ${QUANTITIES['tabor_parameter'].latex}$"
+    finish(axes, xscale="log", yscale="log", xlim=(1e-3, 1e3), ylim=(1e-3, 1e8), xlabel=name)
+    axes.set_ylabel("load of an asperity over $\\pi w R$")
+    axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
+
+
+def negligible_load_of_jkr() -> float:
+    """Return the load over pi w R above which JKR's adhesion, 3 + sqrt(6 P + 9), is below 5 % of it."""
+    # (P/20 - 3)^2 = 6 P + 9
+    return (6.0 + 6.0 * _LEAST) / _LEAST**2
+
+
+def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
+    row, index = QUANTITIES["plasticity_index"], float(contact.plasticity_index)
+    rough = contact.roughness
+    density = rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation
+    psi = np.geomspace(0.1, 100.0, 200)
+    onset = np.array([pressure_of_first_flow(float(one), float(density)) for one in psi])
+    axes.fill_between(psi, onset, 10.0, color=RED, alpha=0.12, linewidth=0.0)
+    axes.plot(psi, onset, color=GREY)
+    axes.text(10.0, 1e-3, "plastic", ha="center", fontsize=9)
+    axes.text(0.25, 1e-3, "elastic", ha="center", fontsize=9)
+    hardness = min(float(contact.first.hardness), float(contact.second.hardness))
+    axes.plot(
+        np.clip(index, 0.1, 100.0), np.clip(pressure / hardness, 1e-8, 1.0), "o", color=BLUE, markersize=9, label="this contact"
+    )
+    finish(axes, xscale="log", yscale="log", xlim=(0.1, 100.0), ylim=(1e-8, 1.0), xlabel=f"{row.short} ${row.latex}$")
+    axes.set_ylabel("nominal pressure over hardness")
+    axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
+
+
+def pressure_of_first_flow(index: float, density: float) -> float:
+    """Return the nominal pressure over hardness at which 2 % of the area flows (Greenwood & Williamson); density: N R sigma."""
+    z = np.linspace(0.0, 12.0, 1201)
+    separation = np.linspace(-4.0, 6.0, 201)[:, None]
+    heights = np.exp(-0.5 * (separation + z) ** 2) / np.sqrt(2.0 * np.pi)
+    area, flowing = (np.trapezoid(heights * np.clip(z - start, 0.0, None), z, axis=1) for start in (0.0, index**-2.0))
+    first = np.flatnonzero(flowing >= _FLOWING * area)
+    if not first.size:
+        return np.inf
+    load = np.trapezoid(heights * z**1.5, z, axis=1)[first[-1]]
+    return float(4.0 / 3.0 * density * index * load)

@@ -1,0 +1,121 @@
+"""Every result has its picture by one accessor; pictures show the numbers of the result."""
+
+import math
+
+import numpy as np
+import pytest
+import xarray
+
+import stiction as st
+from cases import STEEL_ON_STEEL
+from stiction.quantities.errors import InputError
+from stiction.report.model_pictures import models_figure
+from stiction.report.pictures import canvas, finish, friction_panel
+from stiction.report.prediction_pictures import rests_panel
+from stiction.report.regime_pictures import negligible_load_of_jkr, pressure_of_first_flow, regime_figure
+
+LOADS = '[solve]\nmodel = "greenwood_williamson_1966"\nload = ["0.1 N", "1 N", "10 N"]\n'
+DESIGN = """
+[design]
+wish = { minimise = "friction_coefficient" }
+[design.choose.roughness]
+asperity_radius = { low = "10 um", high = "100 um" }
+"""
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("any") / "case.toml"
+    path.write_text(STEEL_ON_STEEL + LOADS + DESIGN)
+    return path
+
+
+@pytest.fixture(scope="module")
+def compared(path):
+    return st.compare(st.read_case(path).subject, load=1.0)
+
+
+@pytest.mark.parametrize("name", ["solve", "slide", "predict", "several", "sensitivity"])
+def test_every_result_has_a_picture(name, path):
+    case = st.read_case(path)
+    several = STEEL_ON_STEEL.replace('"1 mm^2"', '["1 mm^2", "2 mm^2", "4 mm^2"]')
+    results = {
+        "solve": lambda: st.solve_case(case),
+        "slide": lambda: st.slide_case(case),
+        "predict": lambda: st.predict(path, load="1 N"),
+        "several": lambda: st.solve_case(st.read_case(_written(path.with_name("several.toml"), several + LOADS))),
+        "sensitivity": lambda: st.sensitivity(path),
+    }
+    figure = results[name]().stiction.plot()
+    assert figure.axes and all(axes.get_xlabel() for axes in figure.axes if axes.lines)
+
+
+def _written(path, text):
+    path.write_text(text)
+    return path
+
+
+def test_what_is_no_result_is_refused():
+    with pytest.raises(InputError, match="a result of stiction"):
+        xarray.Dataset({"x": ("y", [1.0])}).stiction.plot()
+
+
+def test_a_design_is_drawn_against_the_number_that_is_designed(path):
+    data = st.design(path)
+    (axes,) = data.stiction.plot().axes
+    x = np.concatenate([line.get_xdata() for line in axes.lines[:2]])
+    assert x.size == data.attrs["asked"] and {"ends of the search", "best"} <= set(axes.get_legend_handles_labels()[1])
+    assert axes.lines[1].get_ydata().min() == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-9)
+    assert [line.get_xdata()[0] for line in axes.lines[-2:]] == pytest.approx([1e-5, 1e-4])
+
+
+def test_a_comparison_names_three_models_and_has_dots_at_the_working_load(compared):
+    prediction = None
+    figure = models_figure(compared, None, prediction)
+    (axes,) = figure.axes
+    labels = axes.get_legend_handles_labels()[1]
+    assert len([text for text in labels if text != "other models"]) <= 3 and "other models" in labels
+    dots = {round(math.log(line.get_ydata()[0]), 9) for line in axes.lines if len(line.get_xdata()) == 1}
+    values = compared["friction_coefficient_at_load"].values
+    assert dots <= {round(math.log(value), 9) for value in values[values > 0.0]} and len(dots) > 3
+
+
+def test_slopes_stand_beside_a_friction_that_varies_by_a_power():
+    load = np.geomspace(1e-3, 1e2, 11)
+    data = xarray.Dataset({"friction_coefficient": ("load", 0.1 * load ** (-1 / 3))}, {"load": load})
+    _, (axes,) = canvas(5, 4)
+    friction_panel(axes, data)
+    (line,) = [one for one in axes.lines if "-1/3" in str(one.get_label())]
+    slope = np.diff(np.log(line.get_ydata())) / np.diff(np.log(line.get_xdata()))
+    assert slope == pytest.approx(-1 / 3) and axes.get_yscale() == "log"
+
+
+def test_no_axis_has_an_offset():
+    figure, (axes,) = canvas(5, 4)
+    axes.plot([1.0, 2.0], [0.019541, 0.01954100001])
+    finish(axes)
+    figure.canvas.draw()
+    assert axes.yaxis.get_offset_text().get_text() == ""
+
+
+def test_the_parts_of_an_interval_are_shorter_than_it(path):
+    data = st.predict(path, load="1 N")
+    _, (axes,) = canvas(5, 4)
+    rests_panel(axes, data)
+    widths = [np.ptp(np.log(bars.get_segments()[0][:, 0])) for bars in axes.collections]
+    low, high = (float(data[f"friction_coefficient_{end}"]) for end in ("low", "high"))
+    share = max(data.attrs["shares"].values())
+    assert widths[:2] == pytest.approx([math.log(high / low), math.sqrt(share) * math.log(high / low)])
+
+
+def test_the_maps_are_those_of_their_authors(path):
+    """Greenwood and Williamson: below psi = .6 plastic flow needs extreme pressures, above 1 nearly none does without."""
+    load = negligible_load_of_jkr()
+    assert 3.0 + math.sqrt(6.0 * load + 9.0) == pytest.approx(0.05 * load)
+    assert pressure_of_first_flow(0.5, 0.04) > 0.01 and pressure_of_first_flow(1.5, 0.04) < 1e-8
+    contact = st.read_case(path).subject
+    data = st.solve(contact, load=[1.0], model="greenwood_williamson_1966")
+    _, plasticity = regime_figure(contact, data).axes
+    (dot,) = [line for line in plasticity.lines if line.get_marker() == "o"]
+    assert dot.get_xdata()[0] == pytest.approx(contact.plasticity_index)
+    assert dot.get_ydata()[0] == pytest.approx(1.0 / 1e-6 / contact.first.hardness)
