@@ -9,8 +9,8 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from refusals import refusal
-from stiction.contact.contact import Coating, Contact, Indices, work_of_adhesion
-from stiction.contact.materials import Material, material
+from stiction.contact.contact import Coating, Contact, Indices
+from stiction.contact.materials import Material, material, work_of_adhesion
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import axis
 from stiction.solving.solve import solve

@@ -14,14 +14,34 @@ Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=s
 class Coating(Input):
     """A film on one body or on both.
 
-    material: Material, name of a preset, or dict of its numbers. bodies: which body carries it; with
-    "both", the default and the paper's case, film meets film and `thickness` is the sum of the two.
-    work_of_adhesion: of the surfaces that meet when there is a film; left out, it is that of the contact. friction_constant: C
-    of mu = (C t/W)^(1/3), which one film law takes (Ravindran et al. 1980); left out, it follows from strength and hardness.
+    Parameters
+    ----------
+    material : Material, str or dict
+        Material, name of a preset, or its numbers.
+    thickness : float [m], str with a unit, or array
+        Film thickness, of both films together if there are two.
+    bodies : {"both", "first", "second"}
+        Body that carries the film; with "both", the default and the paper's case, film meets film.
+    work_of_adhesion : float [J/m^2], str with a unit, or array, optional
+        Of the surfaces that meet; by default that of the contact.
+    friction_constant : float [N/m], str with a unit, or array, optional
+        C of mu = (C t/W)^(1/3), used by one film law (Ravindran et al. 1980); by default it follows from strength and hardness.
 
-    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies: a
-    yield_stress or tangent_modulus of the film is not used, but to say whether it or a body as hard yields first. Raises
-    InputError.
+    Raises
+    ------
+    InputError
+        A number is out of its bounds, or a name is unknown.
+
+    Notes
+    -----
+    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies. A yield_stress or
+    tangent_modulus of the film only decides whether it or an equally hard body yields first.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.Coating(material="silver", thickness="200 nm").thickness
+    2e-07
     """
 
     material: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -32,7 +52,10 @@ class Coating(Input):
 
 
 def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:
-    """Say that the counterbody yields before the film; bare: the hardness of the bodies without their film [Pa]."""
+    """Report that the counterbody yields before the film.
+
+    bare: the hardness of the bodies without their film [Pa].
+    """
     ratio = counterbody.hardness / bare
     n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
     return (

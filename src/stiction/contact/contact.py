@@ -10,7 +10,7 @@ from stiction.contact.coating import Body, Coating, softer_in_words
 from stiction.contact.indices import Indices, plain_number
 from stiction.contact.interfaces import State, check_interface
 from stiction.contact.liquid import Liquid
-from stiction.contact.materials import Material, as_material
+from stiction.contact.materials import Material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
 from stiction.contact.size_effect import at_radius, size_ratio
 from stiction.contact.subject import Scales, Subject
@@ -28,25 +28,45 @@ EQUILIBRIUM_DISTANCE = 0.3e-9
 class Contact(Subject):
     """Two bodies with rough surfaces, perhaps a film between them.
 
-    first, second: Material, name of a preset, or dict of numbers; which is which changes no result. The strength of a contact
-    is that of the softer body; of two as hard, of the one that yields first: of the lower yield stress, then of the lower
-    Poisson's ratio, then of the lower tangent modulus.
-    roughness: Roughness, or dict of its numbers; or a scan of the first body, the second being smooth: a HeightMap, a
-    topography of SurfaceTopography, an xarray.DataArray with lengths as coordinates, or (array, size); or a dict like the table
-    of a case file, with a scan or numbers as `first`, `second` or both, and how asperities are found. With a scan, results say
-    the spread over the ways of finding asperities, and `roughness.measured` what each finds.
-    work_of_adhesion: of the bodies' surfaces, see the function of that name; left out or zero, nothing adheres, and models
-    that need it say so. nominal_area: on which the load rests. coating: Coating, or dict of its numbers; left out, there is
-    no film. hardness_to_yield: H/Y; left out, it is hardness over yield_stress of the softer body, or 2.8 if that has no
-    yield_stress. interfacial_shear_strength, pressure_coefficient: what a square metre of real contact resists, and how that
-    grows with the pressure; tangential laws that shear an interface need the first. interface: in place of these two, the name
-    of a state (`stiction interfaces` lists them), a table of its numbers or an Interface: results take its medians.
-    peeling: the share of the tangential energy release that peels an adhesive asperity; left out, 1 (Savkoor and Briggs: all).
-    liquid: Liquid, or dict of its numbers: its vapour condenses between asperities, and the menisci pull. waiting_time,
-    cut_off_time, strengthening: how the interface strengthens at rest, as measured. strength_variation: how its strength
-    varies from junction to junction.
+    Parameters
+    ----------
+    first, second : Material, str or dict
+        Material, name of a preset, or its numbers. Their order changes no result.
+    roughness : Roughness, dict, HeightMap, topography or (array, size)
+        Numbers of the asperities; or a scan of the first body, the second being smooth; or a dict like the table of a case
+        file, with a scan or numbers as `first`, `second` or both, and how asperities are found.
+    nominal_area : float [m^2], str with a unit, or array
+        Area on which the load rests.
+    work_of_adhesion : float [J/m^2], str with a unit, or array, optional
+        Of the bodies' surfaces, see the function of that name; by default, or at zero, there is no adhesion.
+    coating, hardness_to_yield : optional
+        Film; H/Y, by default hardness over yield_stress of the softer body, or 2.8 if that has no yield_stress.
+    interfacial_shear_strength, pressure_coefficient : float [Pa] and float, str with a unit, or array, optional
+        Shear strength of the interface on the real contact area, and its increase with pressure.
+    interface : str, dict or Interface, optional
+        State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results take its medians.
+    peeling, strength_variation : float, optional
+        Mode-mixity share of an adhesive asperity, by default 1; coefficient of variation of the strength of junctions.
+    liquid, waiting_time, cut_off_time, strengthening : optional
+        Liquid that condenses between asperities; strengthening of the interface at rest, all three or none.
 
-    Every number may be an array with a named dimension (`stiction.axis`). Raises InputError.
+    Raises
+    ------
+    InputError
+        A number is out of its bounds, or two inputs contradict each other.
+
+    Notes
+    -----
+    Every number may be an array with a named dimension (`stiction.axis`). The softer body decides the strength; of two equally
+    hard bodies the one with the lower yield stress, then Poisson's ratio, then tangent modulus.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+    >>> contact = st.Contact(first="silver", second="gold", roughness=rough, nominal_area="1 mm^2")
+    >>> round(float(contact.plasticity_index), 1)
+    7.5
     """
 
     first: Body = Field(description="a material: the name of a preset, or its numbers")
@@ -81,7 +101,7 @@ class Contact(Subject):
         return self
 
     def _check_adhesion(self) -> None:
-        """Raise InputError where something adheres here and nothing there: no group stands for both."""
+        """Raise InputError where only some adhere, as no group stands for both cases."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
             raise InputError("work_of_adhesion", "a sweep from 0", "above 0 all along, or 0 all along: then nothing adheres")
@@ -93,13 +113,14 @@ class Contact(Subject):
 
     @property
     def adheres(self) -> bool:
-        """Whether there is a work of adhesion."""
+        """Return whether there is a work of adhesion."""
         return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
-        """The dimensionless groups of theory 1, and 4 if there is a film; arrays broadcast by dimension.
+        """Return the dimensionless groups of theory 1, and of theory 4 with a film.
 
-        Raises InputError if a group is out of its bounds (a hardness below the yield stress, say).
+        Arrays broadcast by dimension. Raises InputError if a group is out of its bounds (a hardness below the yield stress,
+        say).
         """
         try:
             with np.errstate(all="ignore"):  # what overflows in an array is refused by Indices
@@ -141,7 +162,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """theta and lambda (theory 1 and paper, section 2) and the Tabor parameter; without adhesion the hardness group."""
+        """Return theta, lambda and Tabor parameter, or without adhesion the hardness group."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
@@ -217,7 +238,7 @@ class Contact(Subject):
         return [*self._of_size(), *self._of_film(), *self.roughness.notes()]
 
     def _of_size(self) -> list[str]:
-        """How hard asperities find bodies whose hardness depends on the size."""
+        """Return the bodies with the hardness that asperities of their size find."""
         bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
         found = []
         for body in bodies:
@@ -263,7 +284,7 @@ class Contact(Subject):
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
     def all_groups(self) -> dict[str, Any]:
-        """Also the plasticity index, which needs the materials."""
+        """Return all groups, including the plasticity index, which needs the materials."""
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
@@ -275,7 +296,7 @@ class Contact(Subject):
         return to_si(value, name)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """Text with a unit; a mean separation may also be a plain number, over sigma."""
+        """Read text with a unit, or a mean separation over sigma as a plain number."""
         if not isinstance(entry, str):
             if name == "mean_separation":
                 return plain_number(entry, where) * self.roughness.asperity_height_deviation
@@ -290,7 +311,7 @@ class Contact(Subject):
         return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
-        """What results are multiplied by (theory 1): K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n."""
+        """Return the scales K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n (theory 1)."""
         K = self._bare.K
         return Scales(
             load=K * self._radius**0.5 * self._sigma**1.5,
@@ -302,12 +323,12 @@ class Contact(Subject):
 
     @property
     def contact_modulus(self):
-        """E* of the two bodies without film [Pa] (theory 1)."""
+        """Return E* of the two bodies without film [Pa] (theory 1)."""
         return 0.75 * self._bare.K
 
     @property
     def touching(self) -> tuple[Material, Material]:
-        """The two bodies whose surfaces meet: in place of a coated body its film."""
+        """Return the two bodies whose surfaces meet; a film replaces its body."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
@@ -330,25 +351,24 @@ class Contact(Subject):
 
     @property
     def kelvin_radius(self):
-        """Radius of the menisci [m], see Liquid; None where there is no liquid."""
+        """Return the radius of the menisci [m], see Liquid; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
     def kelvin_radius_over_confirmed(self):
-        """The same over the least at which Kelvin's equation was found to hold, see Liquid; None where there is no liquid."""
+        """Return that radius over the smallest confirmed by experiment, None if dry."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
     def plasticity_index(self):
-        """psi = (E*/H) (sigma/R)^(1/2) of the bodies without film, H of the softer (GW 1966)."""
+        """Return psi = (E*/H) (sigma/R)^(1/2) without film, H of the softer (GW 1966)."""
         hardness = self._bare.hardness
         return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
-        """mu_T = (R gamma^2 / (E*^2 epsilon^3))^(1/3) of the bodies without film (Tabor 1977).
+        """Return mu_T = (R gamma^2 / (E*^2 epsilon^3))^(1/3) without film (Tabor 1977).
 
-        equilibrium_distance: epsilon, SI or text with unit; 0.3 nm is a customary round value, not a
-        sourced one. JKR holds well above about 5, DMT well below about 0.1.
+        equilibrium_distance: epsilon, SI or text with unit. JKR holds well above about 5, DMT well below about 0.1.
         """
         distance = to_si(equilibrium_distance, "equilibrium_distance")
         if not self.adheres:
@@ -357,12 +377,12 @@ class Contact(Subject):
 
     @property
     def _bare(self) -> Pair:
-        """Both bodies without a film, as hard as asperities find them."""
+        """Return both bodies without a film, as hard as asperities find them."""
         return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
 
     @property
     def size_effect(self):
-        """The largest R*/R of all bodies, None where no hardness depends on the size."""
+        """Return the largest R*/R of all bodies, None where no hardness depends on size."""
         bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
         found = [size_ratio(body, self._radius) for body in bodies if body.characteristic_depth is not None]
         return max(found, key=lambda one: float(np.max(one))) if found else None
@@ -376,22 +396,5 @@ class Contact(Subject):
         return self.roughness.asperity_radius
 
     def _against_film(self, coating: Coating) -> Material:
-        """What the film meets: itself if both bodies carry it, else the body that does not."""
+        """Return the counterface of the film: a film too, or the bare body."""
         return {"both": coating.material, "first": self.second, "second": self.first}[coating.bodies]
-
-
-def work_of_adhesion(first, second, *, interfacial) -> Any:
-    """Work of adhesion of two surfaces [J/m^2], gamma_1 + gamma_2 - gamma_12 (Dupre).
-
-    first, second: Material or preset name with a surface_energy; interfacial: gamma_12, energy of the closed
-    interface, SI or text with unit, >= 0: zero for one material in perfect registry, and the upper bound
-    otherwise. This holds for clean surfaces; adsorbed layers lower it by one or two orders of magnitude.
-    Raises InputError where a surface energy is missing or the result is negative.
-    """
-    energies = []
-    for field, body in (("first", first), ("second", second)):
-        body = as_material(body)
-        if body.surface_energy is None:
-            raise InputError(f"{field}.surface_energy", None, "a material with a surface_energy, e.g. 1.25 J/m^2")
-        energies.append(body.surface_energy)
-    return to_si(energies[0] + energies[1] - to_si(interfacial, "interfacial_energy"), "work_of_adhesion")

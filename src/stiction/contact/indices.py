@@ -26,12 +26,18 @@ _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", 
 
 
 def hardness_group(theta, lam):
-    """eta = pi H sqrt(R/sigma) / K = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2) (half the 7.3 of eq 1). Arrays."""
+    """Return eta = pi H sqrt(R/sigma) / K from theta and lambda.
+
+    eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2) (half the 7.3 of eq 1). Arrays.
+    """
     return math.sqrt(math.pi) * 18.0**0.25 * lam**0.25 / np.sqrt(theta)
 
 
 def stiffness_group(nu):
-    """K beta = (8/3)(2 - nu)/(1 - nu), when the bodies are alike or one of them is rigid: 6.4762 at nu = 0.3 (theory 1)."""
+    """Return K beta = (8/3)(2 - nu)/(1 - nu) of like bodies, or where one is rigid.
+
+    6.4762 at nu = 0.3 (theory 1).
+    """
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
 
@@ -46,16 +52,42 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
 
 
 class Indices(Subject):
-    """The dimensionless groups of theory 1 and 4: all that a model needs to know of a contact.
+    """Dimensionless groups of a contact (theory 1 and 4).
 
-    Any of them may be an array with a named dimension (`stiction.axis`). Without adhesion theta and lam are infinite: then
-    hardness_group is given in place of both, and models that know no adhesion are asked. K_beta left out is that of bodies
-    alike, (8/3)(2 - nu)/(1 - nu). There is a film if n_E, n_H and tau are given, all or none; film_nu left
-    out is nu, film_K_beta left out follows from film_nu, or is K_beta; film_aspect left out is infinite: the film is then a
-    half-space to every asperity. One body is coated, and the other rigid, unless films and coated_share say otherwise; with two
-    films the bodies are alike unless coated_share does; left out, layer_n_H is n_H, layer_nu film_nu, coated_nu and counter_nu
-    nu. film_friction_constant left out follows from strength and hardness. It and the last thirteen are needed by some laws
-    only; waiting and strengthening, meniscus_index and meniscus_height are given together. Raises InputError.
+    Parameters
+    ----------
+    theta, lam : float or array, optional
+        Elastic and plastic adhesion index; without adhesion hardness_group is given in place of both.
+    hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
+        Groups of the bare bodies; K_beta is by default that of like bodies, (8/3)(2 - nu)/(1 - nu).
+    n_E, n_H, tau : float or array, optional
+        Groups of a film, all three or none.
+    n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
+        Further groups of a film.
+    films, layer_n_H, layer_nu, coated_share, coated_nu, counter_nu : float or array, optional
+        Groups of coated bodies. film_nu is by default nu, film_K_beta follows from film_nu, or is K_beta; film_aspect is
+        infinite by default: the film is then a half-space to every asperity. One body is coated, and the other rigid, unless
+        films and coated_share say otherwise; with two films bodies are alike unless coated_share differs. By default layer_n_H
+        is n_H, layer_nu film_nu, coated_nu and counter_nu nu; film_friction_constant follows from strength and hardness.
+    nominal_width, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : float or array, optional
+        Groups that some laws use.
+    waiting, strengthening, meniscus_index, meniscus_height : float or array, optional
+        Waiting and strengthening, meniscus_index and meniscus_height are given together.
+
+    Raises
+    ------
+    InputError
+        A number is out of its bounds, or a group is missing.
+
+    Notes
+    -----
+    Any of them may be an array with a named dimension (`stiction.axis`). The list below has the meaning and bounds of each.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> round(float(st.Indices(theta=40.0, lam=3.0).eta), 3)
+    0.76
     """
 
     theta: OptionalNumber = None
@@ -125,7 +157,7 @@ class Indices(Subject):
         return self
 
     def _check_bodies(self) -> None:
-        """Raise InputError where the film and both bodies cannot be as they are said to be."""
+        """Raise InputError for an impossible combination of film and bodies."""
         if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
             raise InputError("films", self.films, "1 or 2")
         if not self.has_film or self.coated_share is None:
@@ -143,12 +175,12 @@ class Indices(Subject):
 
     @property
     def has_film(self) -> bool:
-        """Whether there is a film."""
+        """Return whether there is a film."""
         return self.tau is not None
 
     @property
     def eta(self) -> Any:
-        """The hardness group: a mean pressure H on the area x is the load eta x."""
+        """Return the hardness group: a mean pressure H on the area x is the load eta x."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
@@ -160,12 +192,18 @@ class Indices(Subject):
 
     @property
     def film_plasticity_index(self) -> Any:
-        """(E*/H) sqrt(sigma/R) of the film as a half-space, that is (3/4) pi/eta; None without a film."""
+        """Return (E*/H) sqrt(sigma/R) of the film as a half-space, (3/4) pi/eta.
+
+        None without a film.
+        """
         return 0.75 * math.pi / (self.eta * self.n_H / self.n_E) if self.has_film else None
 
     @property
     def film_stiffness(self) -> Any:
-        """n_E sqrt(R sigma)/t, infinite for a film without thickness; None where there is no film, or R is not known."""
+        """Return n_E sqrt(R sigma)/t, infinite for a film without thickness.
+
+        None without a film, or where R is not known.
+        """
         if not self.has_film or self.film_aspect is None:
             return None
         with np.errstate(divide="ignore"):
@@ -173,24 +211,27 @@ class Indices(Subject):
 
     @property
     def meniscus_tabor_parameter(self) -> Any:
-        """(R W^2/(E*^2 H^3))^(1/3) of a meniscus of the work W = 2 gamma_L c and the height H = 2 r c: that of Tabor with the
-        range of this attraction; None where there are none."""
+        """Return Tabor's parameter of a meniscus, (R W^2/(E*^2 H^3))^(1/3).
+
+        W = 2 gamma_L c is its work, and H = 2 r c its height, the range of this attraction. None without menisci.
+        """
         if self.meniscus_index is None or self.meniscus_height is None:
             return None
         return (4.0 / 3.0 / self.meniscus_index) ** (2.0 / 3.0) / self.meniscus_height
 
     @property
     def meniscus_over_radius(self) -> Any:
-        """Height of a meniscus over the radius of asperities; None where one is not known."""
+        """Return the height of a meniscus over the asperity radius, None if unknown."""
         if self.meniscus_height is None or self.sharpness is None:
             return None
         return self.meniscus_height * self.sharpness**2
 
     @property
     def film_modulus(self) -> Any:
-        """E'_f/E*, the plane-strain modulus of the film itself over the contact modulus of the bodies without it.
+        """Return E'_f/E*, the plane-strain modulus of the film over the contact modulus.
 
-        n_E is that of the film against what it meets: E'_f/2 where that is a film too, in series with the other body where not.
+        The contact modulus is that of the bodies without the film. n_E is that of the film against its counterface: E'_f/2
+        where that is a film too, in series with the other body where not.
         """
         whole = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -212,7 +253,10 @@ class Indices(Subject):
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:
-        """Whether a group that a law needs is known; theta and lambda, of what does not adhere, are not."""
+        """Return whether a group that a law needs is known.
+
+        Without adhesion theta and lambda are not.
+        """
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
@@ -222,7 +266,7 @@ class Indices(Subject):
         return Scales()
 
     def resolved(self) -> Self:
-        """The same groups with K_beta, and with a film film_nu and film_K_beta, filled in."""
+        """Return the same groups with default values of K_beta, film_nu and film_K_beta."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
             return self.with_changes(K_beta=K_beta)
@@ -239,7 +283,9 @@ class Indices(Subject):
         return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 
     def film(self) -> Self:
-        """The groups of the film as a half-space: theta n_E/n_g, lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.
+        """Return the groups of the film as a half-space.
+
+        theta n_E/n_g and lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.
 
         Source: section 2 of the 2015 paper (theory 4); n_g is this project's. Forces are then in the film's unit, n_E times
         less. Raises InputError without a film.
@@ -259,11 +305,11 @@ class Indices(Subject):
         )
 
     def substrate(self) -> Self:
-        """The groups of the same contact without its film."""
+        """Return the groups of the same contact without its film."""
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
     def with_changes(self, **changes: Any) -> Self:
-        """The same groups but for these."""
+        """Return the groups with these replaced."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
@@ -299,9 +345,9 @@ class Indices(Subject):
 
 
 class Groups(Indices):
-    """The groups of n contacts as laws take them: arrays (n,), or None where they are not known. Nothing is checked again.
+    """Groups of n contacts as laws take them: arrays (n,), None where unknown.
 
-    Of a bare contact all that tell of a film are None. film_aspect is infinite where R is not known.
+    Values are not checked again. Groups of a film are None for a bare contact. film_aspect is infinite where R is not known.
     """
 
     def __init__(self, /, **arrays: Any):
@@ -314,7 +360,7 @@ class Groups(Indices):
 
     @classmethod
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
-        """Flat groups of all combinations of the named dimensions of some indices, and those dimensions."""
+        """Flatten indices over all combinations of their named dimensions; return both."""
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}
         if not whole.has_film:
@@ -328,13 +374,16 @@ class Groups(Indices):
         return len(self.hardness_group if self.theta is None else self.theta)
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
-        """The groups of some of the contacts."""
+        """Return the groups of some of the contacts."""
         columns = {name: getattr(self, name) for name in type(self).model_fields}
         return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns.items()})
 
 
 def plain_number(entry: Any, where: str) -> float:
-    """A finite number without a unit; `where` in a case file it stands. Raises InputError."""
+    """Return a finite number without a unit; `where`: its place in a case file.
+
+    Raises InputError.
+    """
     try:
         number = float(entry)
     except OverflowError:  # TOML has whole numbers without end

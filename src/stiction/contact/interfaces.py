@@ -57,7 +57,7 @@ class Interface(Input):
 
     @property
     def strength(self) -> str:
-        """The name of the strength that is given, one of STRENGTHS."""
+        """Return the name of the given strength, one of STRENGTHS."""
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None) -> Any:
@@ -87,17 +87,22 @@ class Interface(Input):
         return self.strength_at(level, hardness, modulus), slope
 
     def allows(self, first: Material, second: Material) -> bool:
-        """Whether the state may be stated for two bodies; a state without pairs, as users give it, for any."""
+        """Return whether the state may be stated for two bodies.
+
+        A state without pairs, as users give it, may be stated for any.
+        """
         return not self.pairs or self.weight_of(first, second) is not None
 
     def notes(self) -> list[str]:
-        """Where the numbers come from, and where the state must not be used."""
+        """Return where the numbers come from, and where the state must not be used."""
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
     def replace(self, **changes: Any) -> Self:
-        """Return a state with these fields in place of its own; a number that is replaced loses source, grade and range. Raises
-        InputError."""
+        """Return a state with these fields in place of its own.
+
+        A number that is replaced loses source, grade and range. Raises InputError.
+        """
         kept = {field: grade for field, grade in self.grade.items() if field not in changes}
         return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
 
@@ -127,7 +132,7 @@ class Interface(Input):
 
 
 def interface_names() -> list[str]:
-    """Names of the states, in alphabetical order."""
+    """Return the names of the states, in alphabetical order."""
     return sorted(_states())
 
 
@@ -166,8 +171,31 @@ def interface_weights(first: Material, second: Material) -> dict[str, float]:
 
 
 def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return a dict for each of these states, or of all: name, strength and pressure_coefficient (value, unit, 5 and 95 %
-    quantiles, source and grade of each), pairs, only_with and not_for. Raises InputError for an unknown name."""
+    """Return the states of interfaces with their numbers, one dict for each.
+
+    Parameters
+    ----------
+    names : sequence of str, optional
+        Names of states; by default all.
+
+    Returns
+    -------
+    list of dict
+        Name, strength and pressure_coefficient (value, unit, 5 and 95 % quantiles, source and grade of each), pairs, only_with
+        and not_for.
+
+    Raises
+    ------
+    InputError
+        A name is unknown.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> state, = st.interfaces(["oxidised metal"])
+    >>> state["name"]
+    'oxidised metal'
+    """
     return [_row(interface(name)) for name in (interface_names() if names is None else names)]
 
 

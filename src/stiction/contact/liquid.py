@@ -21,12 +21,32 @@ _LEAST_WETTING = 1e-6  # mean cosine; below, what is left of angles that add up 
 
 
 class Liquid(Input):
-    """The vapour of a liquid in equilibrium around a contact, such as that of water in humid air.
+    """Liquid whose vapour is in equilibrium around a contact, as water in humid air.
 
-    relative_humidity: pressure of the vapour over that of saturation. contact_angle_first, contact_angle_second: of the liquid
-    on the first and the second body, or on the film that it carries; 0 where it spreads. surface_tension and molar_volume left
-    out are those of water: then surface_tension is that at the temperature, and molar_volume that at 20 C. Raises InputError,
-    also where the liquid wets so little that it does not condense: the cosines of both angles must add up to more than 0.
+    Parameters
+    ----------
+    relative_humidity : float or array
+        Vapour pressure over that of saturation.
+    temperature : float [K] or str with a unit
+        Temperature of vapour and bodies.
+    contact_angle_first, contact_angle_second : float [rad] or str with a unit
+        Contact angle on each body, or on the film that it carries; 0 where the liquid spreads.
+    surface_tension : float [N/m] or str with a unit, optional
+        By default that of water at the temperature.
+    molar_volume : float [m^3/mol] or str with a unit, optional
+        By default that of water at 20 C.
+
+    Raises
+    ------
+    InputError
+        A number is out of its bounds, or the liquid does not condense: the cosines of both angles must add up to more than 0.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> water = st.Liquid(relative_humidity=0.5, contact_angle_first="10 deg", contact_angle_second="10 deg")
+    >>> round(float(water.kelvin_radius) * 1e9, 2)
+    0.78
     """
 
     relative_humidity: Number
@@ -53,12 +73,15 @@ class Liquid(Input):
 
     @property
     def wetting(self):
-        """(cos theta_1 + cos theta_2)/2."""
+        """Return (cos theta_1 + cos theta_2)/2."""
         return (np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)) / 2
 
     @property
     def tension(self):
-        """Surface tension [N/m]: as given, or that of water, 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76)."""
+        """Return the surface tension [N/m], by default that of water.
+
+        Water: 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76).
+        """
         if self.surface_tension is not None:
             return self.surface_tension
         below = 1 - self.temperature / _CRITICAL
@@ -66,28 +89,33 @@ class Liquid(Input):
 
     @property
     def kelvin_radius(self):
-        """Radius of a meniscus that neither grows nor dries up [m]: gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871)."""
+        """Return the radius [m] of a meniscus that neither grows nor dries up.
+
+        gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871).
+        """
         volume = WATER if self.molar_volume is None else self.molar_volume
         return self.tension * volume / (GAS_CONSTANT * self.temperature * -np.log(self.relative_humidity))
 
     @property
     def kelvin_radius_over_confirmed(self):
-        """Kelvin's radius over the least at which his equation was found to hold, of water or of other liquids; what takes a
-        number of water's counts as water."""
+        """Return Kelvin's radius over the smallest confirmed by experiment.
+
+        Confirmed for water or for other liquids; a liquid with a default number counts as water.
+        """
         of_water = self.molar_volume is None or self.surface_tension is None
         return self.kelvin_radius / (CONFIRMED_OF_WATER if of_water else CONFIRMED)
 
     @property
     def height(self):
-        """Gap that a meniscus just bridges [m], 2 r c."""
+        """Return the gap that a meniscus just bridges [m], 2 r c."""
         return 2 * self.kelvin_radius * self.wetting
 
     @property
     def suction(self):
-        """Pressure by which a meniscus pulls, Laplace's of its curvature 1/r [Pa]: gamma_L/r."""
+        """Return the pressure by which a meniscus pulls [Pa], Laplace's gamma_L/r."""
         return self.tension / self.kelvin_radius
 
     @property
     def work(self):
-        """Energy that parting a wetted area takes [J/m^2], 2 gamma_L c."""
+        """Return the energy of parting a wetted area [J/m^2], 2 gamma_L c."""
         return 2 * self.tension * self.wetting

@@ -21,15 +21,38 @@ MATERIAL_CLASSES: tuple[str, ...] = get_args(MaterialClass)
 class Material(Input):
     """A homogeneous isotropic material.
 
-    name: what to call it; source: where the numbers come from, one text or one for each field; range: between which ends a
-    number lies, {"hardness": ("0.3 GPa", "0.5 GPa")}, kept in SI units: of a preset, what tables, grades and makes give; no
-    result uses it. characteristic_depth: h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a
-    pyramid; hardness is then that of large imprints, and asperities find more (stiction.contact.size_effect). Left out, the
-    hardness is that of every asperity; the contact of a map, solved point by point, always takes it so. material_class: see
-    MATERIAL_CLASSES; left out, `class_of` guesses it from the numbers.
+    Parameters
+    ----------
+    youngs_modulus, hardness : float [Pa], str with a unit, or array
+        Hardness is the mean pressure of a fully plastic contact.
+    poissons_ratio : float or array
+        Below 0.5.
+    yield_stress, tangent_modulus : float [Pa], str with a unit, or array, optional
+        Plastic properties that some laws use.
+    surface_energy : float [J/m^2], str with a unit, or array, optional
+        Energy of a clean surface.
+    characteristic_depth : float [m], str with a unit, or array, optional
+        h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a pyramid; hardness is then that of large
+        imprints, and asperities find more (stiction.contact.size_effect), but for a map solved point by point.
+    name : str, optional
+        Name in results.
+    source : str or dict, optional
+        Source of the numbers, one text or one for each field.
+    range : dict, optional
+        Low and high end of a number, {"hardness": ("0.3 GPa", "0.5 GPa")}, in SI units or text.
+    material_class : str, optional
+        One of MATERIAL_CLASSES; by default `class_of` guesses it from the numbers.
 
-    Numbers are SI floats, text with a unit ("210 GPa"), or arrays with a named dimension (`stiction.axis`).
-    Raises InputError naming the field, its value and the allowed range.
+    Raises
+    ------
+    InputError
+        A number is out of its bounds; the error names the field, its value and the allowed range.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.Material(youngs_modulus="210 GPa", poissons_ratio=0.3, hardness="7 GPa").hardness
+    7000000000.0
     """
 
     name: str = "unnamed"
@@ -50,17 +73,19 @@ class Material(Input):
         return self
 
     def replace(self, **changes: Any) -> Self:
-        """Another material, with these fields in place of its own; what is replaced loses its source and its range. Raises
-        InputError."""
+        """Return another material, with these fields in place of its own.
+
+        A number that is replaced loses its source and its range. Raises InputError.
+        """
         return super().replace(**changes | notes_left(self.source, self.range, changes))
 
     @property
     def shear_modulus(self):
-        """Shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
+        """Return the shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     def notes(self) -> list[str]:
-        """Where the numbers come from, and between which ends they lie."""
+        """Return where the numbers come from, and their ranges."""
         ends = [f"range of {field}: {range_in_words(*pair, field)}" for field, pair in self.range.items()]
         if not self.source:
             return ends
@@ -69,7 +94,7 @@ class Material(Input):
         return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
 
     def is_own(self, field: str) -> bool:
-        """Whether this field was given, and is not just that of the preset of this name."""
+        """Return whether this field was given and differs from the preset of this name."""
         value = getattr(self, field)
         of_this_name = _presets().get(self.name)
         preset = None if of_this_name is None else of_this_name.numbers.get(field)
@@ -77,7 +102,10 @@ class Material(Input):
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):
-        """In a file a material may also start from a preset: {preset = "silver", hardness = "0.5 GPa"}."""
+        """Add the form of a file that starts from a preset.
+
+        {preset = "silver", hardness = "0.5 GPa"}.
+        """
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {
             "description": "preset, or material of the case, whose numbers hold wherever none is given here",
@@ -88,20 +116,80 @@ class Material(Input):
 
 
 def material_names() -> list[str]:
-    """Names of the presets, in alphabetical order."""
+    """Return the names of the presets, in alphabetical order."""
     return sorted(_presets())
 
 
 def material(name: str, /, **changes) -> Material:
-    """The preset of that name or symbol, changed where fields are given: material("Ag", hardness="1 GPa").
+    """Return the preset of this name or symbol, with some numbers changed.
 
-    changes: fields of `Material`, in SI or text with a unit; what is replaced loses its source and its range. Raises InputError
-    for an unknown name, listing those near to it, for one of several presets, and for a bad number.
+    Parameters
+    ----------
+    name : str
+        Name, chemical symbol or formula of a preset.
+    **changes : float [SI], str with a unit, or array
+        Fields of `Material`; a number that is replaced loses its source and its range.
+
+    Returns
+    -------
+    Material
+        The preset, changed.
+
+    Raises
+    ------
+    InputError
+        The name is unknown or stands for several presets, or a number is out of its bounds.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.material("Ag", hardness="1 GPa").hardness
+    1000000000.0
     """
     name = preset_name(name)
     preset = _presets()[name]
     own = {"name": name, "material_class": preset.material_class, **preset.numbers}
     return Material(**own | changes | notes_left(preset.source, preset.range, changes))
+
+
+def work_of_adhesion(first, second, *, interfacial) -> Any:
+    """Return the work of adhesion of two surfaces (Dupre).
+
+    Parameters
+    ----------
+    first, second : Material or str
+        Material or name of a preset, with a surface energy.
+    interfacial : float [J/m^2] or str with a unit
+        Energy of the closed interface, gamma_12 >= 0.
+
+    Returns
+    -------
+    float or xarray.DataArray
+        gamma_1 + gamma_2 - gamma_12 [J/m^2].
+
+    Raises
+    ------
+    InputError
+        A surface energy is missing, or the result is negative.
+
+    Notes
+    -----
+    Zero interfacial energy holds for one material in perfect registry and is an upper bound otherwise. This holds for clean
+    surfaces; adsorbed layers lower the result by one or two orders of magnitude.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> round(float(st.work_of_adhesion("silver", "silver", interfacial=0.0)), 2)
+    2.5
+    """
+    energies = []
+    for field, body in (("first", first), ("second", second)):
+        body = as_material(body)
+        if body.surface_energy is None:
+            raise InputError(f"{field}.surface_energy", None, "a material with a surface_energy, e.g. 1.25 J/m^2")
+        energies.append(body.surface_energy)
+    return to_si(energies[0] + energies[1] - to_si(interfacial, "interfacial_energy"), "work_of_adhesion")
 
 
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
@@ -140,7 +228,10 @@ def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any])
 
 
 def as_material(value):
-    """Validator of a field that holds a body: a Material, the name of a preset, or a table of numbers."""
+    """Validate a field that holds a body.
+
+    A Material, the name of a preset, or a table of numbers.
+    """
     if isinstance(value, str):
         value = {"preset": value}
     if isinstance(value, dict) and "preset" in value:
@@ -151,8 +242,10 @@ def as_material(value):
 
 
 def class_of(body: Material) -> str:
-    """Return the class of a material; where it has none, guess it: elastomers below 0.1 GPa, polymers below 10 GPa, ceramics
-    from H/E = 0.038 on, metals else."""
+    """Return the class of a material; guess it where none is stated.
+
+    Elastomers below 0.1 GPa, polymers below 10 GPa, ceramics from H/E = 0.038 on, metals else.
+    """
     if body.material_class is not None:
         return body.material_class
     modulus, hardness = (float(np.mean(value)) for value in (body.youngs_modulus, body.hardness))
@@ -162,7 +255,7 @@ def class_of(body: Material) -> str:
 
 
 class _Preset(NamedTuple):
-    """A preset as its file has it: numbers, the source and the low and high end of each, symbols and class."""
+    """A preset as its file states it: numbers, sources, ranges, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]
@@ -173,7 +266,7 @@ class _Preset(NamedTuple):
 
 @cache
 def _presets() -> dict[str, _Preset]:
-    """Every preset, read from all files of material_data/."""
+    """Read every preset from the files of material_data/."""
     presets: dict[str, _Preset] = {}
     for name, data in read_tables("contact", "material_data", "materials").items():
         notes, ends = data.pop("source", {}), data.pop("range", {})

@@ -36,16 +36,16 @@ def pair_of(first: Material, second: Material) -> Pair:
 
 
 def compliance_of(body: Material):
-    """1/E' = (1 - nu^2)/E."""
+    """Return 1/E' = (1 - nu^2)/E."""
     return (1 - body.poissons_ratio**2) / body.youngs_modulus
 
 
 def first_is_softer(first: Material, second: Material) -> Any:
-    """Whether the strength of the contact is that of the first body, elementwise.
+    """Return whether the first body decides the strength of the contact, elementwise.
 
-    It is that of the softer. Of two as hard it is that of the body which yields first, whatever their order: the lower yield
-    stress, then the lower Poisson's ratio, where the pressure at first yield is less (Chang, Etsion & Bogy 1987); and if these
-    are equal too, the lower tangent modulus over Young's, one that is not known before one that is.
+    The softer body decides. Of two equally hard bodies the one that yields first decides, whatever their order: the lower
+    yield stress, then the lower Poisson's ratio, where the pressure at first yield is less (Chang, Etsion & Bogy 1987); and
+    if these are equal too, the lower tangent modulus over Young's, an unknown one before a known one.
     """
     keys = (
         (first.hardness, second.hardness),
@@ -57,12 +57,15 @@ def first_is_softer(first: Material, second: Material) -> Any:
 
 
 def more_compliant(first: Material, second: Material) -> Any:
-    """Whether the first body is the more compliant, or of two alike the one of the lower Poisson's ratio; elementwise."""
+    """Return whether the first body is the more compliant, elementwise.
+
+    Of two alike the one of the lower Poisson's ratio counts as more compliant.
+    """
     return _before(((-compliance_of(first), -compliance_of(second)), (first.poissons_ratio, second.poissons_ratio)))
 
 
 def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Whether the first comes before the second by the first pair in which they differ, or if they differ in none."""
+    """Return whether the first precedes the second in the first pair that differs."""
     (one, other), *rest = keys
     equal = one == other
     if not rest or not np.any(equal):
@@ -83,8 +86,10 @@ def _hardening(body: Material):
 
 
 def choose(condition, one, other):
-    """`one` where the condition holds, else `other`: elementwise if the condition is a labelled array. What is not known (None)
-    somewhere along a sweep is not known."""
+    """Return `one` where the condition holds, else `other`.
+
+    Elementwise if the condition is a labelled array. A value that is unknown (None) somewhere along a sweep is unknown.
+    """
     if hasattr(condition, "dims"):
         if one is None or other is None:
             known, chosen = (one, condition) if other is None else (other, ~condition)

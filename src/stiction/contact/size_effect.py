@@ -26,17 +26,23 @@ _FACE = radians(90.0 - 70.3)
 
 
 def radius_of(depth):
-    """R* [m] of a sphere for h* [m] of a pyramid."""
+    """Return R* [m] of a sphere for h* [m] of a pyramid."""
     return 2.0 / 3.0 * depth / tan(_FACE) ** 2
 
 
 def size_ratio(body: Material, radius):
-    """R*/R of a body under asperities of this radius; 0 where it has no characteristic depth."""
+    """Return R*/R of a body under asperities of this radius.
+
+    0 where it has no characteristic depth.
+    """
     return 0.0 if body.characteristic_depth is None else radius_of(body.characteristic_depth) / radius
 
 
 def at_radius(body: Material, radius) -> Material:
-    """The material as asperities of this radius [m] find it: of the same moduli, harder and stronger."""
+    """Return the material as asperities of this radius [m] find it.
+
+    Its moduli are unchanged, its hardness and strength are higher.
+    """
     if body.characteristic_depth is None:
         return body
     factor = (1.0 + size_ratio(body, radius)) ** 0.5

@@ -11,11 +11,10 @@ from stiction.quantities.units import several_in_words
 
 @dataclass(frozen=True)
 class Scales:
-    """What the dimensionless results of a contact are multiplied by to be in SI units.
+    """Factors that turn dimensionless results of a contact into SI units.
 
-    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal
-    area, nominal_area [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load
-    times asperities.
+    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal area, nominal_area
+    [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load times asperities.
     """
 
     load: Any = 1.0
@@ -25,7 +24,10 @@ class Scales:
     nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
-        """The factor of results of the whole contact for each scale of the table of quantities: an SI unit, or "count"."""
+        """Return the factor of results for each scale of the table of quantities.
+
+        A scale is an SI unit, or "count".
+        """
         pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
         return pressure | {
             "N": self.load * self.asperities,
@@ -38,32 +40,38 @@ class Scales:
 
 
 class Subject(Input):
-    """Two rough surfaces in contact, as far as a model asks. Numbers may be arrays with named dimensions."""
+    """Two rough surfaces in contact, with all that a model needs.
+
+    Numbers may be arrays with named dimensions.
+    """
 
     @abstractmethod
     def indices(self) -> Any:
-        """The dimensionless groups, as Indices."""
+        """Return the dimensionless groups, as Indices."""
 
     @abstractmethod
     def scales(self) -> Scales:
-        """What dimensionless results are multiplied by."""
+        """Return the scales of dimensionless results."""
 
     @property
     @abstractmethod
     def has_film(self) -> bool:
-        """Whether there is a film."""
+        """Return whether there is a film."""
 
     def require_single(self, allowed: str) -> None:
-        """Raise InputError where a number of the contact is several."""
+        """Raise InputError where a number of the contact is an array."""
         for name, array in self.arrays():
             raise InputError(name, several_in_words(array, name), allowed)
 
     def inputs(self) -> list[tuple[str, str]]:
-        """Dotted name and value, with its unit, of all that was given."""
+        """Return dotted name and value, with its unit, of all given inputs."""
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """What was given and may be left out: dotted name -> the group that it decides, "" where no law asks for it."""
+        """Return the given optional inputs: dotted name -> group that it decides.
+
+        The group is "" where no law needs the input.
+        """
         names = (
             "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "strengthening",
             "strength_variation",
@@ -72,78 +80,87 @@ class Subject(Input):
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:
-        """What is worth knowing of the groups of this contact before anything is solved."""
+        """Return remarks on the groups of this contact, known before a solution."""
         return []
 
     @property
     def heights(self) -> tuple[str, dict[str, Any]]:
-        """Name and parameters of the distribution of asperity heights."""
+        """Return name and parameters of the distribution of asperity heights."""
         return "gaussian", {}
 
     @property
     def surface_kind(self) -> str | None:
-        """The kind of surface that is stated, one of finishes.SURFACE_KINDS; else None."""
+        """Return the stated kind of surface, one of finishes.SURFACE_KINDS; else None."""
         return None
 
     @property
     def measured(self) -> Any:
-        """What scans say of the roughness, where it was measured; else None."""
+        """Return the measured roughness where it comes from scans; else None."""
         return None
 
     @property
     def map(self) -> Any:
-        """The map that stands for both faces, where the roughness was measured and makes one; else None."""
+        """Return the map that stands for both faces, where scans give one; else None."""
         return None
 
     def as_numbers(self) -> "Subject":
-        """The same without the memory of what was measured: with the numbers of the method that stands for the surface."""
+        """Return the same contact with the roughness numbers of the chosen method.
+
+        The scans are dropped.
+        """
         return self
 
     def with_surface_moments(self) -> "Subject":
-        """The same as theories of the whole surface take it: with the asperities that have its spectral moments."""
+        """Return the contact with asperities that have the surface's spectral moments.
+
+        Theories of the whole surface take these.
+        """
         return self
 
     def groups(self) -> dict[str, float]:
-        """Name -> value of every dimensionless group that is known, and is one number."""
+        """Return name -> value of every known dimensionless group that is one number."""
         return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
 
     def all_groups(self) -> dict[str, Any]:
-        """Name -> number or labelled array of every dimensionless group that is known."""
+        """Return name -> number or labelled array of every known dimensionless group."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
     def known(self, name: str) -> Any:
-        """A property or group of this name, where the contact decides it; else None."""
+        """Return a property or group of this name, None where it is not known."""
         value = getattr(self, name, None)
         return value() if callable(value) else value
 
     def given_as(self, group: str) -> str:
-        """The name under which a user gives what decides a group."""
+        """Return the name under which a user gives the input of a group."""
         return group
 
     @abstractmethod
     def read(self, value: Any, name: str) -> Any:
-        """A separation or load as a user writes it: a number or an array, in SI units or normalised.
+        """Read a separation or load as a user writes it, in SI units or normalised.
 
-        Raises InputError.
+        A number or an array. Raises InputError.
         """
 
     @abstractmethod
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """One point of a case file, in which a unit is written wherever there is one; where: its place in the file."""
+        """Read one point of a case file, in which every number has its unit.
+
+        where: its place in the file.
+        """
 
     @abstractmethod
     def show(self, value: float, name: str, digits: int = 6) -> str:
-        """A separation or load as text."""
+        """Format a separation or load as text."""
 
     @abstractmethod
     def attributes(self, name: str) -> dict[str, str]:
-        """Meaning, symbol and unit of a result of this contact."""
+        """Return meaning, symbol and unit of a result of this contact."""
 
 
 def as_subject(given: Any) -> Subject:
-    """What was given, if it is one; else InputError."""
+    """Return the subject unchanged; raise InputError for anything else."""
     if not isinstance(given, Subject):
         raise InputError("contact", type(given).__name__, "a stiction.Contact or stiction.Indices")
     return given
