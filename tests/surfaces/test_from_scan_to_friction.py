@@ -311,7 +311,7 @@ def test_numbers_beside_a_scan_may_be_several(folder, tmp_path):
         found = both[name].sel(work_of_adhesion=0.05).transpose(*alone[name].dims)
         np.testing.assert_allclose(found, alone[name], rtol=1e-9)
     command("run", path, "--out", tmp_path / "out")
-    assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["curve.csv", "curve.nc", "curve.png", "regimes.png"]
+    assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["curve.csv", "curve.nc", "curve.png"]
 
 
 def test_a_sweep_of_a_scan_is_of_the_method_that_stands_for_it(folder, tmp_path):
