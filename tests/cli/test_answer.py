@@ -179,7 +179,7 @@ def test_the_same_mu_to_two_digits_everywhere(tmp_path):
         answer = json.loads(run(command, path, "--json"))["answer"]
         assert f"{answer['friction_coefficient']:.2g}" == expected
     run("report", path, "--out", page)
-    assert f"μ = {expected}," in page.read_text(encoding="utf-8")
+    assert f"μ = {expected}</span>" in page.read_text(encoding="utf-8")
     exported = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")))).data
     assert f"{exported['friction_coefficient'].item():.2g}" == expected
     several = tmp_path / "several.toml"
