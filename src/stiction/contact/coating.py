@@ -23,7 +23,7 @@ class Coating(Input):
     bodies : {"both", "first", "second"}
         Body that carries the film; with "both", the default and the paper's case, film meets film.
     work_of_adhesion : float [J/m^2], str with a unit, or array, optional
-        Of the surfaces that meet; by default that of the contact.
+        Of the surfaces that meet; by default the value of the contact.
     friction_constant : float [N/m], str with a unit, or array, optional
         C of mu = (C t/W)^(1/3), used by one film law (Ravindran et al. 1980); by default it follows from strength and hardness.
 
@@ -34,7 +34,7 @@ class Coating(Input):
 
     Notes
     -----
-    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, that of the bodies. A yield_stress or
+    The film models take one H/Y for film and substrate (theory 2), and one E_t/E, the value of the bodies. A yield_stress or
     tangent_modulus of the film only decides whether it or an equally hard body yields first.
 
     Examples

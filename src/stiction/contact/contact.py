@@ -335,7 +335,7 @@ class Contact(Subject):
         """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for one that is not known.
 
         level: quantile levels of the state of the interface, 0.5 for its medians; stated numbers are the same at every level. A
-        strength over hardness or shear modulus is over that of the softer of the bodies that touch, as hard as asperities find
+        strength over hardness or shear modulus is relative to the softer of the bodies that touch, as hard as asperities find
         it. Raises InputError for a level that is not between 0 and 1.
         """
         if self.interface is None:

@@ -59,7 +59,7 @@ class Indices(Subject):
     theta, lam : float or array, optional
         Elastic and plastic adhesion index; without adhesion hardness_group is given in place of both.
     hardness_group, nu, K_beta, hardness_to_yield, tabor_parameter, sharpness, roughness_parameter : float or array, optional
-        Groups of the bare bodies; K_beta is by default that of like bodies, (8/3)(2 - nu)/(1 - nu).
+        Groups of the bare bodies; K_beta is by default the value of like bodies, (8/3)(2 - nu)/(1 - nu).
     n_E, n_H, tau : float or array, optional
         Groups of a film, all three or none.
     n_g, film_aspect, film_nu, film_K_beta, film_friction_constant : float or array, optional
@@ -230,7 +230,7 @@ class Indices(Subject):
     def film_modulus(self) -> Any:
         """Return E'_f/E*, the plane-strain modulus of the film over the contact modulus.
 
-        The contact modulus is that of the bodies without the film. n_E is that of the film against its counterface: E'_f/2
+        The contact modulus is of the bodies without the film. n_E is of the film against its counterface: E'_f/2
         where that is a film too, in series with the other body where not.
         """
         whole = self.resolved()
@@ -244,12 +244,12 @@ class Indices(Subject):
 
     @property
     def strength_over_bodies(self) -> Any:
-        """Return the strength of the interface over that of the weaker surface; None where it is not known."""
+        """Return the strength of the interface over the weaker surface's, None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> Any:
-        """Return shear_strength, capped at that of the weaker surface: what laws take for it; None where it is not known."""
+        """Return shear_strength, capped at the weaker surface's; None if unknown."""
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:

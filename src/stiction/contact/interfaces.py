@@ -27,7 +27,7 @@ class Interface(Input):
     body (of the film, where one meets the other body). pressure_coefficient: its median; left out, the strength does not depend
     on the pressure. range: 5 and 95 % quantiles; a number without a range is certain. source, grade: of each number, see
     data_files.GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it
-    is stated. only_with: materials of which one must be there. not_for: where the state must not be used.
+    is stated. only_with: materials, one required. not_for: where the state must not be used.
 
     Nothing here is capped by the strength of the bodies. Raises InputError.
     """
@@ -149,7 +149,7 @@ def allowed_interfaces(first: Material, second: Material) -> list[str]:
 
 
 def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
-    """Raise InputError for a state beside numbers of the interface of a contact, or one that the bodies do not allow."""
+    """Raise InputError for a state given with numbers of the interface, or one that the bodies do not allow."""
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
         allowed = f"nothing where {name} is stated: leave out interface to keep the number, or {name} to keep the state"

@@ -26,15 +26,15 @@ class Liquid(Input):
     Parameters
     ----------
     relative_humidity : float or array
-        Vapour pressure over that of saturation.
+        Vapour pressure over saturation pressure.
     temperature : float [K] or str with a unit
         Temperature of vapour and bodies.
     contact_angle_first, contact_angle_second : float [rad] or str with a unit
         Contact angle on each body, or on the film that it carries; 0 where the liquid spreads.
     surface_tension : float [N/m] or str with a unit, optional
-        By default that of water at the temperature.
+        By default the value of water at the temperature.
     molar_volume : float [m^3/mol] or str with a unit, optional
-        By default that of water at 20 C.
+        By default the value of water at 20 C.
 
     Raises
     ------
@@ -78,7 +78,7 @@ class Liquid(Input):
 
     @property
     def tension(self):
-        """Return the surface tension [N/m], by default that of water.
+        """Return the surface tension [N/m], by default the value of water.
 
         Water: 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76).
         """

@@ -41,7 +41,7 @@ class MapSlopes:
     """Slopes of a map that the formulas take.
 
     gradient: rms, of all waves [1]; alpha: Nayak's; lay: R, >= 1; ranks: upper ends of bins of points from the highest, as
-    shares; squares: mean square gradient of the points of each bin, over that of all.
+    shares; squares: mean square gradient of the points of each bin, over the mean of all.
     """
 
     gradient: float
@@ -51,7 +51,7 @@ class MapSlopes:
     squares: np.ndarray
 
     def top(self, share: float) -> float:
-        """Return the rms gradient of this share of highest points, over that of all."""
+        """Return the rms gradient of this share of highest points, over the mean of all."""
         counts = np.diff(self.ranks, prepend=0.0)
         return math.sqrt(float(np.interp(share, self.ranks, np.cumsum(self.squares * counts) / self.ranks)))
 
@@ -125,7 +125,7 @@ def _mixed(waves, along_y, along_x, columns, points):
 
 
 def _by_rank(heights, size, periodic):
-    """Return upper ends of the bins and their mean square gradients over that of all."""
+    """Return upper ends of the bins and their mean square gradients over the mean of all."""
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):
         step = np.square((np.roll(heights, -1, axis) - heights) * (heights.shape[axis] / length))

@@ -47,7 +47,7 @@ class Edges:
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
     """Count the edges of the points in contact, bool (rows, columns).
 
-    periodic: the last point is beside the first.
+    periodic: the last point neighbours the first.
     """
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 

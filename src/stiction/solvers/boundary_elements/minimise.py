@@ -210,7 +210,7 @@ def _energy_change(state: _State, moved: _State) -> float:
 def dot(first: np.ndarray, second: np.ndarray) -> float:
     """Return the dot product of two arrays without the threads of a BLAS library.
 
-    Those are slow to wake beside the threads of the transforms.
+    Those are slow to wake next to the threads of the transforms.
     """
     return float(np.einsum("ij,ij->", first, second))
 

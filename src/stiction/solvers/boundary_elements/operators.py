@@ -88,7 +88,7 @@ class MirroredBoundary:
 
 
 class FreeBoundary:
-    """Displacements of a map outside of which nothing presses.
+    """Displacements of a map with no pressure outside.
 
     shape: (rows, columns); size: (y, x) [m].
     """

@@ -43,7 +43,7 @@ class MapContact:
     approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
     load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
     load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
-    map that does not end; pull: by the liquid where faces do not touch [N], which is carried beside the load.
+    map that does not end; pull: by the liquid where faces do not touch [N], which is carried in addition to the load.
     """
 
     load: float

@@ -18,7 +18,7 @@ class Bodies(NamedTuple):
     """Bodies of a layered contact.
 
     pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Numbers:
-    plane-strain modulus of the film over that of both bodies without a film; share of the other body, where bare, in the
+    plane-strain modulus of the film over the modulus of both bodies without a film; share of the other body, where bare, in the
     compliance, and its Poisson's ratio.
     """
 

@@ -26,7 +26,7 @@ class Layer:
     """A film on one of the two bodies.
 
     share: of this film in the compliance of the two surfaces that meet, above 0, at most 1. ratio: plane-strain modulus of the
-    film over that of the body below, finite; 0 if that is rigid. excess: how Poisson's ratios enter, -1 to 1: 4 beta - alpha of
+    film over the body below, finite; 0 if that is rigid. excess: how Poisson's ratios enter, -1 to 1: 4 beta - alpha of
     Dundurs' parameters, see `of`.
     """
 
@@ -70,7 +70,7 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Return the compliance (n,) of both bodies at wavenumbers x = k t (n,).
 
-    Relative to 2/(E1 k), that of the two surfaces as half-spaces; t is the thickness of one film.
+    Relative to 2/(E1 k), the two surfaces as half-spaces; t is the thickness of one film.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
@@ -81,7 +81,7 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 def modulus_without_film(pair: Pair) -> float:
     """Return the plane-strain modulus of both bodies without any film.
 
-    Relative to that of the two surfaces that meet; infinite if both bodies are rigid.
+    Relative to the modulus of the two surfaces that meet; infinite if both bodies are rigid.
     """
     long_waves = 1.0 - sum(layer.share * (1.0 - layer.ratio) for layer in pair)
     return 1.0 / long_waves if long_waves > 0.0 else np.inf

@@ -57,7 +57,7 @@ class Yield(NamedTuple):
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
     """Locate first yield under a traction that is this multiple >= 0 of the pressure.
 
-    film_strength: yield stress of the film over that of the body below.
+    film_strength: yield stress of the film over the value of the body below.
     """
     candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):

@@ -116,7 +116,7 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     """Solve for g_0, g_2 and the edge.
 
-    Returns the weights of the waves times the excess of the compliance over that of the surfaces; g_0, g_2 and the solution
+    Returns the weights of the waves times the excess of the compliance over the surfaces'; g_0, g_2 and the solution
     for the edge's addition, as coefficients; and the edge's part of each coefficient.
     """
     k, weights, even, at_edge, _ = _waves(radius)

@@ -21,7 +21,7 @@ import numpy as np
 class CoatedBody:
     """A film bonded to a half-space.
 
-    ratio: plane-strain modulus of the film over that of the body below, above 0, finite; nu, nu_below: Poisson's ratios of
+    ratio: plane-strain modulus of the film over the value of the body below, above 0, finite; nu, nu_below: Poisson's ratios of
     the two, 0 to 0.5.
     """
 
@@ -31,7 +31,7 @@ class CoatedBody:
 
     @property
     def shear_ratio(self) -> float:
-        """Return the shear modulus of the film over that of the body below."""
+        """Return the shear modulus of the film over the value of the body below."""
         return self.ratio * (1.0 - self.nu) / (1.0 - self.nu_below)
 
 
@@ -39,9 +39,9 @@ class CoatedBody:
 class Waves:
     """Amplitudes at wavenumbers x = k t (m,).
 
-    added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's stress function beside that of a half-space, y
-    = x - z, under pressure and under shear along the wave; below (2, 2, m): of exp(-s) and s exp(-s) in that of the body, s =
-    z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) beside the displacement exp(-z) of a half-space, and of
+    added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's stress function in addition to a half-space's, y
+    = x - z, under pressure and under shear along the wave; below (2, 2, m): of exp(-s) and s exp(-s) in the body,
+    s = z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) added to the displacement exp(-z) of a half-space, and of
     exp(-s) below, under shear across the wave, times the shear modulus of either.
     """
 
