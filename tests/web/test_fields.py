@@ -7,7 +7,8 @@ from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.roughness import Roughness
-from stiction.web.fields import as_written, first_case, got, numbers_of, parts_of, placed
+from stiction.web.asked import Question, solved
+from stiction.web.fields import as_written, example_cases, first_case, got, numbers_of, parts_of, placed
 
 
 def _numbers(tables):
@@ -58,7 +59,8 @@ def test_text_and_slider_mean_the_same():
 @pytest.mark.parametrize(
     ("given", "text"),
     [
-        ({"median": "1 J/m^2", "factor": 3}, '{ median = "1 J/m^2", factor = 3 }'),
+        ({"median": "1 J/m^2", "factor": 3}, "1 J/m^2 within a factor 3"),
+        ({"low": "30 nm", "high": "70 nm"}, "30 nm to 70 nm"),
         (["48 nm", "60 nm"], '["48 nm", "60 nm"]'),
         ({"values": [1.5, 2], "along": "a"}, '{ values = [1.5, 2], along = "a" }'),
         ("48 nm", "48 nm"),
@@ -68,6 +70,27 @@ def test_a_list_and_a_distribution_stand_in_a_field_as_in_a_case_file(given, tex
     sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
     assert as_written(given) == text and sigma.written(text) == given
     assert sigma.written("{ median = ") == "{ median = " and as_written(None) == "" and as_written(True) == "true"
+
+
+@pytest.mark.parametrize(
+    ("given", "moved"),
+    [
+        ("48 nm", "60 nm"),
+        ("48 nm +/- 10 %", "60 nm +/- 10 %"),
+        ("48 nm +/- 4.8 nm", "60 nm +/- 10 %"),
+        ({"median": "48 nm", "factor": 3}, {"median": "60 nm", "factor": 3}),
+        ({"low": "36 nm", "high": "60 nm"}, {"low": "45 nm", "high": "75 nm"}),
+    ],
+)
+def test_a_slider_moves_an_uncertain_number_with_its_error(given, moved):
+    sigma = next(one for one in _numbers(first_case()) if one.path[-1] == "asperity_height_deviation")
+    assert sigma.si(given) == pytest.approx(48e-9) and sigma.moved(given, 60e-9) == moved
+
+
+def test_every_example_of_the_menu_is_predicted():
+    for title, tables in example_cases().items():
+        answer = solved(Question(tables))
+        assert answer.error is None and answer.prediction is not None, title
 
 
 def test_what_stands_at_a_place():

@@ -12,13 +12,14 @@ from pathlib import Path
 import pytest
 from nicegui import ui
 from nicegui.testing import User, user_simulation
+from nicegui.testing.user_interaction import UserInteraction
 
 import stiction as st
 from cases import of_one_model
 from stiction.web.address import packed
 from stiction.web.fields import first_case
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "silver_on_steel.toml"
+EXAMPLE = Path(__file__).parents[2] / "examples" / "soft_film.toml"
 MAIN = Path(__file__).parent / "simulated.py"
 # Libraries of the server warn of each other.
 pytestmark = pytest.mark.filterwarnings("default")
@@ -62,12 +63,21 @@ def _input(user: User, label: str):
     return _labelled(user, ui.input, label)
 
 
+def _click(user: User, label: str) -> None:
+    UserInteraction(user, {_labelled(user, ui.button, label)}, None).click()
+
+
 async def _until(user: User, wanted) -> None:
     for _ in range(200):
         if wanted():
             return
         await asyncio.sleep(0.05)
     raise AssertionError(_texts(user))
+
+
+def _card(user: User) -> str:
+    """The answer card, as HTML."""
+    return _elements(user, ui.html)[0].content
 
 
 def _mu(user: User) -> str:
@@ -84,31 +94,31 @@ def _predicted(tables) -> str:
 async def test_the_first_screen_shows_the_prediction():
     async with _page() as user:
         assert _mu(user) == _predicted(EXAMPLE) and _labelled(user, ui.select, "model").value == "recommended"
-        said = _texts(user)
-        rows = dict(pairwise(said))
         found = st.predict(EXAMPLE)
-        assert rows["state"] == found.attrs["regime"] and rows["next"] == found.attrs["next_step"]
-        shares = found.attrs["shares"]
-        assert rows["warning"] == found.attrs["warnings"][0] and max(shares, key=shares.get) == "area model"
-        assert rows["uncertainty from"].startswith("model of the contact area ")
-        assert found.attrs["next_step"].capitalize() in said  # below the menu of the interface, which is not stated
+        here = found.sel(load=found.attrs["working_load"])
+        low, high = (f"{float(here[f'friction_coefficient_{end}']):.2g}" for end in ("low", "high"))
+        card = _card(user)
+        assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
+        assert f"<dd>interface strength ({found.shares['interface']:.0%})</dd>" in card
+        rows = dict(pairwise(_texts(user)))
+        assert rows["state"] == found.attrs["regime"] and rows["next"] == found.attrs["next_step"]  # below "Why"
 
 
 @in_a_loop
 async def test_an_interface_or_a_strength_is_stated():
     async with _page() as user:
         menu = _labelled(user, ui.select, "interface")
-        assert menu.value == "not stated" and "soft-metal film" in menu.options and "ice" not in menu.options
-        menu.set_value("soft-metal film")
+        assert menu.value == "soft-metal film" and "not stated" in menu.options and "ice" not in menu.options
+        menu.set_value("not stated")
         tables = first_case()
-        tables["contact"]["interface"] = "soft-metal film"
+        del tables["contact"]["interface"]
         await _until(user, lambda: _mu(user) == _predicted(tables))
-        assert not any(text.startswith("State the interface") for text in _texts(user))
+        assert "The interface is not stated" in _card(user)
         _labelled(user, ui.select, "interface").set_value("a stated strength")
         strength = "shear strength of the interface at no pressure tau_0"
         await _until(user, lambda: any(one.props.get("aria-label") == strength for one in _elements(user, ui.input)))
         _input(user, strength).set_value("20 MPa")
-        tables["contact"] = first_case()["contact"] | {"interfacial_shear_strength": "20 MPa"}
+        tables["contact"] |= {"interfacial_shear_strength": "20 MPa"}
         await _until(user, lambda: _mu(user) == _predicted(tables))
 
 
@@ -123,14 +133,43 @@ async def test_a_surface_is_known_by_its_finish():
         await _until(user, lambda: _mu(user) == _predicted(tables))
         _labelled(user, ui.select, "the surface is known by").set_value("sigma, R and N")
         await _until(user, lambda: _mu(user) == _predicted(EXAMPLE))
-        assert _labelled(user, ui.select, "kind of surface").value == "not stated"
+        await _until(user, lambda: _labelled(user, ui.select, "kind").value == "polished")
 
 
 @in_a_loop
-async def test_a_named_model_answers_alone_with_its_doubts():
+async def test_a_named_model_answers_with_its_doubts_and_the_prediction_as_large_beside_it():
     async with _page(packed(of_one_model())) as user:
         assert _mu(user) == "mu ≈ 0.046"
-        assert any("claimed is" in text and text.startswith("Leaves out what matters here") for text in _texts(user))
+        assert any("claimed is" in text for text in _texts(user))
+        predicted = _predicted({name: table for name, table in of_one_model().items() if name != "solve"} | {
+            "solve": {"separation": of_one_model()["solve"]["separation"]}})  # fmt: skip
+        await _until(user, lambda: predicted.replace("mu", "μ") in _card(user))
+        big = [part.partition("</span>")[0] for part in _card(user).split('line-height:1.2">')[1:]]
+        assert big == ["mu ≈ 0.046", predicted.replace("mu", "μ")] and "by soft coating 2015" in _card(user)
+
+
+@in_a_loop
+async def test_at_given_separations_it_is_said_that_the_load_moved():
+    async with _page(packed(of_one_model())) as user:
+        before = _input(user, "net normal load, adhesion included P").value
+        _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
+        await _until(user, lambda: any(text.startswith("The load moved from 2.36 N to ") for text in _texts(user)))
+        assert _input(user, "net normal load, adhesion included P").value != before
+        _input(user, "net normal load, adhesion included P").set_value("3 N")  # from then on the load is given
+        await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
+
+
+@in_a_loop
+async def test_examples_undo_and_reset():
+    async with _page() as user:
+        _input(user, "asperity tip radius R").set_value("30 um")
+        await _until(user, lambda: "tip radius R" in _texts(user) and _mu(user) != "")
+        _labelled(user, ui.select, "examples").set_value("Titanium nitride, 2 um, on steel")
+        await _until(user, lambda: "Titanium nitride, 2 um, on steel" in _texts(user))
+        _click(user, "undo")
+        await _until(user, lambda: _input(user, "asperity tip radius R").value == "30 um")
+        _click(user, "reset")
+        await _until(user, lambda: _input(user, "asperity tip radius R").value == "50 um" and _mu(user) == _predicted(EXAMPLE))
 
 
 @in_a_loop
@@ -144,12 +183,12 @@ async def test_a_knob_that_moves_changes_the_number():
 @in_a_loop
 async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_title_follows():
     async with _page(packed(of_one_model())) as user:
-        steel, silver = "hardened steel 52100 on hardened steel 52100", first_case()["title"]
+        steel, silver = "hardened steel 52100 on hardened steel 52100", of_one_model()["title"]
         assert silver in _texts(user) and _mu(user) == "mu ≈ 0.046"
-        _labelled(user, ui.switch, "there is a coating").set_value(False)
+        _labelled(user, ui.switch, "there is a film").set_value(False)
         await _until(user, lambda: steel.capitalize() in _texts(user))
         assert silver not in _texts(user) and _mu(user) != "mu ≈ 0.046"
-        _labelled(user, ui.switch, "there is a coating").set_value(True)
+        _labelled(user, ui.switch, "there is a film").set_value(True)
         await _until(user, lambda: silver in _texts(user))
         assert _mu(user) == "mu ≈ 0.046" and "0.4 GPa" in [one.value for one in _elements(user, ui.input)]
         _input(user, "film thickness, of both films together if there are two t").set_value("300 nm")
@@ -225,9 +264,10 @@ async def test_no_field_shows_python():
     tables["uncertainty"] = {"count": 64}
     tables["solve"] = {"separation": [2, 0.5]}
     async with _page(packed(tables)) as user:
-        assert _input(user, "work of adhesion gamma").value == '{ median = "1 J/m^2", factor = 3 }'
+        assert _input(user, "work of adhesion gamma").value == "1 J/m^2 within a factor 3"
         assert "separation: [2, 0.5]" in _texts(user)
-        _input(user, "work of adhesion gamma").set_value('{ median = "1 J/m^2", factor = 1.5 }')
+        assert _labelled(user, ui.slider, "work of adhesion gamma, slider").value == 0.0  # of the median, 10^0 J/m^2
+        _input(user, "work of adhesion gamma").set_value("1 J/m^2 within a factor 1.5")
         await asyncio.sleep(1.0)
         assert not _input(user, "work of adhesion gamma").error
 

@@ -81,7 +81,7 @@ def test_pictures_are_pictures():
 def test_the_first_case_is_that_of_the_examples():
     from stiction.web.fields import first_case
 
-    assert first_case() == tomllib.loads((ROOT / "examples" / "silver_on_steel.toml").read_text(encoding="utf-8"))
+    assert first_case() == tomllib.loads((ROOT / "examples" / "soft_film.toml").read_text(encoding="utf-8"))
 
 
 def test_a_case_that_is_too_large_for_a_page_is_refused():

@@ -74,7 +74,8 @@ class Card(NamedTuple):
         """Return the card as a part of a page; why: with all of the answer, folded."""
         more = ", recommended" if self.named else ""
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
-        named = f"<p><span {big}>{escape(self.named)}</span></p>" if self.named else ""
+        value, by, model = map(escape, self.named.partition(" by "))
+        named = f"<p><span {big}>{value}</span>{by}{model}</p>" if self.named else ""
         rows = "".join(f"<dt><strong>{head}</strong></dt><dd>{escape(text)}</dd>" for head, text in self.lines)
         folded = f"<details><summary>why</summary>{html.table('', self.rows)}</details>" if why else ""
         return (

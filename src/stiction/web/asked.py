@@ -127,6 +127,14 @@ def compared(question: Question, load: float | None, progress: Any) -> tuple[Cas
     return case, compare_case(case, at, progress), prediction_of(case, at)
 
 
+def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
+    """Return the prediction at a load beside the answer of a named model; None where there is none."""
+    try:
+        return None if answer.case is None or not load > 0.0 else prediction_of(answer.case, load)
+    except InputError:
+        return None
+
+
 def keys_by_choice(case: Case | None) -> dict[str, list[str]]:
     """Return what each choice of laws may be: models that may be asked of the case, and the laws of every kind."""
     keys: dict[str, list[str]] = {choice: [] for choice in LAWS}

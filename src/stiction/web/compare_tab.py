@@ -1,58 +1,141 @@
-"""The tab Compare: the prediction, models that agree in one row, and on demand every model."""
+"""The tab Compare: models that fit the contact, that do not, and that cannot be right, each by mu; it follows the knobs."""
 
+import re
 from typing import Any
 
 from nicegui import ui
 
-from stiction.report.plain_formulas import as_code
-from stiction.report.views.comparison import comparison_view
+from stiction.records.sources import bibliography
+from stiction.report.card import briefly
+from stiction.report.table import Column, Table, numbers
+from stiction.report.views.comparison import Group, comparison_view, group_row, groups_of, left_out_in_words, silent_models
 from stiction.solving.overview import models
+from stiction.studies.prediction.unused import refusal_of
 from stiction.web.asked import compared
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
+from stiction.web.formulas import typeset
 from stiction.web.pictures import Shown
 from stiction.web.studying import Study
+from stiction.web.working import run
+
+_SOON = 0.7  # seconds after the last move of a knob
+_PARTS = {"These fit the contact": (True, True), "These do not fit": (False, True), "These cannot be right": (False, False)}
 
 
 class CompareTab:
-    """Asked when the tab is opened, and again by its button."""
+    """Compares when the tab is opened, and after the knobs while it is open; what is old is grey until then."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._study = Study(explorer, "Compare all models at this load", self._work, self._show, "compared")
         self._body = ui.column().classes("w-full gap-2")
+        self._later = ui.timer(_SOON, self._follow, active=False)
+        explorer.listen(self._mark)
 
     async def opened(self) -> None:
         """Compare when the tab is opened, unless that was done for the present numbers."""
         if not self._study.is_current:
             await self._study.start()
 
+    def _mark(self) -> None:
+        """Grey what is old, and compare soon: a later move of a knob puts it off."""
+        old = not self._study.is_current
+        self._body.classes(**{"add" if old else "remove": "old"})
+        self._later.deactivate()
+        if old and self._explorer.view.tab == "Compare":
+            self._study.stop()
+            self._later.activate()
+
+    async def _follow(self) -> None:
+        if self._study.is_running:
+            return  # it ends at its next step
+        self._later.deactivate()
+        await self.opened()
+
     def _work(self, progress: Any) -> tuple[Any, ...]:
         answer, load = self._explorer.good, self._explorer.load
         case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
-        few = Shown(list(comparison_view(case, data, prediction, more="").parts()), [])
-        return few, Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
+        groups = groups_of(data) if "working_load" in data.attrs else []
+        silent = silent_models(case, data)
+        said = [left_out_in_words([], [], silent)]
+        if prediction is None and (refusal := refusal_of(case)) is not None:
+            said.append(f"no prediction: {refusal}")
+        if not groups:
+            said.append("no model says anything of friction at a load above 0 here")
+        every = Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
+        return list(tables_of(groups)), said, every
 
     def _show(self, found: tuple[Any, ...]) -> None:
-        few, every = found
+        tables, said, every = found
         narrow = self._explorer.view.narrow
         self._body.clear()
+        keys = {human_name(row["key"]): row["key"] for row in models()}
+
+        async def opened(name: str) -> None:
+            await _open(keys.get(name.partition(",")[0].partition(" and ")[0], name))
+
         with self._body:
-            few.show(narrow, _open)
+            for title, table in tables:
+                ui.label(title).classes("text-lg")
+                Shown([table], []).show(narrow, opened)
+            for words in filter(None, said):
+                ui.label(words).classes("text-sm")
             with ui.expansion("Every model").classes("w-full"):
                 every.show(narrow, _open)
+        self._mark()
 
 
-def _open(name: str) -> None:
+def tables_of(groups: list[Group]) -> Any:
+    """Yield title and table of the models that fit, that do not and that cannot be right, each sorted by mu."""
+    for title, kind in _PARTS.items():
+        some = sorted((one for one in groups if (one.fits, one.possible) == kind), key=lambda one: one.low)
+        rows = [[_title(one), group_row(one)[1], _why(one)] for one in some]
+        if rows:
+            yield title, Table([Column("model"), *numbers("mu"), Column("why", wrap=True)], rows)
+
+
+def _title(group: Group) -> str:
+    more = len(group.names) - 1
+    return human_name(group.names[0]) + (f" and {more} more" if more else "")
+
+
+def _why(group: Group) -> str:
+    """Return whether models fit, with by how much their area is off, and else why not, in a few words."""
+    if group.fits:
+        return f"fits, area off by {group_row(group)[2]}" if group.errors else "fits"
+    said = group.status.partition(": ")[2].partition(", ")[0]
+    return briefly(re.sub(r" -?[\d.]+(e[-+]?\d+)?( .*)?$", "", said))
+
+
+def human_name(key: str) -> str:
+    """Return a model or a combination as it is cited.
+
+    >>> human_name("kogut_etsion_2004 + layered")
+    'Kogut-Etsion 2004, layered'
+    """
+    model, _, law = key.partition(" + ")
+    if match := re.fullmatch(r"(\w+?)_(\d{4})(\w*)", model):
+        authors, year, more = match.groups()
+        entry = bibliography().get(f"{authors}_{year}", "")
+        found = [re.search(rf"\b{word}\b", entry, re.IGNORECASE) for word in authors.split("_")]
+        if all(found):
+            model = f"{'-'.join(one[0] for one in found if one)} {year}{more}"
+    return ", ".join(filter(None, [model.replace("_", " "), law.replace("_", " ")]))
+
+
+async def _open(name: str) -> None:
     """The page of a model: equations, source, grade, check numbers."""
     key = name.partition(" +")[0].partition(" (")[0]
     row = models([key])[0]
+    text = await run(typeset, row["text"])
     with attributes(ui.dialog(), aria_label=key) as dialog, ui.card().classes("w-full").style("max-width: 860px"):
-        ui.label(row["title"]).classes("text-xl")
-        ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}")
+        ui.label(human_name(key)).classes("text-xl")
+        ui.label(row["title"])
+        ui.label(f"{row['key']}, {row['kind']}, grade {row['grade']}: {row['verified']}").classes("text-sm")
         for source in row["source"]:
             ui.label(f"Source: {source}").classes("text-sm")
-        ui.markdown(as_code(row["text"])).classes("equations w-full")
+        ui.markdown(text, sanitize=False).classes("equations w-full")
         for text in (row["notes"], *row["validity"], *row["limits"]):
             if text:
                 ui.label(str(text)).classes("text-sm")

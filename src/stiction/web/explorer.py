@@ -1,7 +1,9 @@
 """What one visitor has before them: a case, its answer, how it is shown. Every visitor has their own, and nothing in common."""
 
 import tempfile
+import time
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -15,14 +17,16 @@ from stiction.web.working import Latest
 @dataclass
 class View:
     """How the answer is shown. against: "load" or "mean_separation"; here: the point described in words, None for the middle
-    one; dark, narrow: whether the page is dark, and as narrow as a telephone."""
+    one; tab: which is open; dark, narrow: whether the page is dark, and as narrow as a telephone."""
 
     against: str = "load"
     here: int | None = None
+    tab: str = "Contact"
     dark: bool = False
     narrow: bool = False
 
 
+_APART = 1.0  # seconds between two changes that are undone one by one
 _open: "WeakSet[Explorer]" = WeakSet()
 
 
@@ -37,10 +41,15 @@ class Explorer:
 
     def __init__(self, question: Question, answer: Answer):
         self.question, self.answer = question, answer
+        self.first = question.tables
         self._opened = question.tables  # the case that has the title
+        self._before: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the last one last
+        self._changed = 0.0
         self.good = answer  # the newest without an error
         self.view = View()
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
+        self.place: AbstractContextManager[Any] = nullcontext()  # of the page, as the field that asked may be gone
+        self.open_tab: Callable[[str], object] = lambda name: None
         self._listeners: list[Callable[[], object]] = []
         self.on_wait: Callable[[], None] = lambda: None  # marks what is shown as old, while an answer is awaited
         self._latest = Latest(solved, self._show)
@@ -53,8 +62,9 @@ class Explorer:
 
     def redraw(self) -> None:
         """The same answer, shown anew."""
-        for listener in self._listeners:
-            listener()
+        with self.place:
+            for listener in self._listeners:
+                listener()
 
     def _show(self, answer: Answer) -> None:
         self.answer = answer
@@ -64,6 +74,26 @@ class Explorer:
 
     async def ask(self, tables: Mapping[str, Any]) -> None:
         """Solve these tables under a title that fits them, and show the result. Another title makes it another case."""
+        now, before = time.monotonic(), self.question.tables
+        if now - self._changed > _APART:
+            self._before.append(before)
+        self._changed = now
+        await self._ask(tables)
+
+    async def undo(self) -> None:
+        """Go back to the case before the last change; what a slider passes within a second is one change."""
+        self._changed = 0.0
+        if self._before:
+            await self._ask(self._before.pop())
+            self.rebuild()
+
+    async def open(self, tables: Mapping[str, Any]) -> None:
+        """Show another case, with a form of its own."""
+        self._changed = 0.0
+        await self.ask(tables)
+        self.rebuild()
+
+    async def _ask(self, tables: Mapping[str, Any]) -> None:
         if tables.get("title") != self.question.tables.get("title"):
             self._opened = tables
         self.question = self.question.with_tables(_retitled(tables, self._opened))

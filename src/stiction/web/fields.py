@@ -1,6 +1,7 @@
 """What the form asks: the fields of the records of a case, and the case that the page begins with."""
 
 import math
+import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -9,7 +10,9 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 
+from stiction.case.several import with_error
 from stiction.case.text import inline
+from stiction.case.uncertain import read_distribution
 from stiction.contact.contact import Contact, Indices
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError
@@ -63,7 +66,7 @@ class Number:
 
     @property
     def help(self) -> str:
-        return self.quantity.wanted + ("" if self.required else "; may be left out")
+        return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
         """A value in SI as a case file has it, to four digits."""
@@ -75,17 +78,34 @@ class Number:
         try:
             if text.startswith(("[", "{")):
                 return tomllib.loads(f"given = {text}")["given"]
+            for form, keys in _UNCERTAIN.items():
+                if found := form.fullmatch(text):
+                    given = dict(zip(keys, found.groups(), strict=True))
+                    return {key: float(one) if key == "factor" else self.written(one) for key, one in given.items()}
             return text if self.quantity.unit else float(text)
         except ValueError:
             return text  # the case will say what is wrong with it
 
     def si(self, given: Any) -> float | None:
-        """The value in SI of what stands in a table; None where that is not one number."""
+        """The value in SI of what stands in a table, of an uncertain number the nominal one; None where that is no number."""
         try:
+            if with_error(given):
+                return float(read_distribution(given, self.quantity.name, "").nominal)
             value = to_si(given, self.quantity.name)
         except InputError:
             return None
         return value if isinstance(value, float) else None
+
+    def moved(self, given: Any, value: float) -> Any:
+        """What stands in a table, moved to another value in SI: an error keeps its ratio to the value."""
+        before = self.si(given)
+        if not with_error(given) or not before or not isinstance(given, str | Mapping):
+            return self.written(self.text(value))
+        if isinstance(given, str):
+            deviation = read_distribution(given, self.quantity.name, "").parameters[-1] / abs(before)
+            return f"{self.text(value)} +/- {100.0 * deviation:.3g} %"
+        ends = {key: self.si(one) for key, one in given.items() if key in ("low", "high", "median")}
+        return {**given, **{key: self.written(self.text(end * value / before)) for key, end in ends.items() if end is not None}}
 
     def knob(self, value: float) -> Knob:
         """A slider for it, on which this value has a place."""
@@ -166,8 +186,16 @@ def _is_record(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
+# An uncertain number as the page writes it, and the keys that it has in a case file.
+_UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), re.compile("(.+) to (.+)"): ("low", "high")}
+
+
 def as_written(given: Any) -> str:
-    """Return what stands at a place of the tables as a case file has it, on a line, a text without quotes; "" for nothing."""
+    """Return what stands at a place of the tables in words, on a line; "" for nothing."""
+    if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
+        return f"{given['median']} within a factor {given['factor']}"
+    if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
+        return f"{given['low']} to {given['high']}"
     return "" if given is None else given if isinstance(given, str) else inline(given)
 
 
@@ -211,4 +239,14 @@ SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
 
 def first_case() -> dict[str, Any]:
     """The tables of the case of a page that was asked for none: a soft film on hardened steel."""
-    return tomllib.loads(resources.files("stiction.web").joinpath("first.toml").read_text(encoding="utf-8"))
+    return _packaged("first.toml")
+
+
+def example_cases() -> dict[str, dict[str, Any]]:
+    """Return the cases of the menu of examples, by their titles."""
+    named = {title: {"title": title, **tables} for title, tables in _packaged("examples.toml").items()}
+    return {first_case()["title"]: first_case(), **named}
+
+
+def _packaged(name: str) -> dict[str, Any]:
+    return tomllib.loads(resources.files("stiction.web").joinpath(name).read_text(encoding="utf-8"))

@@ -1,13 +1,18 @@
-"""The form: fields and sliders made from the records of a case. What is wrong is said beside the field."""
+"""The form: load, bodies, film, roughness, adhesion and interface, each with its fields and sliders; errors below a field."""
 
 from collections.abc import Awaitable, Callable, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from nicegui import ui
 
+from stiction.case.several import with_error
 from stiction.contact.materials import material, material_names
 from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import to_si
 from stiction.records.registry import kinds_of_additions
+from stiction.report.html_words import letters
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
 from stiction.web.asked import keys_by_choice, option_values, states_of
@@ -19,9 +24,11 @@ from stiction.web.fields import (
     ROUGHNESS,
     SURFACE_KNOWN_BY,
     Choices,
+    Knob,
     Number,
     Part,
     as_written,
+    example_cases,
     got,
     numbers_of,
     parts_of,
@@ -32,13 +39,21 @@ _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"
 _PREDICTION = "recommended"
 _NONE = "the model's own"
-_LABELS = {"kind": "kind of surface"}
+_SCAN = "a scan"
+# What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
+_LABELS = {
+    "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
+    "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",
+    "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P",
+}  # fmt: skip
 # Laws that may be left out of a contact that would have them.
 _MAY_BE_NONE = ("tangential", *(name for name, kind in kinds_of_additions().items() if kind.default))
 _SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
 _LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
 _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups
-_ENDINGS = {"first": "first body", "second": "second body"}
+_ROUND_LOAD = 10.0  # ratio of the ends of a range to the load that is set
+_ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
+_LOAD = Number(("solve", "load"), QUANTITIES["load"], True)
 
 
 class Form:
@@ -52,21 +67,108 @@ class Form:
         self._next: ui.label | None = None  # what to state of the interface
         self._other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self._column = ui.column().classes("w-full gap-1")
+        self._load_field: tuple[Any, Any, Knob] | None = None
         self.build()
         explorer.rebuild = self.build
         explorer.listen(self.show)
 
     def build(self) -> None:
-        """All fields, from the tables of the case."""
+        """All fields, from the tables of the case, in the order of thought."""
         self._inputs.clear()
-        self._next = None
+        self._next = self._load_field = None
+        self._rare: list[Number] = []  # numbers that may be left out
         self._column.clear()
+        tables = self._explorer.question.tables
+        parts = {part.path[-1]: part for part in parts_of(tables)}
         with self._column:
-            self._model()
-            self._points()
-            for part in parts_of(self._explorer.question.tables):
-                self._part(part)
+            self._tools()
+            if "contact" in parts:
+                self._contact(parts)
+            else:
+                self._fields(parts.pop("indices"))
+            with _folded("Rarely stated", any(got(tables, one.path) is not None for one in self._rare)):
+                for one in self._rare:
+                    self._number(one)
+            with _folded("Model and options"):
+                self._model()
+                with _folded("Points of the curve"):
+                    self._points()
         self.show()
+
+    def _tools(self) -> None:
+        """Add the menu of examples, undo and reset."""
+        explorer = self._explorer
+
+        async def chosen(event: Any) -> None:
+            await explorer.open(example_cases()[event.value])
+
+        with ui.row().classes("w-full items-center gap-1 no-wrap"):
+            menu = ui.select(list(example_cases()), label="examples", on_change=chosen).classes("grow").style("min-width: 0")
+            attributes(menu.props("dense outlined options-dense"), aria_label="examples")
+            for icon, label, work in (("undo", "undo", explorer.undo), ("restart_alt", "reset", self._reset)):
+                attributes(ui.button(icon=icon, on_click=work).props("flat dense"), aria_label=label, title=label)
+
+    async def _reset(self) -> None:
+        await self._explorer.open(self._explorer.first)
+
+    def _contact(self, parts: dict[str, Part]) -> None:
+        """Add the fields of a contact."""
+        part = parts["contact"]
+        fields = {one.path[-1]: one for one in part.fields}
+        with _group("Load"):
+            self._load()
+        with _group("Bodies"):
+            for body in ("first", "second"):
+                self._material(fields.pop(body))  # type: ignore[arg-type]
+            self._number(fields.pop("nominal_area"))  # type: ignore[arg-type]
+        with _group("Film") as head:
+            self._optional(parts["coating"], head)
+        with _group("Roughness"):
+            self._roughness(parts["roughness"])
+        with _group("Adhesion"):
+            self._number(fields.pop("work_of_adhesion"))  # type: ignore[arg-type]
+            self._optional(parts["liquid"])
+        with _group("Interface"):
+            self._interface(fields.pop("interface"))  # type: ignore[arg-type]
+        self._rare += fields.values()  # type: ignore[arg-type]
+
+    def _load(self) -> None:
+        """Add the working load; where separations are given, it follows from them until it is stated."""
+        load = self._explorer.load
+        if not load > 0.0:
+            ui.label("no load presses: see the points of the curve").classes("text-sm")
+            return
+        text, slider, knob = self._line(_LOAD, _LOAD.text(load), load)
+
+        async def put(value: float) -> None:
+            if value > 0.0 and _LOAD.text(value) != _LOAD.text(self._explorer.load):
+                await self._explorer.ask(_at_load(self._explorer.question.tables, self._explorer.load, value))
+
+        async def typed(_: Any) -> None:
+            try:
+                value = float(to_si(str(text.value or ""), "load"))
+                text.error = None if value > 0.0 else "above 0 N"
+            except InputError as error:
+                text.error = str(error)
+                return
+            await put(value)
+
+        async def moved(event: Any) -> None:
+            await put(float(f"{knob.value(float(event.args)):.3g}"))
+
+        text.on_value_change(typed)
+        slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
+        self._load_field = text, slider, knob
+
+    def _follow_load(self) -> None:
+        """Show the load that follows from the case."""
+        load = self._explorer.load
+        if self._load_field is not None and load > 0.0:
+            text, slider, knob = self._load_field
+            if _LOAD.si(text.value) is None or _LOAD.text(load) != _LOAD.text(_LOAD.si(text.value) or 0.0):
+                text.set_value(_LOAD.text(load))
+                slider.set_value(knob.place(load))
+            attributes(slider, aria_valuetext=_LOAD.text(load))
 
     def show(self) -> None:
         """Errors of the newest answer, beside their fields, and what to state of the interface."""
@@ -74,6 +176,8 @@ class Form:
         if self._next is not None:
             data = self._explorer.good.data
             self._next.set_text(data.attrs.get("next_step", "").capitalize() if data is not None else "")
+        if error is None:
+            self._follow_load()
         beside = False
         for path, one in self._inputs.items():
             wrong = error is not None and _is_of(error, path)
@@ -85,18 +189,17 @@ class Form:
     def _model(self) -> None:
         tables, good = self._explorer.question.tables, self._explorer.good
         solve, keys = tables.get("solve", {}), keys_by_choice(good.case)
-        with ui.expansion("Model and laws", value=True).classes("w-full").props("dense"):
-            given = str(solve.get("model", _PREDICTION if good.prediction is not None else DEFAULT_MODEL))
-            self._menu("model", [_PREDICTION, *keys.pop("model")], given, ("solve", "model"), self._choose_model)
-            if good.prediction is not None:
-                ui.label("recommended: the prediction by all that is known; a model by name answers alone").classes("text-xs")
-            with ui.expansion("Other laws than its own").classes("w-full").props("dense"):
-                for choice, laws in keys.items():
-                    known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
-                    self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
-            for name, values in option_values(good.data).items():
-                here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
-                self._menu(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here)
+        given = str(solve.get("model", _PREDICTION if good.prediction is not None else DEFAULT_MODEL))
+        self._menu("model", [_PREDICTION, *keys.pop("model")], given, ("solve", "model"), self._choose_model)
+        if good.prediction is not None:
+            ui.label("recommended: all models that apply, combined; a model by name answers beside it").classes("text-xs")
+        with _folded("Other laws than its own"):
+            for choice, laws in keys.items():
+                known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
+                self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
+        for name, values in option_values(good.data).items():
+            here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
+            self._menu(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
         """Answer with a model; with the prediction, laws and options that are named go too."""
@@ -112,9 +215,10 @@ class Form:
         path: tuple[str, ...],
         choose: Callable[[str], Awaitable[None]] | None = None,
         searched: bool = False,
-    ) -> ui.select:
+        named: bool = True,
+    ) -> None:
         """A menu; a value that is none of its own is added. choose: asks with what was chosen, by default puts it at its place;
-        then the form is made anew; searched: a name may be typed."""
+        then the form is made anew; searched: a name may be typed; named: its label stands beside it."""
 
         async def chosen(event: Any) -> None:
             if choose is None:
@@ -124,9 +228,11 @@ class Form:
             self.build()
 
         known = list(dict.fromkeys([*values, value]))
-        menu = ui.select(known, value=value, label=label, on_change=chosen, with_input=searched).classes("w-full")
-        self._inputs[path] = attributes(menu.props("dense outlined options-dense"), aria_label=label)
-        return menu
+        with ui.element("div").classes("number" if named else "w-full"):
+            if named:
+                ui.label(label).classes("text-xs one-line").props("aria-hidden=true")
+            menu = ui.select(known, value=value, on_change=chosen, with_input=searched).props("dense outlined options-dense")
+            self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
         """Choose between separations and loads, with their ends and their number."""
@@ -142,46 +248,63 @@ class Form:
             await self._explorer.ask({**tables, "solve": {**kept, event.value: dict(points)}})
             self.build()
 
-        with ui.expansion("Points of the curve").classes("w-full").props("dense"):
-            ui.toggle({"load": "loads", "separation": "separations"}, value=by, on_change=other).props("dense no-caps")
-            if not isinstance(given, Mapping):
-                ui.label(f"{by}: {as_written(given)}").classes("text-sm")
-                return
-            for key, kind in (("start", float), ("stop", float), ("count", int)):
-                path = ("solve", by, key)
-                text = ui.input(key, value=str(given.get(key, ""))).props("dense outlined debounce=300").classes("w-full")
-                text.on_value_change(lambda event, path=path, kind=kind: self._explorer.put(path, _read(event.value, kind)))
-                self._inputs[path] = text
-            spacing = ui.toggle(["linear", "log"], value=str(given.get("spacing", "linear"))).props("dense no-caps")
-            spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
+        ui.toggle({"load": "loads", "separation": "separations"}, value=by, on_change=other).props("dense no-caps")
+        if not isinstance(given, Mapping):
+            ui.label(f"{by}: {as_written(given)}").classes("text-sm")
+            return
+        for key, kind in (("start", float), ("stop", float), ("count", int)):
+            path = ("solve", by, key)
+            text = ui.input(key, value=str(given.get(key, ""))).props("dense outlined debounce=300").classes("w-full")
+            text.on_value_change(lambda event, path=path, kind=kind: self._explorer.put(path, _read(event.value, kind)))
+            self._inputs[path] = text
+        spacing = ui.toggle(["linear", "log"], value=str(given.get("spacing", "linear"))).props("dense no-caps")
+        spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
-    def _part(self, part: Part) -> None:
+    def _optional(self, part: Part, head: Any = None) -> None:
+        """Add a switch, with its name or below a head, and where it is on the fields of the part."""
+        given = got(self._explorer.question.tables, part.path)
+        title = _ENDINGS.get(part.path[-1], part.path[-1])
+        with head or ui.element("div"):
+            switch = ui.switch("" if head else title, value=given is not None)
+        switch.on_value_change(lambda event: self._switch(part, event.value))
+        attributes(switch.props("dense").classes("text-sm"), aria_label=f"there is a {title}")
+        if given is not None:
+            self._fields(part)
+
+    def _fields(self, part: Part) -> None:
+        """Add the fields of a part; numbers that may be left out, and are, come later."""
         tables = self._explorer.question.tables
-        given = got(tables, part.path)
-        title = " ".join(_ENDINGS.get(one, one.replace("_", " ")) for one in part.path[1:]) or part.path[0]
-        with ui.expansion(title.capitalize(), value=len(part.path) < 3).classes("w-full").props("dense"):
-            if part.optional:
-                there = f"there is a {title}"
-                switch = ui.switch(there, value=given is not None, on_change=lambda event: self._switch(part, event.value))
-                attributes(switch, aria_label=there)
-                if given is None:
-                    return
-            if isinstance(given, Mapping) and part.path == ROUGHNESS:
-                if given.keys() & {"first", "second"}:
-                    words = "as of finishes: see the case file" if is_finished(given) else "measured: see the tab Surface"
-                    ui.label(words).classes("text-sm")
-                    return
-                self._known_by(given)
-            for one in part.fields:
-                if isinstance(one, Number):
-                    self._number(one)
-                elif isinstance(one, Choices):
-                    label = _LABELS.get(one.path[-1], one.path[-1])
-                    self._menu(label, list(one.values), str(got(tables, one.path) or one.default), one.path)
-                elif one.path[-1] == "interface":
-                    self._interface(one)
-                else:
-                    self._material(one)
+        for one in part.fields:
+            if isinstance(one, Part):
+                self._material(one)
+            elif isinstance(one, Choices):
+                self._menu(_label(one.path), list(one.values), str(got(tables, one.path) or one.default), one.path)
+            elif one.required or got(tables, one.path) is not None or part.path == ROUGHNESS:
+                self._number(one)
+            else:
+                self._rare.append(one)
+
+    def _roughness(self, part: Part) -> None:
+        """Add what is known of the surface: numbers of asperities, a finish with Sq or Ra, or a scan."""
+        given = got(self._explorer.question.tables, ROUGHNESS)
+        bodies = isinstance(given, Mapping) and bool(given.keys() & {"first", "second"})
+        scanned = bodies and not is_finished(given)
+        known = _SCAN if scanned else list(SURFACE_KNOWN_BY)[is_finished(given)]
+
+        async def chosen(value: str) -> None:
+            if value == _SCAN and not scanned:
+                self._explorer.open_tab("Surface")
+                return
+            self._switched_off[(*ROUGHNESS, known)] = given
+            new = self._switched_off.get((*ROUGHNESS, value)) or SURFACE_KNOWN_BY[value]
+            await self._explorer.put(ROUGHNESS, dict(new))
+
+        self._menu("the surface is known by", [*SURFACE_KNOWN_BY, _SCAN], known, ROUGHNESS, chosen, named=False)
+        if bodies:
+            words = "measured: see the tab Surface" if scanned else "as of finishes: see the case file"
+            ui.label(words).classes("text-sm")
+            return
+        self._fields(part)
 
     async def _switch(self, part: Part, there: bool) -> None:
         """Put a part into the case, with its numbers of before, or take it out."""
@@ -190,17 +313,6 @@ class Form:
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
         await self._explorer.put(part.path, numbers if there else None)
         self.build()
-
-    def _known_by(self, given: Mapping[str, Any]) -> None:
-        """A menu of what is known of the surface: numbers of asperities, or a finish with Sq or Ra."""
-
-        async def chosen(value: str) -> None:
-            self._switched_off[(*ROUGHNESS, known)] = given
-            new = self._switched_off.get((*ROUGHNESS, value)) or SURFACE_KNOWN_BY[value]
-            await self._explorer.put(ROUGHNESS, dict(new))
-
-        known = list(SURFACE_KNOWN_BY)[is_finished(given)]
-        self._menu("the surface is known by", list(SURFACE_KNOWN_BY), known, ROUGHNESS, chosen)
 
     def _interface(self, part: Part) -> None:
         """A menu of states, and in place of a state the numbers of a stated strength."""
@@ -217,10 +329,9 @@ class Form:
 
         by_number = not state and (stated or self._strength_chosen)
         value = as_written(state) or (_STRENGTH if by_number else NOT_STATED)
-        self._menu("interface", [NOT_STATED, *states_of(self._explorer.question), _STRENGTH], value, part.path, chosen)
-        ui.label("Either a state of the interface or a stated strength, not both.").classes("text-xs")
-        if value == NOT_STATED:
-            self._next = ui.label().classes("text-xs text-negative")
+        self._menu(
+            "interface", [NOT_STATED, *states_of(self._explorer.question), _STRENGTH], value, part.path, chosen, named=False
+        )
         if by_number or stated:
             for number in numbers:
                 self._number(number)
@@ -231,27 +342,41 @@ class Form:
         preset = str(got(tables, (*part.path, "preset")) or "")
         own = tables.get("materials")
         names = [_OWN, *(own if isinstance(own, Mapping) else {}), *material_names()]
-        label = _ENDINGS.get(part.path[-1], part.path[-1])
+        label = _ENDINGS.get(part.path[-1], "film")
 
         async def chosen(value: str) -> None:
             await self._explorer.put(part.path, {} if value == _OWN else value)
 
-        menu = self._menu(label, names, preset or _OWN, part.path, chosen, searched=True)
-        attributes(menu, aria_label=f"material of the {label}")
+        self._menu(f"material of the {label}", names, preset or _OWN, part.path, chosen, searched=True, named=False)
         known = material(preset) if preset in material_names() else None
-        with ui.expansion(f"numbers of the {label}", value=not preset).classes("w-full").props("dense"):
+        changed = sum(got(tables, number.path) is not None for number in numbers_of(part))
+        with _folded("numbers" + (f", {changed} changed" if preset and changed else ""), not preset, f"numbers of the {label}"):
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)
                 self._number(number, "" if value is None else number.text(value))
 
+    def _line(self, one: Number, written: str, value: float | None, otherwise: str = "") -> tuple[Any, Any, Any]:
+        """Add a name, a text and, where there is a value, a slider; return text, slider and knob."""
+        with ui.element("div").classes("number"):
+            attributes(ui.label(_label(one.path)).classes("text-xs one-line").props("aria-hidden=true"), title=one.help)
+            text = ui.input(value=written, placeholder=otherwise or ("" if one.required else NOT_STATED))
+            attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=one.label, title=one.help)
+            self._inputs[one.path] = text
+            if value is None:
+                return text, None, None
+            knob = one.knob(value)
+            slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value)).props("dense")
+            attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
+        return text, slider, knob
+
     def _number(self, one: Number, otherwise: str = "") -> None:
-        """A text and, where it holds one number, a slider. otherwise: what holds where the text is empty."""
+        """A text and, where it holds a number, a slider; an uncertain one keeps its error. otherwise: what holds where the text
+        is empty."""
         given = got(self._explorer.question.tables, one.path)
         value = one.si(given if given is not None else otherwise or None)
-        ui.label(one.label).classes("text-xs w-full").style("line-height: 1.25; margin: 4px 0 -12px").props("aria-hidden=true")
-        text = ui.input(value=as_written(given), placeholder=otherwise)
-        attributes(text.props("dense outlined debounce=300").classes("w-full"), hint=one.help, aria_label=one.label)
-        self._inputs[one.path] = text
+        text, slider, knob = self._line(one, as_written(given), value, otherwise)
+        if with_error(given):
+            text.classes("uncertain")
 
         async def typed(_: Any) -> None:
             wanted = str(text.value or "").strip()
@@ -259,22 +384,54 @@ class Form:
                 await self._explorer.put(one.path, one.written(wanted) if wanted else None)
 
         text.on_value_change(typed)
-        if value is None:
+        if slider is None:
             return
-        knob = one.knob(value)
-        slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value))
-        attributes(
-            slider.props("dense").classes("w-full px-2"), aria_label=f"{one.label}, slider", aria_valuetext=one.text(value)
-        )
 
         async def moved(event: Any) -> None:
-            at = one.text(knob.value(float(event.args)))
-            attributes(slider, aria_valuetext=at)
-            put = self._explorer.put(one.path, one.written(at))
-            text.set_value(at)
+            at = knob.value(float(event.args))
+            attributes(slider, aria_valuetext=one.text(at))
+            new = one.moved(got(self._explorer.question.tables, one.path), at)
+            put = self._explorer.put(one.path, new)
+            text.set_value(as_written(new))
             await put
 
         slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
+
+
+def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
+    """Return the tables at another working load: a single load is replaced, a range is moved with it."""
+    solve = {name: one for name, one in tables.get("solve", {}).items() if name != "separation"}
+    given = solve.get("load")
+    if isinstance(given, Mapping):
+        ends = {end: _LOAD.text((_LOAD.si(given[end]) or load) * load / before) for end in ("start", "stop")}
+        return {**tables, "solve": {**solve, "load": {**given, **ends}}}
+    if given is not None and (not isinstance(given, list) or len(given) == 1):
+        return {**tables, "solve": {**solve, "load": [_LOAD.text(load)]}}
+    ends = {"start": _LOAD.text(load / _ROUND_LOAD), "stop": _LOAD.text(load * _ROUND_LOAD)}
+    return {**tables, "solve": {**solve, "load": {**ends, "count": 21, "spacing": "log"}}}
+
+
+def _label(path: tuple[str, ...]) -> str:
+    name = path[-1]
+    if name in _LABELS or name not in QUANTITIES:
+        return _LABELS.get(name, name)
+    row = QUANTITIES[name]
+    return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}"
+
+
+@contextmanager
+def _group(title: str) -> Any:
+    """A part of the form with its title beside it."""
+    with ui.element("div").classes("group"):
+        with ui.element("div") as head:
+            ui.label(title).classes("font-bold text-sm")
+        with ui.element("div"):
+            yield head
+
+
+def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
+    folded = ui.expansion(title, value=is_open).classes("w-full").props("dense dense-toggle")
+    return attributes(folded, aria_label=name or title)  # type: ignore[no-any-return]
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:

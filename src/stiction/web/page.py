@@ -7,6 +7,7 @@ from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
 from stiction.web.address import packed, unpacked
+from stiction.web.answer_card import AnswerCard
 from stiction.web.asked import Question, solved
 from stiction.web.asperity_tab import AsperityTab
 from stiction.web.compare_tab import CompareTab
@@ -32,12 +33,30 @@ _STYLE = """
 .text-lg { font-size: 1.125rem; line-height: 1.55 } .text-xl { font-size: 1.25rem; line-height: 1.4 }
 .text-3xl { font-size: 1.875rem; line-height: 1.2 } .font-bold { font-weight: 700 } .font-mono { font-family: monospace }
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
-.frame { display: grid; grid-template-columns: minmax(260px, 340px) minmax(0, 1fr); gap: 16px; width: 100% }
+.frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
+.q-page { padding: 8px 12px }
+.group { display: grid; grid-template-columns: 74px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
+.group > :last-child { display: flex; flex-direction: column; gap: 3px; min-width: 0 }
+.group + .group { border-top: 1px solid #8886 }
+.number { display: grid; grid-template-columns: 92px 92px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
+.number .q-select { grid-column: span 2 } .number .uncertain { grid-column: span 2 }
+.number .uncertain + .q-slider { grid-column: span 3 } .number .q-slider { padding-right: 8px }
+.number .q-field__bottom { width: 270px; padding: 2px 0 }
+.knobs .q-field--dense .q-field__control, .knobs .q-field--dense .q-field__marginal { height: 30px; min-height: 30px }
+.knobs .q-field--dense .q-field__native { min-height: 28px; padding: 0; font-size: 0.875rem }
+.knobs .q-field__control { padding: 0 8px } .knobs .q-item { min-height: 26px; padding: 0 4px }
+.knobs .q-expansion-item__content { padding: 2px 0 } .knobs .nicegui-expansion-content { padding: 2px 0; gap: 3px }
+.card { display: grid; grid-template-columns: minmax(280px, 4fr) minmax(0, 5fr); gap: 2px 24px; margin-top: 4px }
+.card > p, .card > svg { grid-column: 1; margin: 0 } .card svg { width: 100% }
+.card > dl { grid-column: 2; grid-row: 1 / span 3; margin: 0; align-self: center }
+.card dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px } .card dd { margin: 0 }
 .knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
+.formula { max-width: 100%; object-fit: contain; object-position: left }
+.old { opacity: .4 } .body--dark .formula, .body--dark .picture { filter: invert(.9) hue-rotate(180deg) }
 .answer { transition: opacity .1s .15s } .waiting .answer { opacity: .4 }
-.pending { visibility: hidden } .waiting .pending { visibility: visible }
+.pending { display: none } .waiting .pending { display: block }
 .rows { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px }
 .one-line { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; min-width: 0 }
 .equations { min-width: 0 } .equations pre { white-space: pre-wrap; overflow-wrap: anywhere }
@@ -45,6 +64,9 @@ _STYLE = """
 .by-rows { height: calc(var(--rows) * 22px + 130px) }
 @container (max-width: 420px) { .by-rows { height: calc(var(--rows) * 34px + 170px) }
   .section { aspect-ratio: auto; height: calc(50cqw + 122px) } .under-chart { margin: 0 12px 0 50px } }
+@container (max-width: 700px) { .card { grid-template-columns: minmax(0, 1fr) }
+  .card > dl { grid-column: 1; grid-row: auto } .card dl { grid-template-columns: minmax(0, 1fr); gap: 0 }
+  .card dd { margin-bottom: 4px } }
 @media (max-width: 800px) { .frame { grid-template-columns: minmax(0, 1fr) } .no-wrap-wide { flex-wrap: wrap }
   .q-page { padding: 4px } .frame > .results { order: -1 } .knobs { position: static; max-height: none } }
 /* the colours of the library are important in a layer, which nothing after it outranks: so its variables are changed */
@@ -98,13 +120,15 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
         number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
         title = ui.label().classes("grow text-sm one-line")
+        ui.label("Computing: the numbers shown are of the case before.").classes("text-sm one-line pending")
         ui.button(icon="contrast", on_click=switch).props('flat dense color="white" aria-label="light or dark"')
     if wrong is not None:
         ui.label(f"The address was not used: {wrong}").classes("text-negative").props('role="alert"')
     with ui.element("div").classes("frame"):
         with ui.column().classes("gap-1 knobs").props('role="form" aria-label="the case"'):
             Form(explorer)
-        with ui.column().classes("w-full gap-2 results"):
+        with ui.column().classes("w-full gap-1 results"):
+            AnswerCard(explorer)
             _tabs(explorer)
 
     def mark() -> None:
@@ -129,6 +153,7 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         explorer.redraw()
 
     explorer.listen(moved)
+    explorer.place = context.client
     explorer.on_wait = mark
     show()
     context.client.on_delete(explorer.close)
@@ -137,6 +162,7 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
 
 def _tabs(explorer: Explorer) -> None:
     built: dict[str, Any] = {}
+    explorer.open_tab = lambda name: tabs.set_value(name)
     with ui.tabs().props('align="left" outside-arrows mobile-arrows no-caps inline-label') as tabs:
         for name in TABS:
             ui.tab(name)
@@ -144,6 +170,7 @@ def _tabs(explorer: Explorer) -> None:
         panels = {name: ui.tab_panel(name).classes("p-0 gap-2") for name in TABS}
 
     async def open_tab(name: str) -> None:
+        explorer.view.tab = name
         if name not in built:
             with panels[name]:
                 built[name] = TABS[name](explorer)

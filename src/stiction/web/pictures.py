@@ -97,5 +97,7 @@ def _make_narrow(figure: Any) -> None:
 
 def show_image(source: str, told: str) -> None:
     """An image, with what it shows for who does not see it."""
-    image = ui.image(source).classes("w-full").style("max-width: 900px; background: white").props("no-spinner fit=contain")
+    image = (
+        ui.image(source).classes("w-full picture").style("max-width: 900px; background: white").props("no-spinner fit=contain")
+    )
     attributes(image, alt=told)

@@ -49,6 +49,11 @@ class Study:
         """Whether the last run was of the present answer and point."""
         return bool(self._asked == self._present())
 
+    @property
+    def is_running(self) -> bool:
+        """Whether it is under way."""
+        return self._progress is not None
+
     def _present(self) -> Any:
         return self._explorer and (self._explorer.good, self._explorer.here)
 
