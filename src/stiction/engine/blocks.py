@@ -4,13 +4,14 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-_TOGETHER = 200_000  # pairs of a law and a point that are computed together
+_TOGETHER = 400_000  # pairs of a law and a point that are computed together; half of that is worth compiling loops (tiers)
 
 
 def blocks(rows: int, points: int = 1) -> Iterator[slice]:
     """Yield slices of rows with so many points each, that together are few enough; one empty slice of no rows."""
-    step = max(1, _TOGETHER // max(points, 1))
-    for start in range(0, max(rows, 1), step):
+    largest = max(1, _TOGETHER // max(points, 1))
+    step = -(-rows // max(1, -(-rows // largest)))  # of about one size: the loops that sum a block are chosen by its size
+    for start in range(0, max(rows, 1), max(step, 1)):
         yield slice(start, min(start + step, rows))
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from stiction.engine.compiled import kernel, loop, unpack
 from stiction.engine.regime import Regime, columns
-from stiction.engine.sum_kernels import LONGEST, SHORT, map_piece
+from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
 
 _BLOCK = 512  # laws at a time: their values stay in the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1], and how many of them (rules,).
@@ -142,13 +142,15 @@ def _eight(u: np.ndarray) -> np.ndarray:
 def cutting(window: Callable) -> Any:
     """Return the kernel that finds the parts of pieces whose heights count at single separations."""
 
+    clip = clipping(window)
+
     @kernel
     def cut(h, law, heights, laws, parts):
         """Fill `parts` for the laws number law[i] at the separations h[i], their owners i, and return how many there are.
 
         laws: edges and the displacements there, both (n, m + 1).
         """
-        (shape, knots), (edges, displaced), (laws_of, owner, ends, asked, rule, at_knot) = heights, laws, parts
+        (_, knots), (edges, displaced), (laws_of, owner, ends, asked, rule, at_knot) = heights, laws, parts
         used = 0
         for i in range(h.size):
             for piece in range(edges.shape[1] - 1):
@@ -156,15 +158,9 @@ def cutting(window: Callable) -> Any:
                 if not right > left:
                     continue
                 z_left, z_right = h[i] + displaced[law[i], piece], h[i] + displaced[law[i], piece + 1]
-                z_low, z_high = window(z_left, z_right, shape)
+                z_low, z_high, first, last = clip(z_left, z_right, heights)
                 if not z_high > z_low:
                     continue
-                first = 0
-                while first < knots.size and knots[first] <= z_low:
-                    first += 1
-                last = first
-                while last < knots.size and knots[last] < z_high:
-                    last += 1
                 w_low = math.nan if z_low == z_left else z_low - h[i]
                 for at in range(first, last + 1):
                     z_cut = z_high if at == last else knots[at]

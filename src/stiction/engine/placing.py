@@ -11,43 +11,37 @@ import numpy as np
 from stiction.engine.compiled import kernel, loop
 from stiction.engine.nodes import Laws, Parts, Rows, Rules, displacements, evaluate_parts
 from stiction.engine.regime import Regime
-from stiction.engine.sum_kernels import LONGEST, SHORT, WIDEST, placing
+from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
 
 
 @cache
 def spanning(window: Callable) -> Any:
     """Return the kernel that finds the parts of pieces whose displacements count at any of many separations."""
 
+    parts_of = reaching(window)
+
     @kernel
     def span(reach, shape, laws, parts):
-        """Fill `parts` for every law, its owner, and return how many there are.
-
-        reach: the displacements w_low and w_top between which nodes count, and the nearest separation: a piece ends where the
-        density is negligible against its own left end at the nearest separation, and so at all others. laws: as in `cutting`.
-        """
-        (w_low, w_top, nearest), (edges, displaced) = reach, laws
+        """Fill `parts` for every law, its owner, and return how many there are; reach: as in `reaching`; laws: as in
+        `cutting`."""
+        edges, displaced = laws
         laws_of, owner, ends, asked, rule, at_knot = parts
         used = 0
         for i in range(edges.shape[0]):
             for piece in range(edges.shape[1] - 1):
                 left, right = edges[i, piece], edges[i, piece + 1]
+                if not right > left:
+                    continue
                 w_left, w_right = displaced[i, piece], displaced[i, piece + 1]
-                if not (right > left and w_right > w_low and w_left < w_top):
-                    continue
-                first = max(w_left, w_low)
-                w_high = min(w_right, w_top, window(nearest + first, np.inf, shape)[1] - nearest)
-                if not w_high > first:
-                    continue
-                count = 1 + int((w_high - first) / WIDEST)
-                step = (w_high - first) / count
+                first, step, count, last, number = parts_of(w_left, w_right, reach, shape)
                 for part in range(count):
                     laws_of[used], owner[used] = i, i
                     ends[used, 0], ends[used, 1] = left, right
-                    asked[used, 0] = math.nan if part == 0 and w_left > w_low else first + part * step
+                    asked[used, 0] = math.nan if part == 0 and first == w_left else first + part * step
                     asked[used, 1] = first + (part + 1) * step
                     if part == count - 1:
-                        asked[used, 1] = math.nan if w_high == w_right else w_high
-                    rule[used], at_knot[used] = 0 if w_high - first <= SHORT else 1, False
+                        asked[used, 1] = math.nan if last == w_right else last
+                    rule[used], at_knot[used] = number, False
                     used += 1
         return used
 
@@ -121,7 +115,7 @@ class Placing:
 
     def on(self, laws: int, rules: Rules) -> Callable:
         """Return the function (reach, shape, block, nodes) that appends the nodes of a block of at most so many laws to their
-        tables; reach: as in `spanning`."""
+        tables; reach: as in `reaching`."""
         regime, displaced = self.regime, self.displaced
         if displaced is None:
             place = placing(regime.along, regime.coordinate, self.window, self.laws.table.shape[1], self.rows)

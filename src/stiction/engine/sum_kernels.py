@@ -41,12 +41,16 @@ def map_piece(low, high, origins, two_sided):
     return high - low, 0.0
 
 
-def _cutting(along: Callable, coordinate: Callable, window: Callable) -> Any:
+@cache
+def clipping(window: Callable) -> Any:
+    """Return the formula (z_left, z_right, heights) -> the heights between which a piece counts, and its first and last knot.
+
+    Nothing counts where the first height is not below the second.
+    """
+
     @formula
-    def cuts(left, right, h, row, heights):
-        """The piece [left, right] without what is negligible: its ends in height, and the first and last knot inside."""
+    def clip(z_left, z_right, heights):
         shape, knots = heights
-        z_left, z_right = h + along(left, *row)[0], h + along(right, *row)[0]
         z_low, z_high = window(z_left, z_right, shape)
         first = last = 0
         if z_high > z_low:
@@ -55,11 +59,9 @@ def _cutting(along: Callable, coordinate: Callable, window: Callable) -> Any:
             last = first
             while last < knots.size and knots[last] < z_high:
                 last += 1
-        low = left if z_low == z_left else max(left, coordinate(z_low - h, *row))
-        high = right if z_high == z_right else min(right, coordinate(z_high - h, *row))
-        return z_low, z_high, low, high, first, last
+        return z_low, z_high, first, last
 
-    return cuts
+    return clip
 
 
 def _adding(along: Callable, density: Callable) -> Any:
@@ -86,7 +88,7 @@ def _adding(along: Callable, density: Callable) -> Any:
 @cache
 def scattering(along: Callable, coordinate: Callable, density: Callable, window: Callable, parameters: int) -> Any:
     """The kernel that sums one regime, of so many parameters, at single pairs of a law and a separation."""
-    cuts, add = _cutting(along, coordinate, window), _adding(along, density)
+    clip, add = clipping(window), _adding(along, density)
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
@@ -99,9 +101,12 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
                 left, right = edges[law[i], piece], edges[law[i], piece + 1]
                 if not right > left:
                     continue
-                z_low, z_high, low, end, first, last = cuts(left, right, h[i], row, heights)
+                z_left, z_right = h[i] + along(left, *row)[0], h[i] + along(right, *row)[0]
+                z_low, z_high, first, last = clip(z_left, z_right, heights)
                 if not z_high > z_low:
                     continue
+                low = left if z_low == z_left else max(left, coordinate(z_low - h[i], *row))
+                end = right if z_high == z_right else min(right, coordinate(z_high - h[i], *row))
                 for cut in range(first, last + 1):
                     high = end if cut == last else coordinate(knots[cut] - h[i], *row)
                     z_cut = z_high if cut == last else knots[cut]
@@ -143,50 +148,53 @@ def _putting(along: Callable, rows: int) -> Any:
     return put
 
 
-def _spanning(along: Callable, coordinate: Callable, window: Callable) -> Any:
-    """The formula (left, right, row, reach, shape) -> where nodes are placed on a piece: the coordinates low and end, the
-    displacement at low, by how much that grows to each of the parts, how many parts there are, 0 for none, and of which rule.
+@cache
+def reaching(window: Callable) -> Any:
+    """Return the formula (w_left, w_right, reach, shape) -> how a piece is cut: the displacement at its start, the step to the
+    end of each part, how many parts there are, 0 for none, the displacement at its end, and the number of the rule.
 
     reach: the displacements w_low and w_top between which nodes count, and the nearest separation: a piece ends where the
     density is negligible against its own left end at the nearest separation, and so at all others.
     """
 
     @formula
-    def span(left, right, row, reach, shape):
+    def parts_of(w_left, w_right, reach, shape):
         w_low, w_top, nearest = reach
-        if not right > left:
-            return left, left, w_low, 0.0, 0, 0
-        w_left, w_right = along(left, *row)[0], along(right, *row)[0]
         if not (w_right > w_low and w_left < w_top):
-            return left, left, w_low, 0.0, 0, 0
-        w_left = max(w_left, w_low)
-        w_high = min(w_right, w_top, window(nearest + w_left, np.inf, shape)[1] - nearest)
-        low = left if w_left > w_low else max(left, coordinate(w_low, *row))
-        end = right if w_high == w_right else min(right, coordinate(w_high, *row))
-        parts = 1 + int((w_high - w_left) / WIDEST) if end > low else 0
-        return low, end, w_left, (w_high - w_left) / max(parts, 1), parts, 0 if w_high - w_left <= SHORT else 1
+            return w_left, 0.0, 0, w_left, 0
+        first = max(w_left, w_low)
+        end = min(w_right, w_top, window(nearest + first, np.inf, shape)[1] - nearest)
+        parts = 1 + int((end - first) / WIDEST) if end > first else 0
+        return first, (end - first) / max(parts, 1), parts, end, 0 if end - first <= SHORT else 1
 
-    return span
+    return parts_of
 
 
 @cache
 def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, rows: int) -> Any:
     """Return the kernel that places the nodes of one regime, with what is to be summed: the load in 1 of `rows`; load, area and
     resistance in 3; the five quantities in 5."""
-    put = _putting(along, rows)
-    span = _spanning(along, coordinate, window)
+    put, parts_of = _putting(along, rows), reaching(window)
 
     @kernel
     def place(reach, shape, laws, rules, nodes):
-        """Append to the table of each law the nodes of the regime; reach: as in `spanning`."""
+        """Append to the table of each law the nodes of the regime; reach: as in `reaching`."""
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
         scratch = np.empty(6 * LONGEST)
         for i in range(edges.shape[0]):
             row = unpack(table[i], parameters)
             for piece in range(edges.shape[1] - 1):
-                low, end, w_left, step, parts, rule = span(edges[i, piece], edges[i, piece + 1], row, reach, shape)
-                for part in range(parts):
-                    last = end if part == parts - 1 else coordinate(w_left + (part + 1) * step, *row)
+                low, end = edges[i, piece], edges[i, piece + 1]
+                if not end > low:
+                    continue
+                w_left, w_right = along(low, *row)[0], along(end, *row)[0]
+                first_w, step, parts, last_w, rule = parts_of(w_left, w_right, reach, shape)
+                if first_w > w_left:
+                    low = max(low, coordinate(first_w, *row))
+                if last_w < w_right:
+                    end = min(end, coordinate(last_w, *row))
+                for part in range(parts if end > low else 0):
+                    last = end if part == parts - 1 else coordinate(first_w + (part + 1) * step, *row)
                     linear, square = map_piece(low, last, branch[i], two_sided)
                     put((low, linear, square), row, rule_table[rule], 8 * (counts[rule] // 8), scratch)
                     first, count = used[i], counts[rule]

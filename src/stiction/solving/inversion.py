@@ -19,7 +19,7 @@ from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
 # factors: twelve steps double.
 _FIRST = np.linspace(10.0, -10.0, 161)
 _BEYOND = 2.0 ** (np.arange(1, 13) / 12.0)
-_WAY_POINTS = 16  # what finding a load takes of each law besides, as a number of points: bounds the memory
+_WAY_POINTS = 16  # memory that finding a load takes of each law, as points; with it half a block is 12,500 laws (tiers)
 # A root needs no further step if what it leaves of the load is this share of that, or of the sizes of its parts; it is good if
 # it is so many times this. No more steps than that.
 _LEFT, _ROUNDING, _GOOD, _STEPS = 1e-14, 5e-16, 10.0, 3
