@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.engine.compiled import kernel, loop, unpack
+from stiction.engine.compiled import kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
 
@@ -79,24 +79,23 @@ class Evaluated(NamedTuple):
 def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
     """Return the kernel that fills a table with the values of a law at nodes; parameters, values: how many there are."""
 
-    @loop
-    def fill(u, row, count, out):
-        """The values lie at fixed distances in one array: the compiler then sees that rows do not overlap, and vectorises."""
-        for node in range(8 * (count // 8)):
-            state = along(u[node], *row)
-            out[node] = state[0]
-            out[LONGEST + node] = state[1]
-            out[2 * LONGEST + node] = state[2]
-            out[3 * LONGEST + node] = state[3]
-            if values == 6:
-                out[4 * LONGEST + node] = state[4]
-                out[5 * LONGEST + node] = state[5]
-
     @kernel
     def evaluate(u, law, count, table, out):
-        """Fill out[i] with the values at u[i, :count[i]], of the law number law[i]; counts are multiples of eight."""
+        """Fill out[i] with the values at u[i, :count[i]], of the law number law[i]; counts are multiples of eight.
+
+        The values lie at fixed distances in one array: the compiler then sees that rows do not overlap, and vectorises.
+        """
         for i in range(law.size):
-            fill(u[i], unpack(table[law[i]], parameters), count[i], out[i])
+            places, row, found = u[i], unpack(table[law[i]], parameters), out[i]
+            for node in range(8 * (count[i] // 8)):
+                state = along(places[node], *row)
+                found[node] = state[0]
+                found[LONGEST + node] = state[1]
+                found[2 * LONGEST + node] = state[2]
+                found[3 * LONGEST + node] = state[3]
+                if values == 6:
+                    found[4 * LONGEST + node] = state[4]
+                    found[5 * LONGEST + node] = state[5]
 
     return evaluate
 

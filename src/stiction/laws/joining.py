@@ -12,6 +12,7 @@ from stiction.engine.bisection import up_to
 from stiction.engine.compiled import formula, kernel, unpack
 from stiction.engine.nodes import values_at
 from stiction.engine.regime import Regime, columns
+from stiction.engine.sorting import sort_few
 from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
@@ -147,12 +148,8 @@ def _fill_sorted(edges, kinks, out):
             value = edges[i, at] if at < edges.shape[1] else min(max(kinks[i, at - edges.shape[1]], first), last)
             # A kink at an end, but for rounding: a piece of that length would have its nodes for nothing.
             value = first if value <= first + _AT_END * abs(first) else value
-            value = last if value >= last - _AT_END * abs(last) else value
-            place = at
-            while place > 0 and row[place - 1] > value:
-                row[place] = row[place - 1]
-                place -= 1
-            row[place] = value
+            row[at] = last if value >= last - _AT_END * abs(last) else value
+        sort_few(row)
 
 
 Part = TypeVar("Part", NormalPiece, Regime)

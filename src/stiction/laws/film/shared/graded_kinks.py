@@ -11,12 +11,14 @@ import math
 import numpy as np
 
 from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.sorting import sort_few
 from stiction.engine.vectorised import exponential
 from stiction.laws.film.shared.graded_law import ALONE, WHOLE, contact, depth_coordinate
 from stiction.laws.film.shared.graded_signals import (
     ABOVE,
     BALANCE,
     NEARER,
+    NUMBERS,
     REAL,
     SLOPE,
     SQUEEZED,
@@ -95,16 +97,16 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 def _summit(low, kink, high, at_high, law):
     """Where the load stops rising, between low, where it rises, and high, where it falls; kink: an edge between, or low."""
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
-    at_low = signal(SLOPE, low, law, 0.0)
+    at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
     if low < kink:
-        before, after = signal(SLOPE, below, law, 0.0), signal(SLOPE, above, law, 0.0)
+        before, after = signal(NUMBERS[SLOPE], below, law, 0.0), signal(NUMBERS[SLOPE], above, law, 0.0)
         if before < 0.0:
             high, at_high = below, before
         elif after < 0.0:
             return kink
         else:
             low, at_low = above, after
-    return low if at_low <= 0.0 else zero(SLOPE, low, at_low, high, at_high, law, 0.0)
+    return low if at_low <= 0.0 else zero(NUMBERS[SLOPE], low, at_low, high, at_high, law, 0.0)
 
 
 @kernel
@@ -112,7 +114,7 @@ def _descent(low, high, law):
     """A place between low and high where the load falls, and its slope there; high if none is found."""
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
-        slope = signal(SLOPE, u, law, 0.0)
+        slope = signal(NUMBERS[SLOPE], u, law, 0.0)
         if slope < 0.0:
             return u, slope
     return high, 0.0
@@ -130,8 +132,8 @@ def _first_flowing(part, count):
 @kernel
 def _regained(low, high, above, law, level):
     """Where a load that is held at `level` is reached again, between low and high, where it is greater by `above`."""
-    lacking = min(signal(ABOVE, low, law, level), 0.0)
-    return zero(ABOVE, low, lacking, high, above, law, level)
+    lacking = min(signal(NUMBERS[ABOVE], low, law, level), 0.0)
+    return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
 
 
 @kernel
@@ -147,13 +149,15 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
             continue
         turn = u
         if not held and falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
-            turn, falling = beyond_zero(SLOPE, places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law)
+            turn, falling = beyond_zero(
+                NUMBERS[SLOPE], places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law
+            )
             previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
         if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
             turn, falling = _descent(max(previous, places[k - 1]), u, law)
         elif held and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
             summit = _summit(places[k - 1], places[k - 1], u, falling, law)
-            above = signal(ABOVE, summit, law, level)
+            above = signal(NUMBERS[ABOVE], summit, law, level)
             if above > 0.0 and at < PLATEAUS:  # a peak between two samples
                 previous = _regained(previous, summit, above, law, level)
                 known, held = _add(edges, known, previous), False
@@ -161,7 +165,7 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
         for _ in range(2):
             if not held and falling < 0.0 and at < PLATEAUS:
                 start = _summit(previous, max(kink, previous), turn, falling, law)
-                level = signal(ABOVE, start, law, 0.0)
+                level = signal(NUMBERS[ABOVE], start, law, 0.0)
                 known, held = _add(edges, known, start), True
                 levels[2 * at], levels[2 * at + 1] = start, level
                 at += 1
@@ -230,8 +234,10 @@ def _insert(kinks, law, places, values, size):
             at -= 1
         if size == places.size or (at > 0 and places[at - 1] == u):
             continue
-        places[at + 1 : size + 1] = places[at:size].copy()
-        values[:, at + 1 : size + 1] = values[:, at:size].copy()
+        for to in range(size, at, -1):  # by numbers: an assignment of slices takes seconds to compile
+            places[to] = places[to - 1]
+            for row in range(values.shape[0]):
+                values[row, to] = values[row, to - 1]
         places[at] = u
         _sample(at, law, places, values)
         size += 1
@@ -247,25 +253,25 @@ def _fill(parameters, tau, edges, part, levels, branch):
         out = edges[i]
         start, top, through, count = _fixed_edges(law, tau[i], out)
         before, size = count, _scan(start, top, law, scan, samples)
-        count = _add_zeros(0, scan[:size], samples[0], law, out, count)
+        count = _add_zeros(NUMBERS[0], scan[:size], samples[0], law, out, count)
         size = _insert(out[before:count], law, scan, samples, size)  # the load has a kink there
-        count = _add_zeros(1, scan[:size], samples[1], law, out, count)
+        count = _add_zeros(NUMBERS[1], scan[:size], samples[1], law, out, count)
         before = count
-        count = _add_zeros(REAL, scan[:size], samples[REAL], law, out, count)
+        count = _add_zeros(NUMBERS[REAL], scan[:size], samples[REAL], law, out, count)
         count = _add_branches(start, samples[REAL, 0], law, out, before, count, branch[i])
         grips = size - 1  # beyond the last sample that is not fully plastic nothing resists
         while grips > 0 and samples[1, grips - 1] > 0.0:
             grips -= 1
-        count = _add_zeros(SQUEEZED, scan[: grips + 1], samples[SQUEEZED], law, out, count)
-        count = _add_zeros(BALANCE, scan[: grips + 1], samples[BALANCE], law, out, count)
+        count = _add_zeros(NUMBERS[SQUEEZED], scan[: grips + 1], samples[SQUEEZED], law, out, count)
+        count = _add_zeros(NUMBERS[BALANCE], scan[: grips + 1], samples[BALANCE], law, out, count)
         for at in range(count):
             out[at] = min(max(out[at], start), top)
-        out[:count].sort()
+        sort_few(out[:count])
         levels[i, 0::2], levels[i, 1::2] = math.inf, 0.0
         _name_parts(law, through, out, count, part[i])
         known = _add_plateaus(law, out, count, part[i], levels[i], places, loads, slopes)
         if known > count:
-            out[:known].sort()
+            sort_few(out[:known])
             _name_parts(law, through, out, known, part[i])
 
 
@@ -275,14 +281,14 @@ def _add_branches(start, at_start, law, out, first, count, branch):
     of them there is to be an edge: a piece is rid of a square root at one of its ends only."""
     branch[:] = -math.inf
     found = out[first:count]
-    found.sort()
+    sort_few(found)
     known = 0
     if at_start > 0.0:
         low, at_low, below = start, at_start, 0.005
         while at_low > 0.0 and below < 0.2:
             high, at_high = low, at_low
             low = start * (1.0 - below)
-            at_low, below = signal(REAL, low, law, 0.0), 3.0 * below
+            at_low, below = signal(NUMBERS[REAL], low, law, 0.0), 3.0 * below
         if at_low < 0.0:
             branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no piece there: about
         elif at_start < _FELT:  # beside the line of real u

@@ -6,6 +6,8 @@ Each is smooth but for a kink where the asperity begins to flow. `law` is the tu
 
 import math
 
+import numpy as np
+
 from stiction.engine.compiled import formula, kernel
 from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
 from stiction.laws.film.shared.graded_law import ALONE, contact, fading
@@ -62,6 +64,8 @@ def load_before_plateaus(u, law):
 
 # Numbers of the functions of u whose zeros are sought: the five signals, then two of the load.
 REAL, SQUEEZED, BALANCE, SLOPE, ABOVE = 2, 3, 4, 5, 6
+# A number is passed as an entry of this array: for each constant a kernel would be compiled by itself.
+NUMBERS = np.arange(7)
 
 
 @kernel

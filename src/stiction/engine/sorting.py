@@ -1,0 +1,14 @@
+"""Sort a few numbers in a kernel: the general sort of the compiler takes two seconds to compile."""
+
+from stiction.engine.compiled import formula
+
+
+@formula
+def sort_few(values):
+    """Sort a short array in place, by insertion."""
+    for at in range(1, values.size):
+        value, place = values[at], at
+        while place > 0 and values[place - 1] > value:
+            values[place] = values[place - 1]
+            place -= 1
+        values[place] = value
