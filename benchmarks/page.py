@@ -28,6 +28,7 @@ from typing import Any
 
 VISITORS, MOVES = 50, 10
 LABEL = "asperity tip radius R"
+TITLE = "Silver film, 200 nm, on hardened steel, with adhesion"  # every move of the slider changes its answer
 
 
 @contextlib.contextmanager
@@ -47,6 +48,14 @@ def served() -> Iterator[tuple[str, int, float]]:
         finally:
             process.terminate()
             process.wait(20)
+
+
+def state() -> str:
+    """Return the end of the address of the case whose slider is moved."""
+    from stiction.web.address import packed
+    from stiction.web.fields import example_cases
+
+    return f"/?s={packed(example_cases()[TITLE])}"
 
 
 def told(what: str, times: list[float]) -> None:
@@ -97,7 +106,7 @@ def redraw() -> None:
     """From a key on a slider to number and charts."""
     with served() as (address, _, _), browser() as one:
         page = one.new_page(viewport={"width": 1280, "height": 900})
-        page.goto(address)
+        page.goto(address + state())
         page.locator("canvas").first.wait_for()
         page.wait_for_function("window.socket && window.socket.connected")
         page.wait_for_timeout(1500)
@@ -134,7 +143,7 @@ class Visitor:
     async def come(self) -> None:
         import socketio
 
-        page = await asyncio.to_thread(lambda: urllib.request.urlopen(self._address, timeout=300).read().decode())
+        page = await asyncio.to_thread(lambda: urllib.request.urlopen(self._address + state(), timeout=300).read().decode())
         self._client = re.search(r"'client_id': '([0-9a-f-]+)'", page)[1]  # type: ignore[index]
         elements = json.loads(html.unescape(re.search(r"String\.raw`(\{.*?\})`", page, re.DOTALL)[1]))  # type: ignore[index]
         named = {one.get("props", {}).get("aria-label"): name for name, one in elements.items()}
@@ -150,7 +159,7 @@ class Visitor:
     async def _updated(self, message: dict[str, Any]) -> None:
         await self._socket.emit("ack", {"client_id": self._client, "next_message_id": message["_id"] + 1})
         if self._label in message:
-            self._text = message[self._label]["text"]
+            self._text = message[self._label]["props"]["innerHTML"]
             self._number.set()
 
     async def _move(self, place: float) -> None:
@@ -174,12 +183,14 @@ class Visitor:
 def expected(place: float) -> str:
     """What the page has to say, without the page."""
     from stiction.quantities.units import show
-    from stiction.web.asked import Question, headline, solved
-    from stiction.web.fields import first_case, placed
+    from stiction.report.card import card_of
+    from stiction.web.asked import Question, solved
+    from stiction.web.fields import example_cases, placed
 
     given = show(10.0**place, "asperity_radius", 4)
-    answer = solved(Question(placed(first_case(), ("contact", "roughness", "asperity_radius"), given)))
-    return headline(answer, answer.middle())[1]
+    answer = solved(Question(placed(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
+    assert answer.prediction is not None
+    return card_of(answer.prediction).html(why=False)
 
 
 async def _visits(address: str, process: int) -> None:
