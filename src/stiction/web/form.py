@@ -6,13 +6,9 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.case.several import with_error
 from stiction.contact.materials import material, material_names
 from stiction.quantities.errors import InputError
-from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import to_si
 from stiction.records.registry import kinds_of_additions
-from stiction.report.html_words import letters
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
 from stiction.web.asked import keys_by_choice, option_values, states_of
@@ -24,7 +20,6 @@ from stiction.web.fields import (
     ROUGHNESS,
     SURFACE_KNOWN_BY,
     Choices,
-    Knob,
     Number,
     Part,
     as_written,
@@ -34,26 +29,19 @@ from stiction.web.fields import (
     parts_of,
     placed,
 )  # fmt: skip
+from stiction.web.number_fields import LoadField, draw_number, label_of
 
 _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"
 _PREDICTION = "recommended"
 _NONE = "the model's own"
 _SCAN = "a scan"
-# What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
-_LABELS = {
-    "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
-    "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",
-    "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P",
-}  # fmt: skip
 # Laws that may be left out of a contact that would have them.
 _MAY_BE_NONE = ("tangential", *(name for name, kind in kinds_of_additions().items() if kind.default))
 _SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
 _LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
 _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups
-_ROUND_LOAD = 10.0  # ratio of the ends of a range to the load that is set
 _ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
-_LOAD = Number(("solve", "load"), QUANTITIES["load"], True)
 
 
 class Form:
@@ -67,7 +55,7 @@ class Form:
         self._next: ui.label | None = None  # what to state of the interface
         self._other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self._column = ui.column().classes("w-full gap-1")
-        self._load_field: tuple[Any, Any, Knob] | None = None
+        self._load_field: LoadField | None = None
         self.build()
         explorer.rebuild = self.build
         explorer.listen(self.show)
@@ -116,7 +104,7 @@ class Form:
         part = parts["contact"]
         fields = {one.path[-1]: one for one in part.fields}
         with _group("Load"):
-            self._load()
+            self._load_field = LoadField(self._explorer, self._inputs)
         with _group("Bodies"):
             for body in ("first", "second"):
                 self._material(fields.pop(body))  # type: ignore[arg-type]
@@ -132,52 +120,14 @@ class Form:
             self._interface(fields.pop("interface"))  # type: ignore[arg-type]
         self._rare += fields.values()  # type: ignore[arg-type]
 
-    def _load(self) -> None:
-        """Add the working load; where separations are given, it follows from them until it is stated."""
-        load = self._explorer.load
-        if not load > 0.0:
-            ui.label("no load presses: see the points of the curve").classes("text-sm")
-            return
-        text, slider, knob = self._line(_LOAD, _LOAD.text(load), load)
-
-        async def put(value: float) -> None:
-            if value > 0.0 and _LOAD.text(value) != _LOAD.text(self._explorer.load):
-                await self._explorer.ask(_at_load(self._explorer.question.tables, self._explorer.load, value))
-
-        async def typed(_: Any) -> None:
-            try:
-                value = float(to_si(str(text.value or ""), "load"))
-                text.error = None if value > 0.0 else "above 0 N"
-            except InputError as error:
-                text.error = str(error)
-                return
-            await put(value)
-
-        async def moved(event: Any) -> None:
-            await put(float(f"{knob.value(float(event.args)):.3g}"))
-
-        text.on_value_change(typed)
-        slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
-        self._load_field = text, slider, knob
-
-    def _follow_load(self) -> None:
-        """Show the load that follows from the case."""
-        load = self._explorer.load
-        if self._load_field is not None and load > 0.0:
-            text, slider, knob = self._load_field
-            if _LOAD.si(text.value) is None or _LOAD.text(load) != _LOAD.text(_LOAD.si(text.value) or 0.0):
-                text.set_value(_LOAD.text(load))
-                slider.set_value(knob.place(load))
-            attributes(slider, aria_valuetext=_LOAD.text(load))
-
     def show(self) -> None:
         """Errors of the newest answer, beside their fields, and what to state of the interface."""
         error = self._explorer.answer.error
         if self._next is not None:
             data = self._explorer.good.data
             self._next.set_text(data.attrs.get("next_step", "").capitalize() if data is not None else "")
-        if error is None:
-            self._follow_load()
+        if error is None and self._load_field is not None:
+            self._load_field.follow()
         beside = False
         for path, one in self._inputs.items():
             wrong = error is not None and _is_of(error, path)
@@ -278,7 +228,7 @@ class Form:
             if isinstance(one, Part):
                 self._material(one)
             elif isinstance(one, Choices):
-                self._menu(_label(one.path), list(one.values), str(got(tables, one.path) or one.default), one.path)
+                self._menu(label_of(one.path), list(one.values), str(got(tables, one.path) or one.default), one.path)
             elif one.required or got(tables, one.path) is not None or part.path == ROUGHNESS:
                 self._number(one)
             else:
@@ -336,6 +286,10 @@ class Form:
             for number in numbers:
                 self._number(number)
 
+    def _number(self, one: Number, otherwise: str = "") -> None:
+        """Add a number; its errors are shown below it. otherwise: the number that holds where the text is empty."""
+        self._inputs[one.path] = draw_number(self._explorer, one, otherwise)
+
     def _material(self, part: Part) -> None:
         """A menu of materials, and the numbers of the one that is chosen."""
         tables = self._explorer.question.tables
@@ -354,69 +308,6 @@ class Form:
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)
                 self._number(number, "" if value is None else number.text(value))
-
-    def _line(self, one: Number, written: str, value: float | None, otherwise: str = "") -> tuple[Any, Any, Any]:
-        """Add a name, a text and, where there is a value, a slider; return text, slider and knob."""
-        with ui.element("div").classes("number"):
-            attributes(ui.label(_label(one.path)).classes("text-xs one-line").props("aria-hidden=true"), title=one.help)
-            text = ui.input(value=written, placeholder=otherwise or ("" if one.required else NOT_STATED))
-            attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=one.label, title=one.help)
-            self._inputs[one.path] = text
-            if value is None:
-                return text, None, None
-            knob = one.knob(value)
-            slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value)).props("dense")
-            attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
-        return text, slider, knob
-
-    def _number(self, one: Number, otherwise: str = "") -> None:
-        """A text and, where it holds a number, a slider; an uncertain one keeps its error. otherwise: what holds where the text
-        is empty."""
-        given = got(self._explorer.question.tables, one.path)
-        value = one.si(given if given is not None else otherwise or None)
-        text, slider, knob = self._line(one, as_written(given), value, otherwise)
-        if with_error(given):
-            text.classes("uncertain")
-
-        async def typed(_: Any) -> None:
-            wanted = str(text.value or "").strip()
-            if wanted != as_written(got(self._explorer.question.tables, one.path)):  # else it was the slider that wrote it
-                await self._explorer.put(one.path, one.written(wanted) if wanted else None)
-
-        text.on_value_change(typed)
-        if slider is None:
-            return
-
-        async def moved(event: Any) -> None:
-            at = knob.value(float(event.args))
-            attributes(slider, aria_valuetext=one.text(at))
-            new = one.moved(got(self._explorer.question.tables, one.path), at)
-            put = self._explorer.put(one.path, new)
-            text.set_value(as_written(new))
-            await put
-
-        slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
-
-
-def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
-    """Return the tables at another working load: a single load is replaced, a range is moved with it."""
-    solve = {name: one for name, one in tables.get("solve", {}).items() if name != "separation"}
-    given = solve.get("load")
-    if isinstance(given, Mapping):
-        ends = {end: _LOAD.text((_LOAD.si(given[end]) or load) * load / before) for end in ("start", "stop")}
-        return {**tables, "solve": {**solve, "load": {**given, **ends}}}
-    if given is not None and (not isinstance(given, list) or len(given) == 1):
-        return {**tables, "solve": {**solve, "load": [_LOAD.text(load)]}}
-    ends = {"start": _LOAD.text(load / _ROUND_LOAD), "stop": _LOAD.text(load * _ROUND_LOAD)}
-    return {**tables, "solve": {**solve, "load": {**ends, "count": 21, "spacing": "log"}}}
-
-
-def _label(path: tuple[str, ...]) -> str:
-    name = path[-1]
-    if name in _LABELS or name not in QUANTITIES:
-        return _LABELS.get(name, name)
-    row = QUANTITIES[name]
-    return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}"
 
 
 @contextmanager
