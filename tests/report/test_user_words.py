@@ -16,11 +16,11 @@ from stiction.report.views.run import uncertain_notes
 from stiction.report.views.sensitivity import sensitivity_notes
 from stiction.studies.case_results import film_of_case
 from stiction.studies.findings import find_out
-from stiction.web.fields import first_case
+from stiction.web.fields import example_cases
 
 
 def _case(thickness="200 nm", **solve):
-    tables = first_case()
+    tables = example_cases()["Silver film, 200 nm, on hardened steel, with adhesion"]
     tables["contact"]["coating"]["thickness"] = thickness
     tables["solve"] = {"load": ["0.5 N", "1 N"], **solve}
     return tables

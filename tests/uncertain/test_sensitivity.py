@@ -281,4 +281,4 @@ def test_elasticities_of_a_prediction_are_differences_of_predictions():
     ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.2, 0.2)]
     low, high = (float(one.friction_coefficient.item()) for one in ends)
     assert float(found.sel(number="asperity_radius")) == pytest.approx(math.log(high / low) / 0.4, rel=0.03)
-    assert sensitivity_figure(data).get_suptitle() == "Two bodies\nrecommended"
+    assert sensitivity_figure(data).get_suptitle() == "Two bodies\nprediction"
