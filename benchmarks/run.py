@@ -33,15 +33,13 @@ from stiction.engine.heights import gaussian  # noqa: E402
 from stiction.engine.summation import totals_on_grid  # noqa: E402
 from stiction.records.registry import (  # noqa: E402
     JUNCTIONS,
-    Ageing,
     AsperityLaw,
-    Contamination,
     FilmLaw,
-    Meniscus,
     RoughSurface,
     TangentialLaw,
     find,
     incompatibility,
+    kinds_of_additions,
     of_kind,
 )
 from stiction.solving.choice import Choice  # noqa: E402
@@ -239,8 +237,9 @@ def added_choices(plain: str, interface: str) -> list[tuple[str, Choice, bool]]:
         for junctions in find(model.tangential, TangentialLaw).junctions
     ]
     rows += [
-        (f"{kind.keyword} {key}", Choice(plain, tangential=interface, **{kind.keyword: key}), False)
-        for kind in (Meniscus, Ageing, Contamination)
+        (f"{name} {key}", Choice(plain, tangential=interface, beside={name: key}), False)
+        for name, kind in kinds_of_additions().items()
+        if name != "presliding"  # of the path to sliding, not of its end
         for key in of_kind(kind)
     ]
     return rows
