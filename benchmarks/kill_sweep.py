@@ -45,7 +45,7 @@ def start(case: Path, out: Path, words: list[str]) -> subprocess.Popen:
 
 
 def done(out: Path) -> int:
-    return len(list((out / "doubts_by_block" / "c").glob("*/*"))) if out.exists() else 0
+    return len(list((out / "validity_warnings_by_block" / "c").glob("*/*"))) if out.exists() else 0
 
 
 def children(process: int) -> list[int]:

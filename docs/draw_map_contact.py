@@ -105,9 +105,9 @@ def draw_all(surface: HeightMap, words: str, out: Path) -> None:
         fontsize="small",
         title=f"mu at {load:.3g} N: {low:.3g} to {high:.3g}\n* outside its validity there",
     )
-    doubts = str(data.sel(model=SOLVED)["outside_validity"].values)
-    if doubts:
-        figure.supxlabel("* the map itself: " + doubts.replace("; ", "\n"), fontsize="small", x=0.01, ha="left")
+    validity_warnings = str(data.sel(model=SOLVED)["outside_validity"].values)
+    if validity_warnings:
+        figure.supxlabel("* the map itself: " + validity_warnings.replace("; ", "\n"), fontsize="small", x=0.01, ha="left")
     figure.savefig(out, dpi=110)
 
 

@@ -237,7 +237,7 @@ def conditions() -> str:
     return table(("quantity", "range", "kind", "outside of it"), rows)
 
 
-def kinds_of_doubt() -> str:
+def kinds_of_warning() -> str:
     """What it means to leave a range."""
     return table(("kind", "meaning"), list(KINDS_OF_WARNING.items()))
 
@@ -340,7 +340,7 @@ TABLES = {
     "how-to/surfaces.md": {"formats": formats},
     "reference/surface-statistics.md": {"methods": ways},
     "explanation/which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
-    "explanation/trust.md": {"conditions": conditions, "kinds of doubt": kinds_of_doubt},
+    "explanation/trust.md": {"conditions": conditions, "kinds of warning": kinds_of_warning},
     "explanation/truth.md": truth_tables.TABLES,
     "explanation/calibration.md": calibration_tables.TABLES,
     "explanation/what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},

@@ -130,7 +130,7 @@ class Answer:
 
     words: str
     mu: tuple[float, ...]
-    doubtful: bool
+    outside: bool
 
 
 def solve(switch: Switch) -> Answer:
@@ -180,7 +180,7 @@ def table() -> str:
         for at, one in enumerate(some):
             mu, over = (" to ".join(f"{value / unit:.3g}" for value in one.mu) for unit in (1.0, base()))
             head = f"**{name}**: {float(f'{high / low:.3g}'):g}" if at == 0 else ""
-            lines.append(f"| {head} | {one.words}{' *' * one.doubtful} | {mu} | {over} |")
+            lines.append(f"| {head} | {one.words}{' *' * one.outside} | {mu} | {over} |")
     return "\n".join(lines)
 
 
@@ -195,7 +195,7 @@ def figure() -> Figure:
         names, places = [*names, f"{name}: a factor of {float(f'{high / low:.2g}'):g}"], [*places, row]
         for one in some:
             row += 1
-            filled = "none" if one.doubtful else f"C{at % 10}"
+            filled = "none" if one.outside else f"C{at % 10}"
             axes.plot(one.mu, [row] * len(one.mu), "o-", color=f"C{at % 10}", markerfacecolor=filled, label=one.words)
             names, places = [*names, one.words], [*places, row]
         row += 1

@@ -25,4 +25,4 @@ def refusal(field: str, *parts: object) -> Iterator[pytest.ExceptionInfo[InputEr
 
 def outside(data: xarray.Dataset) -> set[str]:
     """Return the quantities whose range of validity a result leaves."""
-    return {doubt.quantity for doubt in warnings_of(data)}
+    return {warning.quantity for warning in warnings_of(data)}

@@ -78,7 +78,7 @@ def _solved(one, gradient, modulus, thickness, nu, below, hardness, pressures) -
         one.heights, one.size, modulus=math.inf, film=film, loads=np.array(pressures) * gradient * nominal, periodic=True,
         hardness=None if hardness is None else hardness * gradient, stiffness=False, keep_maps=False,
     )  # fmt: skip
-    assert not any(doubt.name == "not_converged" for contact in found for doubt in contact.doubts)
+    assert not any(warning.quantity == "not_converged" for contact in found for warning in contact.validity_warnings)
     return [(contact.area / nominal, contact.area_pixels / nominal) for contact in found]
 
 

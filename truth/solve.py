@@ -42,7 +42,7 @@ def _solved(surface: HeightMap, gradient: float, pressures, *, hardness=None, fi
         surface.heights, surface.size, modulus=modulus, loads=np.asarray(pressures) * gradient * nominal, periodic=True,
         hardness=None if hardness is None else hardness * gradient, film=film, keep_maps=False, stiffness=False,
     )  # fmt: skip
-    assert not any(doubt.name == "not_converged" for contact in found for doubt in contact.doubts)
+    assert not any(warning.quantity == "not_converged" for contact in found for warning in contact.validity_warnings)
     return {"pressure": list(pressures), "area": (found.array("area") / nominal).tolist(),
             "counted": (found.array("area_pixels") / nominal).tolist()}  # fmt: skip
 

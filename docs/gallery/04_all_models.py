@@ -17,12 +17,12 @@ order = everyone["friction_coefficient_at_load"].argsort()[::-1]
 for at, model in enumerate(everyone["model"].values[order]):
     one = everyone.sel(model=model)
     mu = float(one["friction_coefficient_at_load"])
-    main, doubtful = model == "persson_widened", bool(one["outside_validity"].item())
+    main, outside = model == "persson_widened", bool(one["outside_validity"].item())
     pressed = one["load"] > 1e-2
-    look = {"color": "0.7"} if doubtful else {"color": f"C{at % 10}", "linestyle": ("-", "--", ":")[at // 10 % 3]}
+    look = {"color": "0.7"} if outside else {"color": f"C{at % 10}", "linestyle": ("-", "--", ":")[at // 10 % 3]}
     look, width = ({"color": "black"}, 4.0) if main else (look, 1.5)
     axes.loglog(one["load"].where(pressed), one["friction_coefficient"].where(pressed), linewidth=width, **look,
-                label=f"{mu:.3f}  {model}{' *' * doubtful}")  # fmt: skip
+                label=f"{mu:.3f}  {model}{' *' * outside}")  # fmt: skip
 axes.axvline(1.0, color="black", linewidth=0.8)
 axes.set(xlabel="load [N]", ylabel="static friction coefficient", xlim=(1e-2, 100.0))
 axes.grid(alpha=0.3)

@@ -78,7 +78,7 @@ LONG = 120  # characters: more than a table has
 
 
 def sentences_wrap(app, doctree):
-    """What a program says in sentences, such as its doubts, is wrapped, where a table scrolls."""
+    """What a program says in sentences, such as its validity warnings, is wrapped, where a table scrolls."""
     from docutils import nodes
 
     for block in doctree.findall(nodes.literal_block):

@@ -72,7 +72,7 @@ def test_one_load_as_json(case):
     for name in ("stress_over_yield", "interface_shear", "contact_over_thickness"):
         assert_allclose(values[name], np.ravel(same[name].values), rtol=1e-12)
     assert content["variables"]["load"]["unit"] == "N" and content["attrs"]["film"] == "layered"
-    assert any(doubt["quantity"] == "stress_over_yield" for doubt in content["attrs"]["doubts"])
+    assert any(warning["quantity"] == "stress_over_yield" for warning in content["attrs"]["validity_warnings"])
 
 
 def test_a_film_like_its_body_has_hamiltons_stresses():

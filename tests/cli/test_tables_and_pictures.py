@@ -1,4 +1,5 @@
-"""What `run` shows and writes says what it leaves out, and what is doubtful: rows, the table for spreadsheets, pictures."""
+"""What `run` shows and writes says what it leaves out, and its validity warnings: rows, the table for spreadsheets,
+pictures."""
 
 import numpy as np
 import pandas as pd
@@ -59,7 +60,7 @@ def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     said = [line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
     assert "title: with # in it" in said and any(line.startswith("model: soft_coating_2015, asperity law ") for line in said)
     assert any(line.startswith("grade: C: ") for line in said)
-    assert [line.removeprefix("doubt: ") for line in said if line.startswith("doubt: ")] == [
+    assert [line.removeprefix("validity warning: ") for line in said if line.startswith("validity warning: ")] == [
         str(one) for one in warnings_of(solved)
     ]
     inputs = dict(line.removeprefix("input: ").split(" = ") for line in said if line.startswith("input: "))
@@ -76,9 +77,9 @@ def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
     assert any(line == "column: load: net normal load, adhesion included [N]" for line in said)
 
 
-def test_a_result_without_doubts_says_so(tmp_path):
-    result = st.solve(st.Indices(theta=40, lam=10), load=[1e-3, 2e-3]).assign_attrs(doubts="[]")
-    assert "doubt: none: within the ranges that are claimed" in comments_of(result)
+def test_a_result_without_warnings_says_so(tmp_path):
+    result = st.solve(st.Indices(theta=40, lam=10), load=[1e-3, 2e-3]).assign_attrs(validity_warnings="[]")
+    assert "validity warning: none: within the ranges that are claimed" in comments_of(result)
     write_csv(result, tmp_path / "plain.csv")
     assert not (tmp_path / "plain.csv").read_text().startswith("#")
 
@@ -89,30 +90,30 @@ def contact(**changes) -> st.Contact:
     return st.Contact(**given | changes)
 
 
-def test_the_picture_carries_the_doubts_below_its_panels():
+def test_the_picture_carries_the_warnings_below_its_panels():
     result = st.solve(contact(), load=["1 N", "300 N"])
     figure = curve_figure(result)
     text = " ".join(" ".join(one.get_text() for one in figure.texts).split())
-    doubts = [str(one) for one in warnings_of(result)]
-    assert doubts and all(" ".join(one.split()) in text for one in doubts[:5])
+    validity_warnings = [str(one) for one in warnings_of(result)]
+    assert validity_warnings and all(" ".join(one.split()) in text for one in validity_warnings[:5])
     figure.canvas.draw()
     below = max(one.get_window_extent().y1 for one in figure.texts if "outside the range" in one.get_text())
     assert below <= min(axes.get_tightbbox().y0 for axes in figure.axes)  # nothing lies over the labels
     left = figure.bbox.x1
     assert all(one.get_window_extent().x1 <= left for one in figure.texts)
-    without = curve_figure(result.assign_attrs(doubts="[]"))
+    without = curve_figure(result.assign_attrs(validity_warnings="[]"))
     assert not any("outside the range" in one.get_text() for one in without.texts)
 
 
-def test_many_doubts_are_counted():
+def test_many_warnings_are_counted():
     from stiction.laws.validity import with_warnings
     from stiction.records.validity_warning import ValidityWarning
 
-    many = [ValidityWarning(f"doubt {at}") for at in range(8)]
-    result = with_warnings(st.solve(contact(), load="1 N").assign_attrs(doubts="[]"), many)
+    many = [ValidityWarning(f"warning {at}") for at in range(8)]
+    result = with_warnings(st.solve(contact(), load="1 N").assign_attrs(validity_warnings="[]"), many)
     lines = warnings_below(result, 100)
-    assert lines[0].startswith("outside the range") and "doubt 4" in lines and "doubt 5" not in lines
-    assert lines[-1].startswith("and 3 more doubts")
+    assert lines[0].startswith("outside the range") and "warning 4" in lines and "warning 5" not in lines
+    assert lines[-1].startswith("and 3 more validity warnings")
 
 
 @pytest.mark.parametrize(("count", "marked"), [(1, True), (3, True), (20, True), (60, False)])

@@ -85,9 +85,9 @@ def test_no_mean_pressure_punches_the_film_through():
     radius = math.sqrt(float(found["contact_area"]) / spots / math.pi)
     bound = 1.25e9 + 2.0 * (0.1e-6 / radius) * 15e9 / (math.sqrt(3.0) * 2.8)
     assert pressure > 1.1 * bound
-    doubt = next(one for one in warnings_of(found) if one.quantity == "pressure_over_punching")
-    assert doubt.kind == "impossible"
-    assert doubt.most == pytest.approx(pressure / bound, rel=1e-9)
+    warning = next(one for one in warnings_of(found) if one.quantity == "pressure_over_punching")
+    assert warning.kind == "impossible"
+    assert warning.most == pytest.approx(pressure / bound, rel=1e-9)
 
 
 def test_a_counterbody_softer_than_the_film_leaves_the_film_its_strength():
@@ -97,8 +97,8 @@ def test_a_counterbody_softer_than_the_film_leaves_the_film_its_strength():
     found = st.solve(punched().replace(second=counter), load="2 N", model="jackson_green_2005 + layered")
     pressure, spots = float(found["load"] / found["contact_area"]), float(found["touching_asperities"])
     plug = 2.0 * 0.1e-6 / math.sqrt(float(found["contact_area"]) / spots / math.pi) / (math.sqrt(3.0) * 2.8)
-    doubts = [one for one in warnings_of(found) if one.quantity == "pressure_over_punching"]
-    assert 1.25e9 + plug * 5e9 < 0.9 * pressure < pressure < 1.25e9 + plug * 15e9 and not doubts
+    validity_warnings = [one for one in warnings_of(found) if one.quantity == "pressure_over_punching"]
+    assert 1.25e9 + plug * 5e9 < 0.9 * pressure < pressure < 1.25e9 + plug * 15e9 and not validity_warnings
 
 
 @pytest.mark.parametrize("hardness", [2e9, 5e9, 9e9])

@@ -350,7 +350,7 @@ SOFT = {"youngs_modulus": "82 GPa", "poissons_ratio": 0.37, "hardness": "0.4 GPa
 
 @pytest.mark.parametrize(("hardness", "sure"), [("0.4 GPa", False), ("40 GPa", True)])
 @pytest.mark.parametrize("laws", [{"film": "layered"}, {"film": "layered", "asperity": "dmt"}])
-def test_a_film_that_yields_under_elastic_asperities_is_doubted(laws, hardness, sure):
+def test_a_film_that_yields_under_elastic_asperities_has_a_warning(laws, hardness, sure):
     steel = st.material("hardened_steel_52100", hardness="73 GPa")
     contact = st.Contact(
         first=steel, second=steel, work_of_adhesion="1 mJ/m^2", nominal_area="1 mm^2", interfacial_shear_strength="60 MPa",

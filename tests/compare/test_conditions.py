@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 import stiction as st
 from cases import STEEL_ON_STEEL
 from refusals import refusal
-from stiction.laws.proportion import questions
+from stiction.laws.proportion import input_warnings
 from stiction.laws.validity import warnings_of
 from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.candidates import candidates, choice_of
@@ -48,10 +48,10 @@ def hardness_of(contact):
 
 
 def check(contact, found):
-    """That every one of the plain facts about a result is among its doubts."""
-    doubts = warnings_of(found)
-    said = {(one.quantity, one.kind) for one in doubts}
-    assert all(one.kind in KINDS for one in doubts)
+    """That every one of the plain facts about a result is among its validity warnings."""
+    validity_warnings = warnings_of(found)
+    said = {(one.quantity, one.kind) for one in validity_warnings}
+    assert all(one.kind in KINDS for one in validity_warnings)
     fraction = float(found["contact_area"]) / contact.nominal_area
     pressure = float(found["load"]) / contact.nominal_area / hardness_of(contact)
     assert math.isclose(float(found["area_fraction"]), fraction, rel_tol=1e-9)
@@ -59,7 +59,7 @@ def check(contact, found):
     assert (fraction > 1.0 + 1e-9) == (("area_fraction", "impossible") in said)
     assert (pressure > 1.0) == (("nominal_pressure_over_hardness", "impossible") in said)
     if found.attrs["asperity"] != "none" and 0.1 < fraction <= 1.0:
-        assert "area_fraction" in {one.quantity for one in doubts}
+        assert "area_fraction" in {one.quantity for one in validity_warnings}
     if "touching_asperities" in found:
         assert (float(found["touching_asperities"]) < 10.0) == (("touching_asperities", "statistics") in said)
     if {"friction_force", "load_plastic", "load_share_without_friction"} <= set(found):
@@ -151,13 +151,13 @@ def test_expected_share_against_integrals():
 SWAPPED = {"48 nm": "50 um", "50 um": "48 nm"}
 
 
-def test_what_cannot_be_a_rough_surface_is_questioned_where_it_is_read(tmp_path):
+def test_what_cannot_be_a_rough_surface_has_an_input_warning_where_it_is_read(tmp_path):
     path = tmp_path / "case.toml"
     text = f'{STEEL_ON_STEEL}[solve]\nmodel = "soft_coating_2015"\nload = "1 N"\n'
     path.write_text(text)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert questions(st.read_case(path).subject) == []
+        assert input_warnings(st.read_case(path).subject) == []
     for old, new in SWAPPED.items():
         text = text.replace(f'= "{old}"', f'= "<{new}>"')
     path.write_text(text.replace('"<', '"').replace('>"', '"'))

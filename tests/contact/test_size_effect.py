@@ -77,8 +77,8 @@ def test_what_is_said():
     elastic = st.solve(sized, load="10 N", model="greenwood_williamson_1966")
     assert "first.characteristic_depth" in elastic.attrs["inputs_not_used"]
     tiny = sized.replace(roughness=SURFACE.replace(asperity_radius="200 nm", asperity_height_deviation="5 nm"))
-    assert "R^*" in str(st.solve(tiny, load="1 mN", model="jackson_green_2005").attrs["doubts"]) or (
-        "size_effect" in st.solve(tiny, load="1 mN", model="jackson_green_2005").attrs["doubts"]
+    assert "R^*" in str(st.solve(tiny, load="1 mN", model="jackson_green_2005").attrs["validity_warnings"]) or (
+        "size_effect" in st.solve(tiny, load="1 mN", model="jackson_green_2005").attrs["validity_warnings"]
     )
     with pytest.raises(InputError):
         COPPER.replace(characteristic_depth="0 m")

@@ -158,12 +158,12 @@ def test_records_can_be_told_apart():
 
 @each
 def test_validity_is_of_what_is_found(key):
-    """In quantities that every method has; what is outside is doubted in the note, here by a range that nothing is in."""
+    """In quantities that every method has; what is outside has a warning in the note, here by a range that nothing is in."""
     record = methods()[key]
     assert {rule.quantity for rule in record.validity} <= SPOKEN_OF.keys()
 
 
-def test_what_leaves_its_range_is_doubted():
+def test_what_leaves_its_range_has_a_warning():
     """An egg crate has alpha = 1, less than any isotropic Gaussian surface."""
     phase = 2.0 * math.pi / 16 * np.arange(96)
     crate = HeightMap(3e-9 * np.cos(phase)[:, None] * np.cos(phase), (96e-8, 96e-8))

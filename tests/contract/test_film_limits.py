@@ -13,7 +13,7 @@ from stiction.solving.problem import problem_of
 
 FILMS = of_kind(FilmLaw)
 NOTHING = 2e-3  # what hardly any adhesion, and the least thickness, leave
-FLAGGED = 0.2  # off by more than this a result is doubted
+FLAGGED = 0.2  # off by more than this a result has a validity warning
 each = pytest.mark.parametrize("limit", FILM_LIMITS)
 each_film = pytest.mark.parametrize("key", FILMS)
 
@@ -40,11 +40,12 @@ def test_a_film_law_becomes_what_it_has_to_be_or_says_by_how_much_not(key, limit
 
 @each
 @each_film
-def test_what_is_off_is_doubted(key, limit):
-    """Every contact by itself, at one separation: a doubt of a film law's own where it is off by more than a fifth."""
+def test_what_is_off_has_a_warning(key, limit):
+    """Every contact by itself, at one separation: a validity warning of a film law's own where it is off by more than a
+    fifth."""
     film = FILMS[key]
     given = groups_of(limit)
-    doubted = 0
+    warned = 0
     for choice in choices(film):
         off = departures(film, limit, [choice])
         worst = np.nanmax([np.abs(np.nan_to_num(off[name][0], posinf=9.9)) for name in off], axis=0)
@@ -56,8 +57,8 @@ def test_what_is_off_is_doubted(key, limit):
             assert warnings_about(whole[i : i + 1], film.validity, one), (
                 f"off by {worst[i, j]:.2f}: {choice[0]}, contact {i}, h = {H[j]}"
             )
-            doubted += 1
-    assert doubted or not any(max(-one.least, one.most) > FLAGGED for one in film.departures if one.limit == limit)
+            warned += 1
+    assert warned or not any(max(-one.least, one.most) > FLAGGED for one in film.departures if one.limit == limit)
 
 
 def test_records_say_it_where_users_look():
@@ -76,7 +77,7 @@ def test_records_say_it_where_users_look():
 
 def test_the_area_of_a_plastic_film_without_thickness_is_twice_that_of_the_elastic_substrate():
     """By hand: Hertz has pi R omega, a contact that is plastic 2 pi R omega. A soft film that is hardly there, on a
-    substrate that does not yield, doubles the area under the sequential law; the thin film is doubted."""
+    substrate that does not yield, doubles the area under the sequential law; the thin film has a validity warning."""
     given = {"theta": 1e8, "lam": 1e16 * 50.0**4 / (18 * np.pi**2), "n_E": 1.0, "tau": 1e-12, "shear_strength": 0.1}
     laws = {"model": "greenwood_williamson_1966", "asperity": "chang_etsion_bogy_1987", "tangential": "bowden_tabor_1943"}
     coated = st.solve(st.Indices(n_H=1e-6, **given), separation=1.0, film="sequential", **laws)

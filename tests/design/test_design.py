@@ -167,7 +167,7 @@ def test_limits_are_told_with_their_units():
 
 
 def test_validity_is_a_limit():
-    """Asperities as high as their tips are wide are doubted."""
+    """Asperities as high as their tips are wide have a validity warning."""
     choose = {"roughness": {"asperity_height_deviation": {"low": "5 nm", "high": "50 um"}}}
     free, claimed = (
         design(case(LEAST, choose, model="greenwood_williamson_1966", validity=validity)) for validity in ("any", "claimed")
@@ -191,7 +191,7 @@ def test_what_a_limit_of_validity_counts(deviation, work, load, kinds):
     rough = contact.roughness.replace(asperity_radius=50e-6, asperity_height_deviation=deviation)
     contact = contact.replace(roughness=rough, work_of_adhesion=work)
     solved = solve_pointwise(contact, Choice("greenwood_williamson_1966"), load=load)
-    bits = int(solved.doubts[1]) >> len(WHY_NOT)
+    bits = int(solved.validity_warnings[1]) >> len(WHY_NOT)
     left = [rule.kind for at, rule in enumerate(solved.rules) if bits >> at & 1]
     assert set(left) == kinds
     counted = {"claimed": len(left) - left.count("statistics"), "possible": left.count("impossible"), "any": 0}

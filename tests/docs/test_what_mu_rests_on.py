@@ -12,14 +12,14 @@ rests = make_tables.what_mu_rests_on
 
 
 def test_every_choice_is_a_dot_beside_the_base():
-    """Its figure has all of them in order, hollow where the result doubts itself, and the line of the base."""
+    """Its figure has all of them in order, hollow where the result has a validity warning, and the line of the base."""
     axes = rests.figure().axes[0]
     drawn = {line.get_label(): line for line in axes.lines if not line.get_label().startswith("_")}
     every = [one for some in rests.answers().values() for one in some]
     assert list(drawn) == [one.words for one in every]
     for one in every:
         line = drawn[one.words]
-        assert tuple(line.get_xdata()) == one.mu and (line.get_markerfacecolor() == "none") == one.doubtful
+        assert tuple(line.get_xdata()) == one.mu and (line.get_markerfacecolor() == "none") == one.outside
         assert 1e-6 < min(one.mu) and max(one.mu) < 10.0
     assert axes.get_xscale() == "log" and any(set(line.get_xdata()) == {rests.base()} for line in axes.lines)
     low, high = axes.get_xlim()

@@ -1,4 +1,4 @@
-"""`st.film_stresses`: the mean asperity of a contact in SI, by hand; doubts; what is refused."""
+"""`st.film_stresses`: the mean asperity of a contact in SI, by hand; validity warnings; what is refused."""
 
 import math
 
@@ -68,12 +68,12 @@ def test_at_the_interface_by_a_search(traction):
         assert shear == pytest.approx(max(np.hypot(one[4], one[5]).max() for one in fields), rel=1e-2)
 
 
-def test_doubts():
+def test_warnings():
     """A weak film on steel under a heavy load: it flows, and its bond bears more than it does. A strong one of no stress:
     neither."""
     weak = {"youngs_modulus": 200e9, "poissons_ratio": 0.3, "hardness": 0.2e9}
     found = st.film_stresses(coated(weak, 300e-9, "100 MPa"), load="1 N", **LAWS | {"asperity": "hertz"})
-    said = {doubt.quantity for doubt in warnings_of(found)}
+    said = {warning.quantity for warning in warnings_of(found)}
     assert {"stress_over_yield", "interface_shear"} <= said
     assert float(found["interface_shear"]) > 1.0
     strong = STEEL | {"hardness": 700e9}
@@ -81,7 +81,9 @@ def test_doubts():
         st.Contact(first=strong, second=RIGID, nominal_area="1 mm^2", roughness=ROUGH, interfacial_shear_strength="1 MPa",
                    coating=st.Coating(material=strong, thickness="300 nm", bodies="first")), load="0.01 N", **LAWS
     )  # fmt: skip
-    assert not {"stress_over_yield", "interface_shear", "interface_tension"} & {doubt.quantity for doubt in warnings_of(quiet)}
+    assert not {"stress_over_yield", "interface_shear", "interface_tension"} & {
+        warning.quantity for warning in warnings_of(quiet)
+    }
 
 
 def test_groups_and_nothing_that_touches():

@@ -69,5 +69,9 @@ def test_both_laws_understate_the_friction_of_elastic_asperities_and_the_hertzia
 
 @pytest.mark.parametrize("law", ["hertzian_meniscus", "equilibrium_meniscus"])
 def test_results_say_so(law):
-    doubts = [doubt for doubt in json.loads(of_law(law).attrs["doubts"]) if doubt["quantity"] == "penetration_over_meniscus"]
-    assert len(doubts) == 1 and "area" in doubts[0]["why"]
+    validity_warnings = [
+        warning
+        for warning in json.loads(of_law(law).attrs["validity_warnings"])
+        if warning["quantity"] == "penetration_over_meniscus"
+    ]
+    assert len(validity_warnings) == 1 and "area" in validity_warnings[0]["why"]

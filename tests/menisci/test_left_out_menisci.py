@@ -25,8 +25,8 @@ def said_of_the_liquid(result):
 
 @pytest.mark.parametrize("model", ["persson_2001", "persson_widened", "bush_gibson_thomas_1975"])
 def test_theories_in_closed_form(model):
-    (doubt,) = said_of_the_liquid(st.solve(humid(0.9), load="1 mN", model=model))
-    assert doubt.least > 0.1
+    (warning,) = said_of_the_liquid(st.solve(humid(0.9), load="1 mN", model=model))
+    assert warning.least > 0.1
     assert not said_of_the_liquid(st.solve(humid(0.3), load="1 mN", model=model))  # 5 % of the load
     assert not said_of_the_liquid(st.solve(SILICON_ON_SILICON, load="1 mN", model=model))
 
@@ -36,13 +36,13 @@ def test_a_sum_that_is_told_to_leave_them_out():
     contact, given = humid(0.9), {"load": "1 mN", "model": "greenwood_williamson_1966"}
     assert not said_of_the_liquid(st.solve(contact, **given))
     dry = st.solve(contact, meniscus="none", **given)
-    (doubt,) = said_of_the_liquid(dry)
+    (warning,) = said_of_the_liquid(dry)
     number = 1e13 * 1e-8
     apart = float(norm.isf(float(dry["touching_asperities"]) / number))
     height = contact.liquid.height / 10e-9
     near, _ = quad(lambda z: norm.pdf(z) * (1.0 - (apart - z) / height), apart - height, apart)
     whole = 4.0 * math.pi * 1e-6 * contact.liquid.tension * math.cos(math.radians(10.0))
-    assert doubt.most == pytest.approx(number * (near + norm.sf(apart)) * whole / 1e-3, rel=1e-3)
+    assert warning.most == pytest.approx(number * (near + norm.sf(apart)) * whole / 1e-3, rel=1e-3)
 
 
 def test_a_comparison_says_it_of_every_theory_in_closed_form():

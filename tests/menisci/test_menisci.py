@@ -253,7 +253,7 @@ def test_a_contact_in_humid_air():
 
 
 @pytest.mark.parametrize(
-    ("changes", "radius", "doubted"),
+    ("changes", "radius", "warned"),
     [
         ({"relative_humidity": 0.86}, 3.57e-9, True),
         ({"relative_humidity": 0.91}, 5.71e-9, True),
@@ -262,11 +262,11 @@ def test_a_contact_in_humid_air():
         ({"relative_humidity": 0.86, "surface_tension": "72.74 mN/m", "molar_volume": "18.05 cm^3/mol"}, 3.57e-9, True),
     ],
 )
-def test_menisci_smaller_than_those_that_were_confirmed_are_doubted(changes, radius, doubted):
+def test_menisci_smaller_than_those_that_were_confirmed_have_a_warning(changes, radius, warned):
     """gamma V/(R T) of water at 20 C is 0.5387 nm, over ln(p_s/p). Water was measured down to 9 nm, other liquids to 4 nm."""
     found = st.solve(humid(**changes), load="1 mN", model=PLAIN)
     assert_allclose(humid(**changes).kelvin_radius, radius, rtol=2e-3)
-    assert ("Kelvin's equation was confirmed" in found.attrs["outside_validity"]) == doubted
+    assert ("Kelvin's equation was confirmed" in found.attrs["outside_validity"]) == warned
 
 
 @pytest.mark.parametrize("law", [one.key for one in MENISCI])

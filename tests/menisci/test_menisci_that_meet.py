@@ -20,9 +20,9 @@ def humid(humidity: float) -> st.Liquid:
     return st.Liquid(relative_humidity=humidity, contact_angle_first="10 deg", contact_angle_second="10 deg")
 
 
-def doubted(result, quantity: str) -> float | None:
-    """The value that is doubted, None where it is not."""
-    found = [doubt for doubt in json.loads(result.attrs["doubts"]) if doubt.get("quantity") == quantity]
+def warned(result, quantity: str) -> float | None:
+    """The value that has a validity warning, None without one."""
+    found = [warning for warning in json.loads(result.attrs["validity_warnings"]) if warning.get("quantity") == quantity]
     return found[0]["most"] if found else None
 
 
@@ -39,19 +39,19 @@ def wetted(liquid: st.Liquid, separation: float) -> float:
 
 
 @pytest.mark.parametrize("humidity", [0.97, 0.98, 0.99])
-def test_liquid_that_would_cover_the_surface_is_doubted(humidity):
+def test_liquid_that_would_cover_the_surface_has_a_warning(humidity):
     """Few asperities touch, and most of them are bridged: what touches says nothing of the wetted area."""
     liquid = humid(humidity)
     result = st.solve(DRY.replace(liquid=liquid), separation=2.5 * SIGMA, model="greenwood_williamson_1966")
     expected = wetted(liquid, 2.5 * SIGMA)
     assert expected > 0.3 and float(result["touching_asperities"]) < 0.01 * DENSITY * 1e-8
-    assert doubted(result, "meniscus_coverage") == pytest.approx(expected, rel=1e-9)
+    assert warned(result, "meniscus_coverage") == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_little_liquid_is_not():
     liquid = humid(0.9)
     result = st.solve(DRY.replace(liquid=liquid), separation=2.5 * SIGMA, model="greenwood_williamson_1966")
-    assert wetted(liquid, 2.5 * SIGMA) < 0.05 and doubted(result, "meniscus_coverage") is None
+    assert wetted(liquid, 2.5 * SIGMA) < 0.05 and warned(result, "meniscus_coverage") is None
 
 
 def test_elastic_rings_count_at_least_where_they_touch():
@@ -60,7 +60,7 @@ def test_elastic_rings_count_at_least_where_they_touch():
     rough = DRY.replace(roughness=SURFACE.replace(asperity_density=1e14), liquid=liquid)
     result = st.solve(rough, separation=-3 * SIGMA, model="greenwood_williamson_1966", meniscus="hertzian_meniscus")
     touching = float(result["touching_asperities"]) / 1e-8
-    assert doubted(result, "meniscus_coverage") >= 2.0 * math.pi * RADIUS * liquid.height * touching * (1 - 1e-9)
+    assert warned(result, "meniscus_coverage") >= 2.0 * math.pi * RADIUS * liquid.height * touching * (1 - 1e-9)
 
 
 @pytest.mark.parametrize("law", ["equilibrium_meniscus", "hertzian_meniscus"])

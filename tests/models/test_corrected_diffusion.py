@@ -122,7 +122,7 @@ def test_a_sticky_surface_has_no_area():
     )
     found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014_area")
     assert np.isnan(found["contact_area"].values).tolist() == [False, True]
-    (sticks,) = (one for one in json.loads(found.attrs["doubts"]) if one["quantity"] == "stickiness_ratio")
+    (sticks,) = (one for one in json.loads(found.attrs["validity_warnings"]) if one["quantity"] == "stickiness_ratio")
     assert sticks["kind"] == "impossible" and sticks["outside"] == 1
     assert sticks["least"] == pytest.approx(0.21305189015310966, rel=1e-12)  # reference/pastewka_robbins_2014.csv
 
@@ -133,13 +133,13 @@ def test_a_sticky_surface_alone_is_refused():
         pastewka_robbins_2014_area.area_at_load(np.ones((1, 1)), sticky)
 
 
-def test_attraction_of_long_range_is_doubted():
+def test_attraction_of_long_range_has_a_warning():
     """The range over (16/3) h'^2/h'', in SI units: 0.0226, and fifty times as much."""
     sigma, R, N, E, w = 48e-9, 50e-6, 1.7e10, 115e9, 1.0
     m4 = 9 * math.pi / (64 * R * R)
     m2 = m4 / (6 * math.pi * math.sqrt(3) * N)
     gap = 16 / 3 * 2 * m2 / math.sqrt(2 * m4 / 3)
-    for reach, doubted in ((0.09 * gap, False), (0.11 * gap, True)):
+    for reach, warned in ((0.09 * gap, False), (0.11 * gap, True)):
         indices = st.Indices(
             theta=4 / 3 * E * sigma**1.5 / (w * math.sqrt(R)),
             lam=1e9,
@@ -147,4 +147,4 @@ def test_attraction_of_long_range_is_doubted():
             tabor_parameter=(R * w * w / (E * E * reach**3)) ** (1 / 3),
         )
         found = st.solve(indices, load=1e-4, model="pastewka_robbins_2014_area")
-        assert ("range_over_gap" in outside(found)) is doubted
+        assert ("range_over_gap" in outside(found)) is warned

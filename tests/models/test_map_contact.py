@@ -205,8 +205,8 @@ def test_one_period_has_no_form_and_no_ends(rough, tmp_path):
     assert "levelled" in ends.attrs["scans"] and "levelled" not in said.attrs["scans"]
 
 
-def few_waves(doubts) -> bool:
-    return "longest_waves_on_a_side" in {one.quantity for one in doubts}
+def few_waves(validity_warnings) -> bool:
+    return "longest_waves_on_a_side" in {one.quantity for one in validity_warnings}
 
 
 @pytest.mark.parametrize("coating", (None, {"material": FILM, "thickness": "10 um", "bodies": "first"}))
@@ -220,7 +220,7 @@ def test_a_window_of_few_waves_is_no_sample_for_any_model(rough, coating):
                 said[model] = few_waves(warnings_of(st.solve(contact, load="1 mN", model=model, tangential="none")))
         assert set(said.values()) == {few} and len(said) >= (3 if coating else 15)
         compared = st.compare(contact, load="1 mN")
-        texts = compared["doubts"][compared["friction_coefficient_at_load"] > 0]
+        texts = compared["validity_warnings"][compared["friction_coefficient_at_load"] > 0]
         there = [few_waves(read_warnings(one.item())) for one in texts]
         assert set(there) == {few} and len(there) >= 3
         assert any("longest waves" in one for one in st.predict(contact, load="1 mN").warnings) == few
@@ -240,7 +240,7 @@ def test_scans_that_make_no_one_map_are_samples_or_not(rough):
         assert any("longest waves" in one for one in st.predict(contact, load="1 mN").warnings)
 
 
-def test_doubts_are_those_of_the_map(rough):
+def test_warnings_are_those_of_the_map(rough):
     coarse = gaussian_surface((64, 64), (SIDE, SIDE), SelfAffine(0.8, SIDE / 2, SIDE / 20, 2e-6), 3)
     said = {one.quantity for one in warnings_of(st.solve(elastic(coarse), load="1 mN", model=MODEL))}
     assert {"points_in_shortest_wave", "longest_waves_on_a_side", "map_gradient", "points_in_contact"} <= said
@@ -371,7 +371,7 @@ def test_a_comparison_has_it_as_one_more_row(contact):
     alone = st.solve(contact, load="2 mN", model=MODEL)
     assert float(row["friction_coefficient_at_load"]) == float(alone["friction_coefficient"])
     solved = np.isfinite(row["load"].values)
-    assert solved.sum() == 5 and solved[:5].all() and (row["doubtful"].values[~solved] == 1).all()
+    assert solved.sum() == 5 and solved[:5].all() and (row["range_status"].values[~solved] == 1).all()
     assert (np.diff(row["contact_area"].values[:5]) > 0.0).all()
     numbers = st.compare(contact.as_numbers(), load="2 mN")
     assert MODEL not in numbers["model"] and "boundary_elements: roughness is not given: a map" in numbers.attrs["left_out"]

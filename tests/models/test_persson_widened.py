@@ -128,7 +128,7 @@ def on_scan(size, shortest, **how):
 
 
 @pytest.mark.parametrize("film", ({}, {"coating": {"material": "silver", "thickness": "300 nm", "bodies": "first"}}))
-def test_a_map_that_is_not_resolved_is_doubted(film):
+def test_a_map_that_is_not_resolved_has_a_warning(film):
     """Three points in the shortest wave are too few, six are not."""
     assert "points_in_shortest_wave" in outside(on_scan(64, 20e-6 / 21, **film))
     assert "points_in_shortest_wave" not in outside(on_scan(64, 20e-6 / 10, **film))

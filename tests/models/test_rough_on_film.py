@@ -189,7 +189,7 @@ def test_a_scan_with_a_film(films):
     assert "moments" in st.solve(numbers, load=load, model=LAW).attrs["area_by"]
 
 
-def test_doubts():
+def test_warnings():
     """Thin stiff films, and moduli with which nothing was compared; a bare contact, tension and a film law are refused."""
     film = {"n_E": 8.0, "n_H": 1.0, "tau": 1.0, "film_aspect": 0.05, "roughness_parameter": 0.06}
 

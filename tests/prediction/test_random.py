@@ -60,7 +60,7 @@ def test_many_random_contacts_at_once_have_no_fault():
         for region, _, found in predict_many(tables, numbers, loads, count=128):
             if found is None:
                 continue
-            answered = found.doubts[1].ravel() == 0
+            answered = found.validity_warnings[1].ravel() == 0
             values = {name: np.ravel(each[1]) for name, each in found.variables.items()}
             for name in ("friction_coefficient", "friction_force", "contact_area"):
                 low, middle, high = (values[name + end] for end in ("_low", "", "_high"))

@@ -1,4 +1,5 @@
-"""What a notebook shows of records and results: all numbers with units, sources, and doubts; text of users is escaped."""
+"""What a notebook shows of records and results: all numbers with units, sources, and validity warnings; text of users is
+escaped."""
 
 from html.parser import HTMLParser
 
@@ -57,14 +58,14 @@ def test_a_material_shows_its_sources():
     assert Cells(st.Indices(theta=40, lam=10)._repr_html_()).texts[0] == "Indices"
 
 
-def test_a_result_shows_its_doubts_and_what_was_not_used():
+def test_a_result_shows_its_warnings_and_what_was_not_used():
     result = st.solve(contact(), load=["1 N", "100 N"], model="soft_coating_2015")
     shown = st.summary(result)
     texts = Cells(shown._repr_html_()).texts
-    doubts = [f"doubt: {one}" for one in warnings_of(result)]
-    assert doubts and set(doubts) <= set(texts)
+    validity_warnings = [f"validity warning: {one}" for one in warnings_of(result)]
+    assert validity_warnings and set(validity_warnings) <= set(texts)
     assert any("interfacial_shear_strength is not used" in text for text in texts)
-    assert all(line in repr(shown) for line in doubts) and "soft_coating_2015" in repr(shown)
+    assert all(line in repr(shown) for line in validity_warnings) and "soft_coating_2015" in repr(shown)
     load = next(text for name, text in shown.rows if name == "load")
     assert load == "1 to 100 N, along load"
     assert hasattr(result, "_repr_html_")  # that of xarray, as ever

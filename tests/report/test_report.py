@@ -165,13 +165,13 @@ def test_sources_are_those_of_the_result(reported):
     assert all(bibliography()[key] in bibtex for key in record["sources"])
 
 
-def test_every_doubt_is_beside_the_number(reported):
+def test_every_warning_is_beside_the_number(reported):
     path, record, _, page = reported
-    doubts = [one for one in record["doubts"] if one.get("quantity")]
+    validity_warnings = [one for one in record["validity_warnings"] if one.get("quantity")]
     case = st.read_case(path)
     here = st.solve(case.subject, load=record["working_load"], **case.choice.arguments())
-    assert len(record["doubts"]) == len(json.loads(here.attrs["doubts"]))
-    for one in doubts:
+    assert len(record["validity_warnings"]) == len(json.loads(here.attrs["validity_warnings"]))
+    for one in validity_warnings:
         assert one["why"] in page.text
 
 

@@ -1,4 +1,5 @@
-"""What a first user has to understand: doubts below pictures, spreads that are none, models that say very little, words."""
+"""What a first user has to understand: validity warnings below pictures, spreads that are none, models that say very little,
+words."""
 
 import numpy as np
 import pytest
@@ -30,17 +31,17 @@ def _words(figure):
     return "\n".join(one.get_text() for one in figure.findobj(lambda one: hasattr(one, "get_text")))
 
 
-def test_a_picture_of_several_numbers_says_what_is_doubtful():
+def test_a_picture_of_several_numbers_says_what_is_outside():
     data = st.solve_case(parse_case(_case(["100 nm", "200 nm"])))
     assert "outside the range of validity" in _words(several_figure(data))
-    assert "outside the range" not in _words(several_figure(data.assign_attrs(doubts="[]", outside_validity="")))
+    assert "outside the range" not in _words(several_figure(data.assign_attrs(validity_warnings="[]", outside_validity="")))
 
 
 def test_draws_are_called_what_they_are():
     attributes = {
         "uncertain_inputs": "x: 1 to 2",
         "uncertainty": "64 points, seed 0",
-        "doubts_of_points": '{"y is not 1": 0.333, "area_fraction is not 0 to 0.1: too near": 0.2}',
+        "validity_warnings_of_points": '{"y is not 1": 0.333, "area_fraction is not 0 to 0.1: too near": 0.2}',
     }
     said = "\n".join(one for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
     assert "random draws of what is uncertain: 64, seed 0" in said

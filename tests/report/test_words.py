@@ -30,7 +30,7 @@ from stiction.solving.overview import entries
         (123456.0, [], "1.2e+05"),
     ],
 )
-def test_a_number_has_the_digits_that_its_doubt_leaves_it(value, ends, text):
+def test_a_number_has_the_digits_that_its_warning_leaves_it(value, ends, text):
     assert rounded(value, ends) == text
 
 

@@ -110,7 +110,7 @@ def test_only_what_is_asked_for_is_kept_in_the_precision_asked_for(tmp_path):
     case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "precision": "float32"})
     data = sweep(case, tmp_path / "store")
     whole = sweep(DRAWN, tmp_path / "whole")
-    assert set(data.data_vars) == {"friction_coefficient", "doubts", "doubts_by_block"}
+    assert set(data.data_vars) == {"friction_coefficient", "validity_warnings", "validity_warnings_by_block"}
     assert data["friction_coefficient"].dtype == np.float32
     np.testing.assert_allclose(data["friction_coefficient"], whole["friction_coefficient"], rtol=1e-6)
     with refusal("sweep.keep", "friction", "friction_force"):
@@ -205,11 +205,11 @@ def test_statistics_leave_out_what_is_no_number():
 
 
 def meanings(data):
-    attributes = data["doubts"].attrs
+    attributes = data["validity_warnings"].attrs
     return dict(zip(attributes["flag_meanings"], attributes["flag_masks"], strict=True))
 
 
-def test_doubts_are_kept_for_every_point(tmp_path):
+def test_warnings_are_kept_for_every_point(tmp_path):
     case = {
         **GRID,
         "indices": {"theta": [0.5, 40], "lam": 10, "tabor_parameter": [1.0, 100.0]},
@@ -217,11 +217,11 @@ def test_doubts_are_kept_for_every_point(tmp_path):
     }
     data = sweep(case, tmp_path / "store")
     bit = next(mask for text, mask in meanings(data).items() if text.startswith("tabor_parameter is not 5 or more"))
-    left = (data["doubts"].transpose("theta", "tabor_parameter", "mean_separation").values & bit) > 0
+    left = (data["validity_warnings"].transpose("theta", "tabor_parameter", "mean_separation").values & bit) > 0
     assert left[:, 0].all() and not left[:, 1].any()
     near = next(mask for text, mask in meanings(data).items() if text.startswith("mean_separation is not -4"))
-    assert ((data["doubts"] & near) > 0).sel(mean_separation=-5.0).all()
-    assert not ((data["doubts"] & near) > 0).sel(mean_separation=2.0).any()
+    assert ((data["validity_warnings"] & near) > 0).sel(mean_separation=-5.0).all()
+    assert not ((data["validity_warnings"] & near) > 0).sel(mean_separation=2.0).any()
 
 
 def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
@@ -236,9 +236,9 @@ def test_what_is_refused_or_not_carried_is_said_and_the_rest_is_there(tmp_path):
     refused, not_carried = (
         mask for text, mask in meanings(data).items() if text.startswith(("the contact is ref", "the load is now"))
     )
-    assert ((data["doubts"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
-    assert ((data["doubts"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
-    by_block = data["doubts_by_block"].values.sum(axis=0)
+    assert ((data["validity_warnings"] & refused) > 0).values.tolist() == [[at == 0] * 2 for at in range(9)]  # H below Y
+    assert ((data["validity_warnings"] & not_carried) > 0).values.tolist() == [[False, at > 0] for at in range(9)]
+    by_block = data["validity_warnings_by_block"].values.sum(axis=0)
     assert {int(by_block[bit]) for bit in range(2)} == {2, 8} and (by_block >= 0).all()  # points, of both
 
 
@@ -266,7 +266,7 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
     (parts / "friction_coefficient" / "c" / "0.0123abcd.partial").write_bytes(b"begun")  # as a process that is killed leaves it
     begun = xarray.open_zarr(parts, consolidated=False, chunks=None)
     assert np.isfinite(begun["friction_coefficient"]).all("load").sum() == 24
-    assert (begun["doubts"][24:] == 1 << 31).all()
+    assert (begun["validity_warnings"][24:] == 1 << 31).all()
     do = sweep_store.Store.do
     monkeypatch.setattr(sweep_store.Store, "do", lambda store, block: done.append(block) or do(store, block))
     sweep(DRAWN, parts)
@@ -396,7 +396,7 @@ def test_single_numbers_are_no_sweep():
         make_plan({"indices": {"theta": 40, "lam": 10}, "solve": {"load": 1}})
 
 
-def test_the_command_shows_how_far_it_is_and_what_is_doubtful(tmp_path):
+def test_the_command_shows_how_far_it_is_and_what_is_outside(tmp_path):
     case = tmp_path / "case.toml"
     case.write_text(
         '[indices]\ntheta = {start = 10, stop = 100}\nlam = 10\n[solve]\nload = [0.01]\n'
@@ -462,14 +462,14 @@ def test_workers_end_with_the_process_that_shares_out_the_work(tmp_path, how):
     words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), "--workers", "2"]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
     try:
-        within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
+        within(60.0, lambda: len(list(out.glob("validity_warnings_by_block/c/*"))) > 4)
         process.send_signal(how)
         process.wait(10.0)
         within(60.0, lambda: not alive_of(process.pid))  # as long as a busy machine takes: they would wait for ever
     finally:
         for one in alive_of(process.pid):
             os.kill(one, signal.SIGKILL)
-    assert len(list(out.glob("doubts_by_block/c/*"))) > 4
+    assert len(list(out.glob("validity_warnings_by_block/c/*"))) > 4
 
 
 def within(seconds, so):
@@ -510,7 +510,7 @@ def test_workers_are_as_many_as_a_machine_may_have(tmp_path, workers):
 
 
 def test_names_of_the_tables_of_a_store_are_no_dimensions(tmp_path):
-    for name in ("doubts", "doubts_by_block", "statistics_by_block", "counts_by_block"):
+    for name in ("validity_warnings", "validity_warnings_by_block", "statistics_by_block", "counts_by_block"):
         with refusal("indices.theta.along", name):
             make_plan(changed(GRID, indices={"theta": {"values": [20, 30], "along": name}}))
 
@@ -546,7 +546,7 @@ def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
     words = [sys.executable, "-m", "stiction", "sweep", str(case), "--out", str(out), *more]
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     try:
-        within(60.0, lambda: len(list(out.glob("doubts_by_block/c/*"))) > 4)
+        within(60.0, lambda: len(list(out.glob("validity_warnings_by_block/c/*"))) > 4)
         os.killpg(process.pid, signal.SIGINT)
         printed, said = process.communicate(timeout=30.0)
     finally:
@@ -556,7 +556,7 @@ def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
     assert (process.returncode, printed) == (130, "") and "Traceback" not in said
     assert lines[-2].startswith("stopped: ") and lines[-2].endswith("call again to go on")
     assert lines[-1] == "stiction: interrupted"
-    assert 4 < len(list(out.glob("doubts_by_block/c/*"))) < 5000
+    assert 4 < len(list(out.glob("validity_warnings_by_block/c/*"))) < 5000
 
 
 def test_workers_may_die_as_often_as_they_do_something_between(monkeypatch):

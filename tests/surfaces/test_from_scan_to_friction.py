@@ -202,7 +202,7 @@ def test_a_scan_may_meet_a_body_known_by_numbers(folder):
     mixed = st.read_case(case(folder, ONE + f"\nsecond = {numbers}")).measured
     both = st.read_case(case(folder, two)).measured
     assert set(mixed.history) == {"first"} and set(mixed.counts.values()) == set(both.counts.values()) == {0}
-    assert "resolution is not known" in mixed.doubts[0] and both.doubts == ()
+    assert "resolution is not known" in mixed.validity_warnings[0] and both.validity_warnings == ()
     for name in ("asperity_height_deviation", "asperity_radius", "asperity_density"):
         assert getattr(mixed.by_method["mccool"], name) == near(getattr(both.by_method["mccool"], name), rel=1e-9)
 
@@ -234,15 +234,15 @@ def test_spikes_are_masked_on_demand(folder):
     assert answer["suspected_spikes"] == 1
 
 
-def test_two_scans_of_different_resolution_are_doubted(folder):
+def test_two_scans_of_different_resolution_have_a_warning(folder):
     heights = np.load(folder / "other.npy")
     np.save(folder / "coarse.npy", heights[::4, ::4])
     two = ONE + '\nsecond = { file = "coarse.npy", size = "20 um", unit = "m" }'
     read = st.read_case(case(folder, two))
-    assert "different resolutions (shortest waves 156 nm and 625 nm)" in read.measured.doubts[0]
-    assert read.measured.doubts[0] in st.solve_case(read).attrs["outside_validity"]
-    assert st.read_case(case(folder, two + '\nshortest = "1 um"')).measured.doubts == ()
-    assert read.measured.doubts[0] in st.predict(read).warnings
+    assert "different resolutions (shortest waves 156 nm and 625 nm)" in read.measured.validity_warnings[0]
+    assert read.measured.validity_warnings[0] in st.solve_case(read).attrs["outside_validity"]
+    assert st.read_case(case(folder, two + '\nshortest = "1 um"')).measured.validity_warnings == ()
+    assert read.measured.validity_warnings[0] in st.predict(read).warnings
     assert "different resolutions" in " ".join(command("run", case(folder, two), "--details").stdout.split())
 
 

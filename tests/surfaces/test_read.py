@@ -535,10 +535,10 @@ def test_absent_files_and_folders(tmp_path):
             read_scan(path)
 
 
-def test_doubtful_scale_is_said(tmp_path):
+def test_outside_scale_is_said(tmp_path):
     np.save(tmp_path / "a.npy", wavy())
-    assert any("doubtful" in step for step in read_scan(tmp_path / "a.npy", size="1 um", unit="um").history)
-    assert not any("doubtful" in step for step in read_scan(tmp_path / "a.npy", size="9 um", unit="um").history)
+    assert any("input warning" in step for step in read_scan(tmp_path / "a.npy", size="1 um", unit="um").history)
+    assert not any("input warning" in step for step in read_scan(tmp_path / "a.npy", size="9 um", unit="um").history)
 
 
 # ---- the datum

@@ -61,12 +61,12 @@ def case(scan, tmp_path_factory):
 
 
 def alike(found: xarray.Dataset, expected: xarray.Dataset) -> None:
-    """The same variables and doubts; what differs is how the scan came."""
+    """The same variables and validity warnings; what differs is how the scan came."""
     assert set(found.variables) == set(expected.variables)
     for name in expected.variables:
         np.testing.assert_array_equal(found[name].values, expected[name].values, err_msg=str(name))
         assert found[name].dims == expected[name].dims
-    for name in ("roughness_method", "outside_validity", "doubts", "sources", "model"):
+    for name in ("roughness_method", "outside_validity", "validity_warnings", "sources", "model"):
         assert found.attrs.get(name) == expected.attrs.get(name), name
 
 
@@ -78,7 +78,7 @@ def test_a_scan_is_solved_as_from_a_case(scan, case):
     alike(result, st.solve_case(case()))
     assert result["friction_coefficient_by_method"].sizes == {"asperity_method": 5, "load": 2}
     assert (result["friction_coefficient_low"] < result["friction_coefficient_high"]).all()
-    assert "levelled" in result.attrs["scans"] and json.loads(result.attrs["doubts"])
+    assert "levelled" in result.attrs["scans"] and json.loads(result.attrs["validity_warnings"])
 
 
 def test_theories_of_the_surface_take_its_moments(scan, case):

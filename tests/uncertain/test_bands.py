@@ -167,7 +167,7 @@ def test_contacts_that_are_refused_are_left_out_and_said():
     assert mu[nearest] == pytest.approx(float(solve_case(alone)["friction_coefficient"][0]), rel=0.02)
     data = solve_case(found)
     assert "nothing is known" in data.attrs["outside_validity"]
-    assert json.loads(data.attrs["doubts_of_points"])[
+    assert json.loads(data.attrs["validity_warnings_of_points"])[
         "the contact is refused: a number of it is out of bounds, or the model does not converge"
     ] == pytest.approx(lost.mean(), abs=0.03)
 
@@ -179,7 +179,7 @@ def test_of_contacts_solved_together_the_others_are_as_alone():
     contact = st.Contact(first=steel, second=steel, roughness=rough, nominal_area=1e-6, interfacial_shear_strength=2e7)
     choice = Choice("hariri_zu_ben_mrad_2006")
     together = solve_pointwise(contact, choice, load=1.0)
-    assert together.doubts[1][[0, 3]].tolist() == [1, 1] and not together.doubts[1][1] & 1
+    assert together.validity_warnings[1][[0, 3]].tolist() == [1, 1] and not together.validity_warnings[1][1] & 1
     for at, density in ((1, 2.5e10), (2, 2e10)):
         alone = solve_pointwise(contact.replace(roughness=rough.replace(asperity_density=density)), choice, load=1.0)
         for name in ("friction_coefficient", "contact_area", "mean_separation"):

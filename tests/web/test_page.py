@@ -137,7 +137,7 @@ async def test_a_surface_is_known_by_its_finish():
 
 
 @in_a_loop
-async def test_a_named_model_answers_with_its_doubts_and_the_prediction_as_large_beside_it():
+async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_large_beside_it():
     async with _page(packed(of_one_model())) as user:
         assert _mu(user) == "mu ≈ 0.046"
         assert any("claimed is" in text for text in _texts(user))

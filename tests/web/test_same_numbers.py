@@ -97,10 +97,10 @@ def test_a_case_that_is_too_large_for_a_page_is_refused():
     assert solved(Question(tables)).error.field == "uncertainty.count"
 
 
-def test_questions_about_numbers_are_in_the_answer_and_no_warning():
+def test_input_warnings_are_in_the_answer_and_no_warning():
     from stiction.web.fields import first_case
 
     tables = first_case()
     tables["contact"]["roughness"] |= {"asperity_height_deviation": "50 um", "asperity_radius": "48 nm"}
     answer = solved(Question(tables))
-    assert answer.questions or answer.error is not None
+    assert answer.input_warnings or answer.error is not None

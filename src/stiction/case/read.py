@@ -29,7 +29,7 @@ from stiction.case.uncertain import (
 )
 from stiction.contact.contact import Body, Contact, Indices
 from stiction.contact.subject import Subject
-from stiction.laws.proportion import questions
+from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError, InputWarning, field_as
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.paths import read_text
@@ -235,13 +235,13 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
     materials are named."""
     case = case_in(content, folder)
-    for question in questions(case.subject):
-        warnings.warn(question, InputWarning, stacklevel=2)
+    for warning in input_warnings(case.subject):
+        warnings.warn(warning, InputWarning, stacklevel=2)
     return case
 
 
 def case_in(content: Mapping, folder: Path = Path()) -> Case:
-    """The same without a warning: who calls asks `questions` about its subject."""
+    """The same without a warning: who calls asks `input_warnings` about its subject."""
     require_names(content)
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])

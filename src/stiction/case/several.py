@@ -28,7 +28,7 @@ _ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
     "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "front", "asked",
-    "doubts", "doubts_by_block", "statistics_by_block", "counts_by_block",
+    "validity_warnings", "validity_warnings_by_block", "statistics_by_block", "counts_by_block",
 )  # fmt: skip
 
 

@@ -85,7 +85,7 @@ _SAID = (InputWarning, Notice)
 
 def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> None:
     if issubclass(category, _SAID):
-        print(f"stiction: {'questioned: ' if category is InputWarning else ''}{message}", file=sys.stderr)
+        print(f"stiction: {'input warning: ' if category is InputWarning else ''}{message}", file=sys.stderr)
 
 
 def _as_input(error: Any) -> InputError:

@@ -87,7 +87,8 @@ def report(
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """One file of HTML that holds all of itself: the answer with its doubt, inputs and sources, pictures, every model compared.
+    """One file of HTML that holds all of itself: the answer with its validity warnings, inputs and sources, pictures, every
+    model compared.
 
     It is read without a network and without scripts, on paper too, and holds the case file to run it again. With --json the
     answer is printed as numbers, besides. Where numbers of the case are several, models are not compared.

@@ -14,6 +14,6 @@ OUT_OF_PROPORTION = (
 )
 
 
-def questions(subject: Subject) -> list[str]:
+def input_warnings(subject: Subject) -> list[str]:
     """What is out of all proportion in what was given, in words; before any model is asked."""
-    return [str(doubt) for doubt in warnings_about(subject, OUT_OF_PROPORTION, {})]
+    return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

@@ -44,7 +44,7 @@ def ranges_left(
 
 
 def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "xarray.Dataset":
-    """Return a result with more validity warnings: as text under `outside_validity`, as JSON under `doubts`."""
+    """Return a result with more validity warnings: as text under `outside_validity`, as JSON under `validity_warnings`."""
     return data.assign_attrs(as_attributes([*warnings_of(data), *more]))
 
 
@@ -52,12 +52,12 @@ def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
     """Return the attributes of a result that hold its validity warnings; a netCDF file keeps them."""
     found = tuple(warnings)
     data = json.dumps([one.as_data() for one in found], ensure_ascii=False)
-    return {"outside_validity": "; ".join(map(str, found)), "doubts": data}
+    return {"outside_validity": "; ".join(map(str, found)), "validity_warnings": data}
 
 
 def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:
     """Return the validity warnings of a result."""
-    return read_warnings(data.attrs.get("doubts", "[]"))
+    return read_warnings(data.attrs.get("validity_warnings", "[]"))
 
 
 def read_warnings(text: str) -> list[ValidityWarning]:

@@ -247,7 +247,7 @@ class AsperityMethod(Record):
     single profile too. of_summits: of a Gaussian surface whose waves are resolved it finds sigma, R and N of Nayak's summits,
     so that it may stand for the surface where no method is named. of_moments: its asperities have the measured moments,
     exactly, and are what theories of the whole surface take. accuracy: of sigma and R of paraboloids 400 points wide. validity:
-    in numbers of the asperities found, which are doubted in their note outside of it. limits: without groups; the parent is
+    in numbers of the asperities found, whose note has a validity warning outside of it. limits: without groups; the parent is
     another method.
     """
 

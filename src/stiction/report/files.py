@@ -62,10 +62,10 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
             "dims": list(variable.dims),
             "values": variable.values,
         }
-    doubts = [doubt.as_data() for doubt in warnings_of(data)]
+    warnings = [warning.as_data() for warning in warnings_of(data)]
     unused = json.loads(data.attrs.get("unused_inputs", "[]"))
     measured = json.loads(data.attrs.get("measured_error", "null"))
-    attrs = {**data.attrs, "doubts": doubts, "unused_inputs": unused, "measured_error": measured}
+    attrs = {**data.attrs, "validity_warnings": warnings, "unused_inputs": unused, "measured_error": measured}
     return {"attrs": attrs, "groups": dict(groups), "variables": variables}
 
 
@@ -75,15 +75,15 @@ def _names(data: "xarray.Dataset") -> list[str]:
 
 
 def comments_of(data: "xarray.Dataset") -> list[str]:
-    """What a table of a result has to say before its first row: what was computed, by which model, with what doubts, from which
-    inputs, and what the columns are."""
+    """What a table of a result has to say before its first row: what was computed, by which model, with what validity warnings,
+    from which inputs, and what the columns are."""
     used = data.attrs
     said: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
         "program": used.get("program"),
         "model": model_line(used),
         "grade": grade_line(used),
-        "doubt": [str(doubt) for doubt in warnings_of(data)] or "none: within the ranges that are claimed",
+        "validity warning": [str(warning) for warning in warnings_of(data)] or "none: within the ranges that are claimed",
         "measured error": used.get("measured_error_in_words"),
         "area": used.get("area_by"),
         "not used": used.get("inputs_not_used"),

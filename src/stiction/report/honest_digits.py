@@ -1,4 +1,4 @@
-"""A number with as many digits as its doubt leaves it."""
+"""A number with as many digits as its uncertainty leaves it."""
 
 import math
 

@@ -40,8 +40,8 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 def write_report(
     case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = silent
 ) -> dict[str, Any]:
-    """A report of a case as one file of HTML: question, answer with its doubt, inputs with their sources, pictures, all models
-    compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
+    """A report of a case as one file of HTML: question, answer with its validity warnings, inputs with their sources, pictures,
+    all models compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
 
     case: path of a case file, its tables as a dict, or a Case. path: of the file to be written: .html, or .pdf where a browser
     or weasyprint prints it; one that is there is replaced, when the new one is finished. load: the working load [N], or text
@@ -154,7 +154,7 @@ def report_record(findings: Findings) -> dict[str, Any]:
         "working_load_unit": unit,
         "friction_coefficient": mu,
         "friction_coefficient_rounded": None if here is None or mu is None else rounded(mu, interval_of(here)),
-        "doubts": [one.as_data() for one in warnings_here(findings)],
+        "validity_warnings": [one.as_data() for one in warnings_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
         "sources": [*own, *of_materials],

@@ -1,6 +1,6 @@
 """A result as a notebook shows it: what it is, how far it goes, and a few of its points.
 
-Results stay datasets of xarray, whose own view folds their attributes away, and with these the doubts.
+Results stay datasets of xarray, whose own view folds their attributes away, and with these the validity warnings.
 """
 
 from html import escape
@@ -20,8 +20,8 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Rows of a name and a text, and notes: what is doubtful, not used, or worth knowing; as HTML in a notebook, as text where
-    it is printed."""
+    """Rows of a name and a text, and notes: validity warnings, what is not used, or worth knowing; as HTML in a notebook, as
+    text where it is printed."""
 
     def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
         self.title, self.rows, self.notes, self.card = title, rows, notes, card
@@ -39,7 +39,8 @@ class Summary:
 
 
 def summary(result: "xarray.Dataset") -> Summary:
-    """Return what a result says, in short: the answer of `predict`, or model, grade, ranges of results and doubts of others.
+    """Return what a result says, in short: the answer of `predict`, or model, grade, ranges of results and validity warnings of
+    others.
 
     result: as `predict`, `solve` or `compare` gives it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
     """
@@ -51,7 +52,7 @@ def summary(result: "xarray.Dataset") -> Summary:
     if "grade" in used:
         rows.append(("grade", f"{used['grade']}: {GRADES.get(used['grade'], '')}"))
     rows += [(name, _range(result[name])) for name in _SHOWN if name in result and result[name].size]
-    notes = [f"doubt: {one}" for one in warnings_of(result)]
+    notes = [f"validity warning: {one}" for one in warnings_of(result)]
     notes += [str(one) for one in unused_of(result)]
     notes += [used["remarks"]] if used.get("remarks") else []
     return Summary(used.get("case") or used.get("title") or "Result", rows, notes)

@@ -45,7 +45,7 @@ _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so tha
 _MANY_DECADES = 1e3
 _LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
-_MOST_DOUBTS = 5  # that are told below a picture
+_MOST_WARNINGS = 5  # that are told below a picture
 _MU = "friction_coefficient"
 NOT_PRESSED = "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined"
 METHOD_BAND = "spread over methods of\nfinding asperities"
@@ -141,7 +141,7 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 
 
 def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
-    """Write above a figure what it shows, line by line, and below it what is doubtful, for which it grows."""
+    """Write above a figure what it shows, line by line, and below it the validity warnings, for which it grows."""
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
         figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
@@ -149,14 +149,14 @@ def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> N
 
 
 def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
-    """Lines, of so many characters, that say below a picture what is doubtful in it; none where nothing is."""
-    doubts = [str(doubt) for doubt in warnings_of(data)]
-    if not doubts:
+    """Lines, of so many characters, that say below a picture its validity warnings; none where nothing is."""
+    warnings = [str(warning) for warning in warnings_of(data)]
+    if not warnings:
         return []
-    more = len(doubts) - _MOST_DOUBTS
+    more = len(warnings) - _MOST_WARNINGS
     told = [
-        *doubts[:_MOST_DOUBTS],
-        *([f"and {more} more doubts: outside_validity of the result has them all"] if more > 0 else []),
+        *warnings[:_MOST_WARNINGS],
+        *([f"and {more} more validity warnings: outside_validity of the result has them all"] if more > 0 else []),
     ]
     return [
         "outside the range of validity:",

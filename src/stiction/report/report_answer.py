@@ -1,4 +1,4 @@
-"""The answer of a case in words: a question, and a sentence with its doubt."""
+"""The answer of a case in words: a question, and a sentence with its validity warnings."""
 
 from typing import TYPE_CHECKING
 
@@ -75,7 +75,7 @@ def load_in_words(findings: Findings) -> str:
 
 
 def headline(findings: Findings) -> str:
-    """The number, with as many digits as its doubt leaves it; the ends of several."""
+    """The number, with as many digits as its uncertainty leaves it; the ends of several."""
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
     data, here = findings.data, findings.here
@@ -103,7 +103,7 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
 
 
 def answer_in_words(findings: Findings) -> str:
-    """One sentence with its doubt."""
+    """One sentence with its validity warnings."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
     data, here = findings.data, findings.here
@@ -146,15 +146,15 @@ def _span(data: "xarray.Dataset", name: str) -> str:
 
 
 def warnings_here(findings: Findings) -> list[ValidityWarning]:
-    """What is doubtful of the result that is the answer."""
+    """The validity warnings of the result that is the answer."""
     return warnings_of(findings.result)
 
 
 def _trusted(findings: Findings) -> str:
-    doubts = warnings_here(findings)
-    if any(one.kind == "impossible" for one in doubts):
+    warnings = warnings_here(findings)
+    if any(one.kind == "impossible" for one in warnings):
         return ", but what it says cannot be so (see Validity), and this is no answer"
-    if doubts:
-        respects = "one respect" if len(doubts) == 1 else f"{_COUNTED.get(len(doubts), len(doubts))} respects"
+    if warnings:
+        respects = "one respect" if len(warnings) == 1 else f"{_COUNTED.get(len(warnings), len(warnings))} respects"
         return f", which is used outside its range of validity in {respects}"
     return ", within the range that its authors claim"

@@ -108,8 +108,8 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
     """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
     picture of what varies."""
-    # Doubts stand in words on the page, and not below every picture.
-    data = findings.data.assign_attrs(doubts="[]", outside_validity="")
+    # Validity warnings stand in words on the page, and not below every picture.
+    data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
     if findings.prediction is not None:
         return  # it is on the first page
     if findings.case.is_several:
@@ -178,7 +178,7 @@ def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
         yield _picture(lambda: uncertainty_figure(data), "band", caption)
     if "friction_coefficient_by_method" in data:
-        plain = data.assign_attrs(doubts="[]")
+        plain = data.assign_attrs(validity_warnings="[]")
         caption = "Friction against load after every way of finding asperities in the scans."
         yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
 

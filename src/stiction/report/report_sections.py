@@ -139,8 +139,8 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_frac
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
 
 
-def _doubt_in_words(doubt: ValidityWarning) -> str:
-    return letters(f"{KINDS_OF_WARNING[doubt.kind].capitalize()}: {doubt}")
+def _warning_in_words(warning: ValidityWarning) -> str:
+    return letters(f"{KINDS_OF_WARNING[warning.kind].capitalize()}: {warning}")
 
 
 def answer_table(findings: Findings) -> Table:
@@ -193,29 +193,29 @@ def validity_line(findings: Findings) -> str:
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         return f"Checked against {checked}." if checked else "Not checked against anything measured."
-    doubts = warnings_of(findings.data)
-    if not doubts:
+    warnings = warnings_of(findings.data)
+    if not warnings:
         return "All along the curve the model is within the range that its authors claim."
-    more = f", and in {len(doubts) - 1} more respects" if len(doubts) > 1 else ""
-    return letters(f"Outside its range of validity: {doubts[0].in_brief}{more} (see Validity).")
+    more = f", and in {len(warnings) - 1} more respects" if len(warnings) > 1 else ""
+    return letters(f"Outside its range of validity: {warnings[0].in_brief}{more} (see Validity).")
 
 
 def here_table(findings: Findings) -> Table | None:
-    """Results at the working load, each with the doubts that are of this quantity; those of no quantity in the list stand
-    beside the first."""
+    """Results at the working load, each with the validity warnings that are of this quantity; those of no quantity in the list
+    stand beside the first."""
     here = findings.here
     if here is None:
         return None
     names = [name for name in _RESULTS if name in here]
     every, rows = warnings_here(findings), []
     for at, name in enumerate(names):
-        mine: Any = [_doubt_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
+        mine: Any = [_warning_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
         row = QUANTITIES[name]
         if at == 0 and not every:
             mine = "none: within the ranges that are claimed"
         rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
     caption = "Results to four digits, as computed, so that they can be compared; the answer has the digits that count"
-    columns = [Column("quantity"), Column("symbol"), *numbers("value"), Column("doubts")]
+    columns = [Column("quantity"), Column("symbol"), *numbers("value"), Column("validity warnings")]
     return Table(columns, rows, caption, stacked=True)
 
 
@@ -272,7 +272,7 @@ def uncertainty_lines(findings: Findings) -> list[str]:
     )
     if "uncertainty" in used:
         lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
-    shares: dict[str, float] = json.loads(used.get("doubts_of_points", "{}"))
+    shares: dict[str, float] = json.loads(used.get("validity_warnings_of_points", "{}"))
     return lines + [f"I{in_draws(share, letters(with_meaning(text)))[1:]}." for text, share in shares.items()]
 
 
@@ -283,34 +283,34 @@ def _unknown(some: "list[Uncertain]") -> str:
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
 
 
-def doubt_table(findings: Findings) -> Table | None:
-    """Every doubt of the whole curve: the quantity, its value, what is claimed, and what that means."""
+def validity_table(findings: Findings) -> Table | None:
+    """Every validity warning of the whole curve: the quantity, its value, what is claimed, and what that means."""
     found = warnings_of(findings.data)
     if not found:
         return None
-    rows = [[letters(cell) for cell in _doubt_row(one)] for one in found]
-    heads = ["what is doubtful", "it is", "claimed is", "at", "why, and what that means"]
+    rows = [[letters(cell) for cell in _validity_row(one)] for one in found]
+    heads = ["quantity", "it is", "claimed is", "at", "why, and what that means"]
     return Table([*map(Column, heads)], rows, "Where the result leaves what the authors of its laws claim", stacked=True)
 
 
-def _doubt_row(doubt: ValidityWarning) -> list[str]:
-    if not doubt.quantity:
-        return ["the result", "", "", "", f"{doubt.why} ({KINDS_OF_WARNING[doubt.kind]})"]
-    row = QUANTITIES[doubt.quantity]
+def _validity_row(warning: ValidityWarning) -> list[str]:
+    if not warning.quantity:
+        return ["the result", "", "", "", f"{warning.why} ({KINDS_OF_WARNING[warning.kind]})"]
+    row = QUANTITIES[warning.quantity]
     unit = f" {row.unit}" if row.unit else ""
-    ends = " to ".join(dict.fromkeys((f"{doubt.least:.3g}", f"{doubt.most:.3g}")))
-    low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (doubt.low, doubt.high))
+    ends = " to ".join(dict.fromkeys((f"{warning.least:.3g}", f"{warning.most:.3g}")))
+    low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (warning.low, warning.high))
     claimed = f"{low} to {high}" if low and high else f"{low} or more" if low else f"{high} or less"
-    at = f"{doubt.outside} of {doubt.points} points" if doubt.points > 1 else "the point"
-    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{doubt.why} ({KINDS_OF_WARNING[doubt.kind]})"]
+    at = f"{warning.outside} of {warning.points} points" if warning.points > 1 else "the point"
+    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{warning.why} ({KINDS_OF_WARNING[warning.kind]})"]
 
 
 def notes(findings: Findings) -> list[str]:
     """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
-    questioned = [f"Questioned: {one}" for one in findings.questions]
+    warnings = [f"Input warning: {one}" for one in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
-        return [*questioned, *map(letters, findings.data.attrs.get("warnings", []))]
-    return [*questioned, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
+        return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
+    return [*warnings, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
 
 
 def scan_parts(findings: Findings) -> list[tuple[str, Any, Table, list[str]]]:

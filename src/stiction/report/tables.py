@@ -121,8 +121,8 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     """Yield title, model, friction at the middle load with its interval, and how far the contact fits the model."""
     if case.title:
         yield Text(case.title, style="bold")
-    doubts = [str(one) for one in warnings_of(data)]
-    more = f"; and {len(doubts) - 1} more" if len(doubts) > 1 else ""
+    warnings = [str(one) for one in warnings_of(data)]
+    more = f"; and {len(warnings) - 1} more" if len(warnings) > 1 else ""
     rows = [("model", f"{model_line(data.attrs)}; grade {data.attrs['grade']}")]
     if not case.is_several:
         answer = model_record(data)
@@ -130,7 +130,7 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         band = "" if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
         rows.insert(0, ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined here"))
     unused = data.attrs.get("inputs_not_used", "")
-    yield facts([*rows, ("not used", unused), ("outside", f"{doubts[0]}{more}" if doubts else "")])
+    yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
 
 
 # Of a contact whose materials are told, what is of these alone.
@@ -207,9 +207,9 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
 
 def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
     """Yield what is used beyond the claims of its authors, highlighted."""
-    if doubts := warnings_of(data):
+    if warnings := warnings_of(data):
         yield Text("outside the range of validity", style="bold yellow")
-        yield from notes(map(str, doubts), "yellow")
+        yield from notes(map(str, warnings), "yellow")
 
 
 def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:

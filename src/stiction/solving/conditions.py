@@ -110,12 +110,12 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 
 def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
-    """Every doubt about these normalised results: of the records that answer, and of the rules for all of them."""
+    """Every validity warning about these normalised results: of the records that answer, and of the rules for all of them."""
     return without_repeats(warnings_about(problem.subject, _rules_for(problem), _known(problem, results)))
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
-    """The doubt, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
+    """The validity warning, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
     lost = lost_in_rounding(carried, asked)
     if not lost.any():
         return []
@@ -129,14 +129,14 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
 
 
 # What a point of a curve may be: as its model claims; outside of a range; not possible at all.
-WITHIN, DOUBTFUL, IMPOSSIBLE = range(3)
+WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Which of WITHIN, DOUBTFUL and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
+    """Which of WITHIN, OUTSIDE and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
     found = np.full(curve["load"].shape, WITHIN)
     for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
-        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else DOUBTFUL, WITHIN))
+        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
     return found[0]
 
 
@@ -204,8 +204,8 @@ def _hardens(problem: Problem) -> bool:
     return known and hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
 
 
-def without_repeats(doubts: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Of doubts of one quantity of which a worse one says all, the worse only: above 1 is above 0.1, too."""
-    doubts = list(doubts)
-    worst = {one.quantity for one in doubts if one.kind == "impossible"}
-    return [one for one in doubts if one.kind == "impossible" or one.quantity not in worst]
+def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
+    """Of validity warnings of one quantity of which a worse one says all, the worse only: above 1 is above 0.1, too."""
+    warnings = list(warnings)
+    worst = {one.quantity for one in warnings if one.kind == "impossible"}
+    return [one for one in warnings if one.kind == "impossible" or one.quantity not in worst]

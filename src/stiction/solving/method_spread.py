@@ -32,9 +32,10 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """A result with the method that stands for the surface, what was done to the scans, their sources and their doubts."""
+    """A result with the method that stands for the surface, what was done to the scans, their sources and their validity
+    warnings."""
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
-    data = with_warnings(data, map(ValidityWarning, measured.doubts)) if measured.doubts else data
+    data = with_warnings(data, map(ValidityWarning, measured.validity_warnings)) if measured.validity_warnings else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 

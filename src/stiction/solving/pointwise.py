@@ -22,7 +22,7 @@ T = TypeVar("T")
 # Some of many contacts: dimension -> slice.
 Region = dict[str, slice]
 
-# The first doubts of every point: bit 0 to 2. What is refused or not carried has no results.
+# The first validity warnings of every point: bit 0 to 2. What is refused or not carried has no results.
 WHY_NOT = (
     "the contact is refused: a number of it is out of bounds, or the model does not converge",
     "the load is nowhere carried",
@@ -37,13 +37,13 @@ NOT_COMPUTED = np.uint32(1 << 31)
 class Pointwise:
     """Results of many contacts.
 
-    variables: name -> dimensions, values in the units of the contact, attributes. doubts: the dimensions, and bits (uint32):
-    the first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes:
+    variables: name -> dimensions, values in the units of the contact, attributes. validity_warnings: the dimensions, and bits
+    (uint32): the first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes:
     what was used, as `solve` says it, where all results are kept.
     """
 
     variables: dict[str, tuple]
-    doubts: tuple[tuple[str, ...], np.ndarray]
+    validity_warnings: tuple[tuple[str, ...], np.ndarray]
     rules: list[Validity]
     subject: Subject
     attributes: dict[str, str]
@@ -70,16 +70,16 @@ def solve_pointwise(
     tables = with_shares(problem, solved.tables)
     refused = why_not == 1 << REFUSED
     variables = variables_of(points, solved, tables, keep, refused.all(axis=1))
-    doubts = why_not.astype(np.uint32)
+    validity_warnings = why_not.astype(np.uint32)
     for bit, left in enumerate(rules_left(problem, tables), start=len(WHY_NOT)):
-        doubts |= left.astype(np.uint32) << np.uint32(bit)
-    doubts = np.where(refused, why_not, doubts).reshape(points.wanted.shape)
+        validity_warnings |= left.astype(np.uint32) << np.uint32(bit)
+    validity_warnings = np.where(refused, why_not, validity_warnings).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
-    return Pointwise(variables, (tuple(points.dims), doubts), rules_of(problem), problem.subject, attributes)
+    return Pointwise(variables, (tuple(points.dims), validity_warnings), rules_of(problem), problem.subject, attributes)
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return what each bit of `Pointwise.doubts` means."""
+    """Return what each bit of `Pointwise.validity_warnings` means."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 

@@ -1,4 +1,4 @@
-"""Normalised tables as a labelled dataset in the units of the contact, with what was used and what is doubtful."""
+"""Normalised tables as a labelled dataset in the units of the contact, with what was used and its validity warnings."""
 
 from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any

@@ -52,8 +52,8 @@ def solve(
     number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
     touching_asperities, their parts by state, body and limit, and pull_off_force; what a model does not know is left out. Its
     attributes name model, options, sources, and what is used beyond the claims of its authors: `outside_validity` in words,
-    `doubts` as JSON. Where the roughness was measured, friction_coefficient is that of the method which stands for the surface,
-    and there are also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+    `validity_warnings` as JSON. Where the roughness was measured, friction_coefficient is that of the method which stands for
+    the surface, and there are also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
     friction_coefficient_high; the attributes say the method and what was done to the scans.
     Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
     """
@@ -62,12 +62,14 @@ def solve(
     try:
         data = _at_points(contact, separation, load, choice, heights, threads)
     except InputError as error:
-        doubts = "".join(f"; {doubt}" for doubt in (measured.doubts if measured else ()))
-        raise InputError(error.field, error.value, error.allowed + doubts, error.hint) from None
+        validity_warnings = "".join(f"; {warning}" for warning in (measured.validity_warnings if measured else ()))
+        raise InputError(error.field, error.value, error.allowed + validity_warnings, error.hint) from None
     if measured is None:
         return data
     if find(choice.model_key, RoughSurface).of_map is not None:
-        return with_warnings(data, map(ValidityWarning, measured.doubts)).assign_attrs(measured.solvable.attributes())
+        return with_warnings(data, map(ValidityWarning, measured.validity_warnings)).assign_attrs(
+            measured.solvable.attributes()
+        )
     contacts = measured.contacts(with_surface_moments(contact, choice.model_key))
     return as_measured(with_method_spread(data, contacts, measured.counts, choice, heights), measured)
 
@@ -93,7 +95,7 @@ def _at_points(
 
 
 def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
-    """The dataset with the doubt that not all loads were solved, where a solution was interrupted."""
+    """The dataset with the validity warning that not all loads were solved, where a solution was interrupted."""
     missing = int(np.isnan(data["contact_area"].values).sum())
     if not missing:
         return data
@@ -102,10 +104,10 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
-    """The dataset with the doubt that loads asked for are lost in rounding, where any are, and with the loads that are carried
-    beside those asked for, where these are a coordinate."""
-    doubts = warnings_of_rounding(carried, points.wanted)
-    if doubts and "load" in data.coords:
+    """The dataset with the validity warning that loads asked for are lost in rounding, where any are, and with the loads that
+    are carried beside those asked for, where these are a coordinate."""
+    validity_warnings = warnings_of_rounding(carried, points.wanted)
+    if validity_warnings and "load" in data.coords:
         beside = as_variables(points.problem.subject, {"load": carried}, points.factors, points.dims)["load"]
         data["load_carried"] = (*beside[:2], beside[2] | {"long_name": "net normal load that is carried"})
-    return with_warnings(data, doubts)
+    return with_warnings(data, validity_warnings)

@@ -92,10 +92,10 @@ def unload(
     wanted = normalised(point, factors["m"], dims)
     apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
     results = way.at(way.rows(shape), turned, apart)
-    doubts = []
+    validity_warnings = []
     if is_load:
         asked = np.where(apart == 0.0, normalised(turn.value, factors["N"], dims), results["load"])
-        doubts = warnings_of_rounding(results["load"], asked)
+        validity_warnings = warnings_of_rounding(results["load"], asked)
         results = as_asked(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
@@ -106,7 +106,7 @@ def unload(
     for name in _DESCRIBED:
         if name in data.coords:
             data[name].attrs = _described(subject, name)
-    return with_warnings(data.assign_attrs(way.summary(tables)), doubts)
+    return with_warnings(data.assign_attrs(way.summary(tables)), validity_warnings)
 
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.

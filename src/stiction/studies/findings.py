@@ -10,7 +10,7 @@ import numpy as np
 
 from stiction.case.read import Case
 from stiction.case.several import Address
-from stiction.laws.proportion import questions
+from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
 from stiction.studies.case_results import compare_case, solve_case
@@ -30,7 +30,7 @@ class Findings:
     case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the model that is
     named. load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
     where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its
-    scan. questions: about numbers that were hardly meant. recommended: the prediction of one contact, also where a
+    scan. input_warnings: about numbers that were hardly meant. recommended: the prediction of one contact, also where a
     model is named; None where numbers are several or normalised.
     """
 
@@ -42,7 +42,7 @@ class Findings:
     told: "xarray.Dataset | None" = None
     not_compared: str = ""
     analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
-    questions: tuple[str, ...] = ()
+    input_warnings: tuple[str, ...] = ()
     recommended: "xarray.Dataset | None" = None
 
     @property
@@ -73,7 +73,7 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
             here = solve_case(replace(case, separation=None, load=np.array([at])), progress=progress).squeeze("load")
     predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at)
     told = None if at is None else compare_case(case, at, progress)
-    asked = tuple(str(one) for one in questions(case.subject))
+    asked = tuple(str(one) for one in input_warnings(case.subject))
     return Findings(case, text, data, at, here, told, why, _analyses(case, progress), asked, predicted)
 
 

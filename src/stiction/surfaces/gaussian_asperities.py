@@ -34,5 +34,5 @@ def combine(first: Asperities, second: Asperities) -> Asperities:
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)
-    doubt = f"; {LEAST}" if float(both.alpha) < LEAST_BANDWIDTH else ""
-    return of_moments(f"{first.method} and {second.method}", both, f"two surfaces, their moments added{doubt}")
+    warning = f"; {LEAST}" if float(both.alpha) < LEAST_BANDWIDTH else ""
+    return of_moments(f"{first.method} and {second.method}", both, f"two surfaces, their moments added{warning}")

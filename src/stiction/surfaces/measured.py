@@ -123,8 +123,8 @@ class Measured:
     by_method: method -> Roughness; method: that which stands for the surface; failures: method -> why it found nothing.
     history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
     separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
-    asperities, over the mean plane [m]: separations count from them. doubts: what is to be said of two bodies taken together.
-    of_moments: the method that keeps the moments of the surface. stated: which of method and heights were.
+    asperities, over the mean plane [m]: separations count from them. validity_warnings: what is to be said of two bodies taken
+    together. of_moments: the method that keeps the moments of the surface. stated: which of method and heights were.
     solvable: the maps whose contact can be solved point by point.
     """
 
@@ -135,7 +135,7 @@ class Measured:
     notes: Mapping[str, str]
     counts: Mapping[str, int]
     mean_heights: Mapping[str, float]
-    doubts: tuple[str, ...] = ()
+    validity_warnings: tuple[str, ...] = ()
     of_moments: str = ""
     stated: tuple[str, ...] = ()
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
@@ -189,7 +189,7 @@ class Measured:
             "units": {"sigma": "m", "R": "m", "N": "1/m^2", "mean_height": "m"},
             "by_method": by_method,
             "failures": dict(self.failures),
-            "doubts": list(self.doubts),
+            "validity_warnings": list(self.validity_warnings),
             "history": {body: list(steps) for body, steps in self.history.items()},
         }
 
@@ -260,7 +260,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if method not in found:
         why = f"; nothing by {method}: {failures[method]}" if method in failures else ""
         raise InputError("roughness.method", method, ", ".join(found) + why)
-    doubts = _doubts(list(maps.values()), bool(known), wanted)
+    validity_warnings = _validity_warnings(list(maps.values()), bool(known), wanted)
     return Measured(
         by_method={name: surfaces[name] for name in found},
         method=method,
@@ -269,7 +269,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         notes={name: one.note for name, one in found.items()},
         counts=counts if alone else dict.fromkeys(counts, 0),
         mean_heights={name: one.mean_height for name, one in found.items()},
-        doubts=(*_spikes(maps), *doubts, *_without_moments(failures.get(of_moments))),
+        validity_warnings=(*_spikes(maps), *validity_warnings, *_without_moments(failures.get(of_moments))),
         of_moments=of_moments,
         stated=tuple(name for name in ("method", "heights") if getattr(wanted, name) is not None),
         solvable=solvable,
@@ -330,7 +330,7 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
     return (f"the moments of the surface are not known ({why}): theories of it take the asperities found",)
 
 
-def _doubts(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
+def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
     """What is to be said of two rough bodies taken together."""
     if numbers:
         return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)

@@ -47,7 +47,7 @@ def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None
         heights = np.asarray(raw.heights, dtype=np.float64) * height_factor
     check_scale(heights, extent, path.name)
     surface = HeightMap(heights, extent, name=path.name)
-    history = (_said(surface, raw), *raw.notes, *units, *override, *_doubt(heights, extent))
+    history = (_said(surface, raw), *raw.notes, *units, *override, *_scale_warning(heights, extent))
     return HeightMap(heights, extent, history, path.name)
 
 
@@ -126,9 +126,9 @@ def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> No
         raise InputError("scan", told, f"{_FLATTEST:g} to {_STEEPEST:g} of the size; check unit, height unit and size")
 
 
-def _doubt(heights: np.ndarray, size: tuple[float, float]) -> tuple[str, ...]:
+def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str, ...]:
     if np.nanmax(heights) - np.nanmin(heights) > max(size):
-        return ("doubtful: peak to valley is larger than the size; check unit, height unit and size",)
+        return ("input warning: peak to valley is larger than the size; check unit, height unit and size",)
     return ()
 
 

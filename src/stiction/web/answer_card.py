@@ -50,16 +50,16 @@ class AnswerCard:
         answer = self._explorer.good
         beside = self._beside[1] if self._beside is not None and self._beside[0] is answer else None
         number, where = self._explorer.headline
-        doubts = [] if answer.prediction is not None or answer.data is None else warnings_of(answer.data)
+        warnings = [] if answer.prediction is not None or answer.data is None else warnings_of(answer.data)
         said = [] if answer.prediction is not None else [(_model(answer), where)]
-        said += [(KINDS_OF_WARNING[one.kind], str(one)) for one in doubts]
+        said += [(KINDS_OF_WARNING[one.kind], str(one)) for one in warnings]
         predicted = answer.prediction if answer.prediction is not None else beside
         if predicted is None:
             html = f'<div class="card"><p><span class="text-3xl font-bold">{escape(number)}</span> {escape(where)}</p></div>'
         else:
             card = card_of(predicted, "" if answer.prediction is not None else f"{number} by {_model(answer)}")
-            if doubts:
-                card = card._replace(warning=briefly(str(doubts[0])))
+            if warnings:
+                card = card._replace(warning=briefly(str(warnings[0])))
             html = card.html(why=False)
             said += answer_lines(predicted)[1:]
         self._card.set_content(html)

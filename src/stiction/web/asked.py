@@ -12,7 +12,7 @@ import xarray
 from stiction.case.read import Case, case_in
 from stiction.contact.contact import Contact
 from stiction.contact.interfaces import allowed_interfaces, interface_names
-from stiction.laws.proportion import questions
+from stiction.laws.proportion import input_warnings
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.records.registry import all_options, kinds, of_kind
@@ -52,13 +52,13 @@ class Question:
 @dataclass(frozen=True, eq=False)
 class Answer:
     """The result of a case: data, as `predict` or, with a model named, `solve_case` gives it; or the error in its place.
-    questions: about numbers that were hardly meant."""
+    input_warnings: about numbers that were hardly meant."""
 
     question: Question
     case: Case | None = None
     data: xarray.Dataset | None = None
     error: InputError | None = None
-    questions: list[str] = field(default_factory=list)
+    input_warnings: list[str] = field(default_factory=list)
 
     @property
     def curve(self) -> xarray.Dataset:
@@ -112,7 +112,7 @@ def solved(question: Question) -> Answer:
     try:
         case = case_asked(question)
         data = predict(case) if is_predicted(case) else solve_case(case)
-        return Answer(question, case, data, questions=list(map(str, questions(case.subject))))
+        return Answer(question, case, data, input_warnings=list(map(str, input_warnings(case.subject))))
     except InputError as error:
         return Answer(question, error=error)
 
@@ -164,8 +164,8 @@ _WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_sep
 
 
 def headline(answer: Answer, at: int) -> tuple[str, str]:
-    """Return the number and where it holds: of a prediction with its interval, of one model with as many digits as its doubt
-    leaves it."""
+    """Return the number and where it holds: of a prediction with its interval, of one model with as many digits as its
+    uncertainty leaves it."""
     if answer.prediction is not None:
         return answer_lines(answer.prediction)[0]
     here = answer.at(at)
@@ -179,12 +179,12 @@ def headline(answer: Answer, at: int) -> tuple[str, str]:
 
 
 def remarks(answer: Answer) -> list[str]:
-    """What else is to be said of an answer: model, grade, questions about numbers, inputs that change nothing."""
+    """What else is to be said of an answer: model, grade, input warnings, inputs that change nothing."""
     assert answer.data is not None
     said, (*several, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     found = [] if answer.prediction is not None else [f"Model {model_line(said)}; grade {grade_line(said)}."]
     found += [f"Warning: {one}" for one in said.get("warnings", [])[1:]]
-    found += [f"Questioned: {one}" for one in answer.questions]
+    found += [f"Input warning: {one}" for one in answer.input_warnings]
     found += [f"Not used: {said['inputs_not_used']}"] if said.get("inputs_not_used") else []
     found += [f"Remark: {one}" for one in str(said.get("remarks", "")).splitlines() if one]
     return [

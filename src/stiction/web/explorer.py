@@ -123,7 +123,7 @@ class Explorer:
 
     @property
     def headline(self) -> tuple[str, str]:
-        """The number with the digits that its doubt leaves it, and where it holds."""
+        """The number with the digits that its uncertainty leaves it, and where it holds."""
         return headline(self.good, self.here)
 
     def upload(self, name: str, content: bytes) -> str:

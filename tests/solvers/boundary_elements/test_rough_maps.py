@@ -49,7 +49,7 @@ def test_the_conditions_of_contact_are_met_and_the_load_is_carried(heights, hard
     top = math.inf if hardness is None else hardness
     for load, contact in zip(loads, found, strict=True):
         assert contact.load == pytest.approx(load) and contact.residual <= 1e-5
-        assert names(contact.doubts) <= {"points_in_contact"}
+        assert names(contact.validity_warnings) <= {"points_in_contact"}
         assert contact.pressure.mean() == pytest.approx(load, rel=1e-11)
         assert contact.pressure.min() >= 0.0 and contact.pressure.max() <= top
         assert conditions(heights, contact, modulus, top, film) < 1e-3
@@ -165,8 +165,8 @@ def test_alone_and_periodic_agree_far_from_the_ends():
 # ---- what is said, and what is refused
 
 
-def names(doubts):
-    return {doubt.quantity for doubt in doubts}
+def names(validity_warnings):
+    return {warning.quantity for warning in validity_warnings}
 
 
 def test_pages_state_the_coefficient_at_edges_that_is_used():
@@ -177,19 +177,19 @@ def test_pages_state_the_coefficient_at_edges_that_is_used():
         assert f"{PIXEL_EXCESS:.3f}".lstrip("0") in text and r"\pi-1+\ln2" not in text
 
 
-def test_a_good_map_has_no_doubts_and_bad_ones_are_named():
+def test_a_good_map_has_no_warnings_and_bad_ones_are_named():
     good = solve_map(rough(256, rolloff=0.12), UNIT, modulus=1.0, loads=[1e-3], periodic=True)
-    assert not good.doubts and not good[0].doubts and good.complete
+    assert not good.validity_warnings and not good[0].validity_warnings and good.complete
     coarse = solve_map(rough(64, points=3.0), UNIT, modulus=1.0, loads=[1e-3], periodic=True)
-    assert "points_in_shortest_wave" in names(coarse.doubts)
+    assert "points_in_shortest_wave" in names(coarse.validity_warnings)
     few = solve_map(rough(64, rolloff=0.5), UNIT, modulus=1.0, loads=[1e-5], periodic=True)
-    assert "longest_waves_on_a_side" in names(few.doubts) and "points_in_contact" in names(few[0].doubts)
+    assert "longest_waves_on_a_side" in names(few.validity_warnings) and "points_in_contact" in names(few[0].validity_warnings)
     steep = solve_map(rough(64, slope=2.0), UNIT, modulus=1.0, loads=[1e-3], periodic=True, film=Film(1e-3, 1.0, 0.3, 2.0, 0.3))
-    assert {"rms_gradient", "film_thickness"} <= names(steep.doubts)
+    assert {"rms_gradient", "film_thickness"} <= names(steep.validity_warnings)
     x = np.arange(32) / 32.0
     tilted = np.tile(0.01 * x, (32, 1)) + 1e-4 * np.cos(40.0 * x)
     ends = solve_map(tilted, UNIT, modulus=1.0, loads=[1e-4], periodic=False, free=True)
-    assert "load_at_ends" in names(ends[0].doubts)
+    assert "load_at_ends" in names(ends[0].validity_warnings)
 
 
 @pytest.mark.parametrize("load", (1e-4, 5.1e-4, 2e-3))
@@ -202,8 +202,8 @@ def test_a_load_that_is_within_the_map_leaves_its_ends_bare(load):
 
 def test_what_did_not_converge_says_so(heights):
     found = solve_map(heights, UNIT, modulus=1.0, loads=[1e-3], periodic=True, most_steps=2)
-    assert "not_converged" in names(found[0].doubts) and found[0].residual > 1e-5
-    assert "not converged" in str(found[0].doubts[0])
+    assert "not_converged" in names(found[0].validity_warnings) and found[0].residual > 1e-5
+    assert "not converged" in str(found[0].validity_warnings[0])
 
 
 def test_an_interruption_keeps_the_loads_that_are_done(heights):
@@ -249,7 +249,7 @@ def test_one_spike_is_solved():
     heights = 1e-3 * rough(64)
     heights[20, 20] = 1.0
     (found,) = solve_map(heights, UNIT, modulus=1.0, loads=[1e-5], periodic=True)
-    assert found.area_pixels == pytest.approx(1.0 / 64**2) and "points_in_contact" in names(found.doubts)
+    assert found.area_pixels == pytest.approx(1.0 / 64**2) and "points_in_contact" in names(found.validity_warnings)
 
 
 def test_memory_is_asked_for_before_it_is_taken(heights, monkeypatch):

@@ -44,16 +44,16 @@ def test_a_contact_that_adheres_scales_with_its_lengths():
         assert large.perimeter == pytest.approx(10.0 * small.perimeter, rel=1e-9)
         assert large.mean_gap == pytest.approx(10.0 * small.mean_gap, rel=1e-4)
         assert large.attraction == pytest.approx(100.0 * small.attraction, rel=1e-3)
-        (doubt,), (same,) = ([d for d in one.doubts if d.quantity == "points_at_edge"] for one in (small, large))
-        assert doubt.least == pytest.approx((1.3e-3) ** 2 / 8e-5 * 32.0, rel=1e-12)  # E* rho^2/w over the pitch
-        assert same.least == pytest.approx(doubt.least, rel=1e-12)
+        (warning,), (same,) = ([d for d in one.validity_warnings if d.quantity == "points_at_edge"] for one in (small, large))
+        assert warning.least == pytest.approx((1.3e-3) ** 2 / 8e-5 * 32.0, rel=1e-12)  # E* rho^2/w over the pitch
+        assert same.least == pytest.approx(warning.least, rel=1e-12)
 
 
 def test_a_descent_that_is_cut_short_says_so(monkeypatch):
-    assert not any(one.quantity == "not_converged" for one in sticking(1.0)[0].doubts)
+    assert not any(one.quantity == "not_converged" for one in sticking(1.0)[0].validity_warnings)
     monkeypatch.setattr(descent, "_MOST", 2)
-    (doubt,) = [one for one in sticking(1.0)[0].doubts if one.quantity == "not_converged"]
-    assert doubt.most > doubt.high
+    (warning,) = [one for one in sticking(1.0)[0].validity_warnings if one.quantity == "not_converged"]
+    assert warning.most > warning.high
 
 
 def test_the_edges_of_a_strip_are_as_long_as_the_map():
@@ -113,13 +113,13 @@ def test_the_shortest_wave_of_an_odd_number_of_points_lies_as_it_lies():
 
 def test_a_hundredth_of_the_load_may_be_on_the_ends():
     """Of five by four points fourteen are the outermost; of two rows all are."""
-    for share, doubted in ((0.0, False), (0.00995, False), (0.01005, True), (0.7, True)):
+    for share, warned in ((0.0, False), (0.00995, False), (0.01005, True), (0.7, True)):
         pressure = np.full((5, 4), share / 14.0)
         pressure[1:-1, 1:-1] = (1.0 - share) / 6.0
         assert share_at_ends(pressure) == pytest.approx(share)
         found = Found(pressure, np.zeros((5, 4)), 0.0, 0.0, 1, True)
         said = [(one.quantity, one.least, one.high) for one in warnings_of_load(found, 0.0, True, 1e-5)]
-        assert [one for one in said if one[0] == "load_at_ends"] == [("load_at_ends", pytest.approx(share), 0.01)] * doubted
+        assert [one for one in said if one[0] == "load_at_ends"] == [("load_at_ends", pytest.approx(share), 0.01)] * warned
         assert "load_at_ends" not in {one.quantity for one in warnings_of_load(found, 0.0, False, 1e-5)}
     assert share_at_ends(np.ones((2, 9))) == share_at_ends(np.ones((9, 1))) == 1.0
 

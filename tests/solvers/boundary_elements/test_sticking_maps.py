@@ -31,15 +31,15 @@ def test_a_sphere_on_the_way_to_johnson_kendall_roberts():
     found = solve_adhesive(sphere(128), UNIT, modulus=1.0, loads=loads * PULL, work=WORK, reach=REACH)
     for contact, radius in zip(found, (0.973, 0.898, 0.820), strict=False):
         assert math.sqrt(contact.area / math.pi) == pytest.approx(0.15 * radius, rel=0.005)
-        assert not contact.doubts and contact.points_at_edge >= 2.0
+        assert not contact.validity_warnings and contact.points_at_edge >= 2.0
         assert contact.pressure.mean() == pytest.approx(contact.load, abs=1e-9 * PULL)
     assert [contact.detached for contact in found] == [False] * 6 + [True] * 2
     assert found[7].area == 0.0 and found[7].mean_gap == math.inf
 
 
-def test_a_map_too_coarse_for_the_edge_is_doubted():
+def test_a_map_too_coarse_for_the_edge_has_a_warning():
     (found,) = solve_adhesive(sphere(64), UNIT, modulus=1.0, loads=[0.0], work=WORK, reach=REACH)
-    assert {doubt.quantity for doubt in found.doubts} == {"points_at_edge"}
+    assert {warning.quantity for warning in found.validity_warnings} == {"points_at_edge"}
     assert found.points_at_edge == pytest.approx(64 * REACH**2 / WORK, rel=1e-12)
 
 

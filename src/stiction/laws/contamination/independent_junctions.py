@@ -10,9 +10,9 @@ s_\mu=\frac{c_\tau\tau_0}P\sqrt{\sum_iA_i^2},\qquad
 $$
 
 over the $n$ junctions that touch; the second for a law that is $\tau_0A$ alone. It is the standard deviation from one contact
-to the next of the same load, by the strength only: that other asperities touch is not counted (the doubt about few asperities
-is of that). The mean of $\mu$ stays. Theories without single junctions refuse it, and so do films, whose junctions are shared
-by two bodies.
+to the next of the same load, by the strength only: that other asperities touch is not counted (the validity warning about few
+asperities is of that). The mean of $\mu$ stays. Theories without single junctions refuse it, and so do films, whose junctions
+are shared by two bodies.
 
 *Limit*: many junctions, or $c_\tau=0$: no spread. *Check*: Hertz's asperities with exponential heights,
 $\langle A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.

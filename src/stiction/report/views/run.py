@@ -61,7 +61,7 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
         yield draws_in_words(used)
     if used.get("impossible_draws"):
         yield f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws"
-    for text, share in json.loads(used.get("doubts_of_points", "{}")).items():
+    for text, share in json.loads(used.get("validity_warnings_of_points", "{}")).items():
         yield in_draws(share, with_meaning(text))
 
 
@@ -70,10 +70,10 @@ def draws_in_words(used: Mapping[str, Any]) -> str:
     return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
 
 
-def with_meaning(doubt: str) -> str:
-    """A doubt that begins with the name of a quantity, with what that means in its place."""
-    name, _, rest = doubt.partition(" ")
-    return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else doubt
+def with_meaning(warning: str) -> str:
+    """A validity warning that begins with the name of a quantity, with what that means in its place."""
+    name, _, rest = warning.partition(" ")
+    return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else warning
 
 
 def in_draws(share: float, text: str) -> str:

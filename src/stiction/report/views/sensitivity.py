@@ -103,7 +103,7 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
 
 
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """What was varied, how, and what is doubtful of the nominal contact."""
+    """What was varied, how, and the validity warnings of the nominal contact."""
     used = data.attrs
     if "input" in data.dims:
         for line in used["uncertain_inputs"].splitlines():
@@ -113,15 +113,15 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
         yield Text(draws_in_words(used), style="dim")
-        for text, share in json.loads(used["doubts_of_points"]).items():
+        for text, share in json.loads(used["validity_warnings_of_points"]).items():
             if text in WHY_NOT:
                 yield Text(f"left out: {in_draws(share, text)}", style="bold yellow")
         yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
     else:
         yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
     yield Text(f"elasticities: by {model_line(used)}, at the nominal numbers", style="dim")
-    for doubt in warnings_of(data):
-        yield Text(f"doubtful: {doubt}", style="bold yellow")
+    for warning in warnings_of(data):
+        yield Text(f"validity warning: {warning}", style="bold yellow")
 
 
 _SHARE = "friction_coefficient_share"

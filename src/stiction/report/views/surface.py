@@ -154,7 +154,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
     lines = []
     if analysis.spikes:
         lines.append(
-            f"doubtful: {analysis.spikes} points are more than {SUSPICIOUS:g} robust deviations from the median: spikes? "
+            f"input warning: {analysis.spikes} points are more than {SUSPICIOUS:g} robust deviations from the median: spikes? "
             f"They set Sq, Sz and the threshold of persistent summits; --spikes {SUSPICIOUS:g} masks them"
         )
     lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
@@ -212,14 +212,17 @@ def contact_table(contact: "ContactOfMap") -> Table:
 
 
 def contact_notes(contact: "ContactOfMap") -> list[Text]:
-    """How the contact of a map was solved, and what is doubtful."""
+    """How the contact of a map was solved, and its validity warnings."""
     yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
     of_map = contact.curve.of_map
     solved = (
         f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
         f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
     )
-    lines = [Text(solved, style="dim"), *(Text(f"doubtful: {one}", style="bold yellow") for one in contact.all_warnings())]
+    lines = [
+        Text(solved, style="dim"),
+        *(Text(f"validity warning: {one}", style="bold yellow") for one in contact.all_warnings()),
+    ]
     return lines
 
 

@@ -19,17 +19,19 @@ _MOST = 1_000_000  # points of a store that are read to be told
 
 def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View:
     """Return what a complete store shows. computed: points that were computed now, in so many seconds."""
-    size, doubts = store.plan.size, store.doubts()
+    size, validity_warnings = store.plan.size, store.validity_warnings()
 
     def parts() -> Iterator[Any]:
         rate = f", {computed / seconds:.3g} points/s" if computed else ""
         yield f"{size} points, {computed} of them computed now in {seconds:.3g} s{rate}"
         yield from _friction(store)
         yield Text(f"stored in {out}: xarray.open_zarr({str(out)!r}, consolidated=False)", no_wrap=True)
-        yield from (Text(f"doubtful in {count} points: {text}", style="yellow") for text, count in doubts.items())
+        yield from (
+            Text(f"validity warning in {count} points: {text}", style="yellow") for text, count in validity_warnings.items()
+        )
 
     def record() -> dict[str, Any]:
-        here = {"points": size, "computed_now": computed, "seconds": seconds, "doubts": doubts}
+        here = {"points": size, "computed_now": computed, "seconds": seconds, "validity_warnings": validity_warnings}
         return {"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **here}
 
     return View("sweep", None, parts, record)

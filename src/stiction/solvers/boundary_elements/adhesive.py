@@ -17,8 +17,8 @@ largest pull there is no contact: `detached`.
 The grid must see the edge: e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along it the edge of a sphere
 catches on the points, and its largest pull (Tabor's parameter 3; 1.0276 of that of Johnson, Kendall & Roberts, by rings around
 one axis) is high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, .2 to .8 % at 2 to 3. A map with fewer than two is solved between
-its points too, by its waves, where that makes up for it (m of .8 and more); else it has a doubt. What pixels add to the area is
-c S d as of contacts without adhesion (see `measures`), with
+its points too, by its waves, where that makes up for it (m of .8 and more); else it has a warning. What pixels add to the area
+is c S d as of contacts without adhesion (see `measures`), with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
@@ -74,7 +74,7 @@ class AdhesiveContact:
     detached: bool
     residual: float
     points_at_edge: float
-    doubts: tuple[ValidityWarning, ...]
+    validity_warnings: tuple[ValidityWarning, ...]
     pressure: np.ndarray
 
 
@@ -137,7 +137,7 @@ class _Grid:
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     @property
-    def doubts(self) -> tuple[ValidityWarning, ...]:
+    def validity_warnings(self) -> tuple[ValidityWarning, ...]:
         if self.points >= LEAST_POINTS * (1.0 - 1e-9):
             return ()
         why = f"the edge of contact is pulled over {self.points:.2g} points, at least {LEAST_POINTS:g} are needed"
@@ -185,10 +185,13 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
     touch = gap <= 0.0
     pixel, pitch = grid.nominal / gap.size, (grid.size[0] / gap.shape[0], grid.size[1] / gap.shape[1])
     sides, points = edges(touch, True), int(np.count_nonzero(touch))
-    doubts = grid.doubts
+    validity_warnings = grid.validity_warnings
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
         why = f"not converged: pressure of {descent.residual:.2g} of the largest attraction is left where faces do not touch"
-        doubts = (*doubts, ValidityWarning(why, "not_converged", descent.residual, descent.residual, high=MOST_ATTRACTION_LEFT))
+        validity_warnings = (
+            *validity_warnings,
+            ValidityWarning(why, "not_converged", descent.residual, descent.residual, high=MOST_ATTRACTION_LEFT),
+        )
     return AdhesiveContact(
         load=load,
         area=max(points - grid.excess * sides.count, 0.0) * pixel,
@@ -200,6 +203,6 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
         detached=apart,
         residual=0.0 if apart else descent.residual,
         points_at_edge=grid.points,
-        doubts=doubts,
+        validity_warnings=validity_warnings,
         pressure=faces.elastic(gap + faces.heights) * grid.largest + load / grid.nominal,
     )

@@ -1,4 +1,4 @@
-"""Contacts of one map at many nominal pressures, with what makes them doubtful as numbers."""
+"""Contacts of one map at many nominal pressures, with their validity warnings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

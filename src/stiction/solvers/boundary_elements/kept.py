@@ -24,7 +24,7 @@ from stiction.solvers.boundary_elements.solve import MapContact, MapContacts, ch
 
 _MOST = 1_000_000_000  # bytes of all files
 _TOO_LARGE = 200_000_000  # bytes of one pressure map that is not worth a file
-_OF_FILE = ("pressure", "doubts")  # fields of a contact that are no numbers
+_OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are no numbers
 
 
 def solve_kept(
@@ -60,7 +60,7 @@ def solve_kept(
     solved = solve_map(heights, size, modulus=modulus, loads=missing, periodic=periodic, done=done, **how)
     solved_before |= {asked(contact): contact for contact in solved}
     there = tuple(solved_before[load] for load in loads if load in solved_before)
-    return MapContacts(there, solved.doubts, len(there) == len(loads))
+    return MapContacts(there, solved.validity_warnings, len(there) == len(loads))
 
 
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
@@ -92,11 +92,11 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             numbers = json.loads(file["numbers"].item())
-            doubts = tuple(ValidityWarning.from_data(row) for row in json.loads(file["doubts"].item()))
+            validity_warnings = tuple(ValidityWarning.from_data(row) for row in json.loads(file["validity_warnings"].item()))
             pressure = np.zeros(shape)
             pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
         os.utime(path)
-        return MapContact(**numbers, doubts=doubts, pressure=pressure)
+        return MapContact(**numbers, validity_warnings=validity_warnings, pressure=pressure)
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
         return None
 
@@ -104,13 +104,19 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
 def _keep(path: Path, contact: MapContact) -> None:
     """Write the contact, so that a reader finds the whole file or none."""
     pressure = contact.pressure
-    if pressure is None or pressure.nbytes > _TOO_LARGE or any(one.quantity == "not_converged" for one in contact.doubts):
+    if (
+        pressure is None
+        or pressure.nbytes > _TOO_LARGE
+        or any(one.quantity == "not_converged" for one in contact.validity_warnings)
+    ):
         return
     touched = pressure > 0.0
     numbers = {field.name: getattr(contact, field.name) for field in fields(contact) if field.name not in _OF_FILE}
-    of_doubts, where = json.dumps([doubt.as_data() for doubt in contact.doubts]), np.packbits(touched)
+    validity_warnings, where = json.dumps([warning.as_data() for warning in contact.validity_warnings]), np.packbits(touched)
 
     def write(file: BinaryIO) -> None:
-        np.savez(file, numbers=json.dumps(numbers), doubts=of_doubts, where=where, pressure=pressure[touched])
+        np.savez(
+            file, numbers=json.dumps(numbers), validity_warnings=validity_warnings, where=where, pressure=pressure[touched]
+        )
 
     keep_file(path, write, _MOST)

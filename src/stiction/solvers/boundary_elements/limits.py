@@ -1,4 +1,4 @@
-"""Where the solution of a map becomes doubtful: numbers that its record, too, reads."""
+"""Limits beyond which the solution of a map has a validity warning; its record reads them, too."""
 
 TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
 LEAST_PIXELS = 8.0  # in the shortest wave

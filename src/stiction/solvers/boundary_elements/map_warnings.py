@@ -1,4 +1,4 @@
-"""What makes a solved map doubtful, as data: few points in the shortest wave, few of the longest waves, and the like."""
+"""Validity warnings of a solved map: few points in the shortest wave, few of the longest waves, and the like."""
 
 import math
 

@@ -1,7 +1,7 @@
 """Contact of a height map with a rigid flat, or of two maps through their sum, solved point by point.
 
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
-    found[-1].area, found[-1].separation, found.doubts
+    found[-1].area, found[-1].separation, found.validity_warnings
 
 Assumptions: small slopes, no friction, no adhesion but that of a liquid; bodies are half-spaces (with or without a film) whose
 compliance carries the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without
@@ -63,7 +63,7 @@ class MapContact:
     steps: int
     points: int
     load_at_ends: float
-    doubts: tuple[ValidityWarning, ...] = ()
+    validity_warnings: tuple[ValidityWarning, ...] = ()
     pressure: np.ndarray | None = field(default=None, repr=False)
     pull: float = 0.0
 
@@ -72,11 +72,11 @@ class MapContact:
 class MapContacts:
     """Contacts at rising loads, as a sequence.
 
-    doubts: warnings of the map at all loads; complete: False where it was interrupted.
+    validity_warnings: warnings of the map at all loads; complete: False where it was interrupted.
     """
 
     contacts: tuple[MapContact, ...]
-    doubts: tuple[ValidityWarning, ...]
+    validity_warnings: tuple[ValidityWarning, ...]
     complete: bool = True
 
     def __getitem__(self, index: int) -> MapContact:
@@ -292,7 +292,7 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
         steps=solution.steps,
         points=int(np.count_nonzero(contact)),
         load_at_ends=share_at_ends(pressure) if request.ends else 0.0,
-        doubts=warnings_of_load(solution, error, request.ends, request.how.tolerance),
+        validity_warnings=warnings_of_load(solution, error, request.ends, request.how.tolerance),
         pressure=pressure if request.how.keep_maps else None,
         pull=suction * (int(np.count_nonzero(wetted.wet)) * pixel - corrected) if suction else 0.0,
     )

@@ -20,7 +20,7 @@ from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.accuracy import film_errors, measured_error
 from stiction.solving.candidates import Candidate, candidates
 from stiction.solving.choice import Choice
-from stiction.solving.conditions import DOUBTFUL, leaves_out_liquid, points_outside, warnings_of_results, warnings_of_rounding
+from stiction.solving.conditions import OUTSIDE, leaves_out_liquid, points_outside, warnings_of_results, warnings_of_rounding
 from stiction.solving.inversion import Unreachable
 from stiction.solving.method_spread import as_measured, with_range_over_methods
 from stiction.solving.points import points_of, solve_points
@@ -59,11 +59,11 @@ def compare(
     interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
     contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
     working load, with `status` in words: whether the contact fits the model, and why not; grade, `outside_validity` in words,
-    `doubts` as JSON, `family_of_curve`, what its friction rests on, and `plastic_junctions_resist`, a word of
+    `validity_warnings` as JSON, `family_of_curve`, what its friction rests on, and `plastic_junctions_resist`, a word of
     stiction.records.registry.YIELDED; `measured_area_error` (and `_rms`) and `measured_friction_error`, how far it is from
     solved surfaces near this contact (docs/truth.md), relative, not a number where none was solved near; `measured_error` as
     JSON, `measured_error_in_words`. A theory that knows no separation has none (not a number) and is computed at the loads of
-    Greenwood & Williamson. `doubtful` says of every point whether it is within what its model claims, outside of it, or
+    Greenwood & Williamson. `range_status` says of every point whether it is within what its model claims, outside of it, or
     impossible (0, 1, 2). Attributes: `working_load`, `criteria` (is it sticky?), and `left_out`: model: why. Where the
     roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
     friction_coefficient_at_load_low and _high. What of all this is the answer, `predict` says. Raises InputError for bad input.
@@ -146,14 +146,15 @@ _NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction
 class _Answer:
     """What one candidate says, in the units of the contact.
 
-    curve: results (points,); doubtful: of each point whether it is. at_load: results at the working load, None if it cannot
-    carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none. told: of _TEXTS
-    and _NUMBERS. dry: leaves out the liquid of the contact. why_not: why it says nothing, or nothing of friction.
+    curve: results (points,); range_status: of each point, WITHIN, OUTSIDE or IMPOSSIBLE. at_load: results at the working load,
+    None if it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
+    told: of _TEXTS and _NUMBERS. dry: leaves out the liquid of the contact. why_not: why it says nothing, or nothing of
+    friction.
     """
 
     candidate: Candidate
     curve: dict[str, np.ndarray] = field(default_factory=dict)
-    doubtful: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
+    range_status: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
     outside: list[ValidityWarning] = field(default_factory=list)
     told: dict[str, Any] = field(default_factory=dict)
@@ -191,12 +192,12 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
     rows = {name: table[None, :] for name, table in curve.items()}
     at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
     answer.told = _of_laws(problem)
-    if at_load or situation.target is None:  # of a load that is not carried there is nothing to doubt
+    if at_load or situation.target is None:  # of a load that is not carried there is no validity warning
         answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
         answer.told |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
     answer.curve = _in_units(problem, curve)
-    answer.doubtful = points_outside(problem, rows)
+    answer.range_status = points_outside(problem, rows)
     if at_load:
         answer.told |= _measured(measured_error.measured_errors(problem, at_load))
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
@@ -277,15 +278,15 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
         data = data.merge(found.rename({name: f"{name}_at_load" for name in RESULTS}))
     numbers = {name: np.array([one.told.get(name, np.nan) for one in shown]) for name in _NUMBERS}
     texts = {name: [one.told.get(name, nothing) for one in shown] for name, nothing in _TEXTS.items()} | {
-        "outside_validity": ["; ".join(doubt.short for doubt in one.outside) for one in shown],
-        "doubts": [as_attributes(one.outside)["doubts"] for one in shown],
+        "outside_validity": ["; ".join(warning.short for warning in one.outside) for one in shown],
+        "validity_warnings": [as_attributes(one.outside)["validity_warnings"] for one in shown],
         "status": [one.status for one in shown],
         "why_not": [one.why_not for one in shown],
     }
     told = numbers | {name: np.array(values, dtype=object) for name, values in texts.items()}
     data = data.assign({name: ("model", values) for name, values in told.items()})
-    doubtful = np.array([padded(one.doubtful, DOUBTFUL) for one in shown]).reshape(tuple(dims.values()))
-    data = data.assign(doubtful=(("model", "point"), doubtful))
+    range_status = np.array([padded(one.range_status, OUTSIDE) for one in shown]).reshape(tuple(dims.values()))
+    data = data.assign(range_status=(("model", "point"), range_status))
     return data.assign_attrs(_attributes(contact, answers, target))
 
 

@@ -150,7 +150,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
     sources: dict[str, None] = {}
-    doubts: dict[str, ValidityWarning] = {}
+    validity_warnings: dict[str, ValidityWarning] = {}
     why = "it says nothing of what was measured"
     waiting = list(subjects)
     while waiting:
@@ -168,7 +168,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
                 predicted[row] = table[place]
         grades.add(data.attrs["grade"])
         sources |= dict.fromkeys(data.attrs["sources"].split())
-        doubts |= {doubt.rule: doubt for doubt in warnings_of(data)}
+        validity_warnings |= {warning.rule: warning for warning in warnings_of(data)}
     logarithm = np.log(np.where(predicted > 0.0, predicted / values.value, np.nan))
     return {
         "model": name, "predicted": predicted, "sources": sources, "why_not": why,
@@ -177,8 +177,9 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         "in_errors": np.sqrt(_mean(((predicted - values.value) / values.error) ** 2)),
         "answered": int(np.isfinite(logarithm).sum()),
         "grade": max(grades, default=""),
-        "outside_validity": "; ".join(doubt.short for doubt in doubts.values()),
-        "outside": ", ".join(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in doubts.values() if one.quantity)),
+        "outside_validity": "; ".join(warning.short for warning in validity_warnings.values()),
+        "outside": ", ".join(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in validity_warnings.values() if
+        one.quantity)),
     }  # fmt: skip
 
 

@@ -189,8 +189,8 @@ class Space:
             if _worst(beyond)[0] > TOLERANCE:
                 value = float(tables[limit.quantity][_place_of_worst(beyond)][0])
                 found.append(f"{limit.words}, found {show(value, quantity_of(limit.quantity), 3)}")
-        counted = _as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape)
-        have, values = solved.doubts
+        counted = _as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape)
+        have, values = solved.validity_warnings
         bits = _as_table(have, values, shape)[_place_of_worst(counted)][0]
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
@@ -252,7 +252,7 @@ class Space:
             for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
         ]
         broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
-        broken.append(_as_table(solved.doubts[0], _outside(solved, self.plan.validity), shape))
+        broken.append(_as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape))
         return Answers(
             np.column_stack([_worst(one) for one in wishes]),
             np.column_stack([_worst(one) for one in broken]),
@@ -322,7 +322,7 @@ def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
 
 def _outside(solved: Pointwise, validity: str) -> np.ndarray:
     """Count at each point the ranges of validity that are left and must not be."""
-    bits = solved.doubts[1]
+    bits = solved.validity_warnings[1]
     return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
 
 

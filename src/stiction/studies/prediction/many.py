@@ -110,7 +110,11 @@ def _named(dim: str) -> str:
 def _named_back(found: Pointwise) -> Pointwise:
     """Return results along the dimensions of the numbers that were given."""
     variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in found.variables.items()}
-    return replace(found, variables=variables, doubts=(tuple(map(_named, found.doubts[0])), found.doubts[1]))
+    return replace(
+        found,
+        variables=variables,
+        validity_warnings=(tuple(map(_named, found.validity_warnings[0])), found.validity_warnings[1]),
+    )
 
 
 def _part(value: Any, region: Region) -> Any:
@@ -160,7 +164,7 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
         if solved is None:
             refused += 1
             continue
-        refused += int(np.count_nonzero(solved.doubts[1]))
+        refused += int(np.count_nonzero(solved.validity_warnings[1]))
         for name, (dims, values, attributes) in solved.variables.items():
             table = found.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
             table[tuple(region[dim] for dim in sizes)] = arranged(values, dims, sizes)

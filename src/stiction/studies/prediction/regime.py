@@ -81,7 +81,7 @@ def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str
             "change mu by 15 % and more."
         )
     found += _of_few_waves(mixture)
-    found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.doubts)
+    found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.validity_warnings)
     area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
     is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out

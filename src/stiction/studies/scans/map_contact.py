@@ -24,7 +24,8 @@ class ContactOfMap:
     """The contact of a map with a flat, or of the map that stands for two faces.
 
     pressures: nominal ones over E* h'; gradient: h', root mean square of the map; hardness: the largest pressure of a point
-    over E* h', None: elastic; height: Sq, root mean square [m]; curve: the solutions, for E* = 1 Pa. doubts: of the map.
+    over E* h', None: elastic; height: Sq, root mean square [m]; curve: the solutions, for E* = 1 Pa. validity_warnings: of the
+    map.
     """
 
     pressures: np.ndarray
@@ -32,7 +33,7 @@ class ContactOfMap:
     hardness: float | None
     height: float
     curve: MapCurve
-    doubts: tuple[ValidityWarning, ...]
+    validity_warnings: tuple[ValidityWarning, ...]
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
@@ -51,12 +52,12 @@ class ContactOfMap:
 
     def all_warnings(self) -> list[str]:
         """In words, each once: of the map, then of single pressures."""
-        said = {str(one): None for one in self.doubts}
+        said = {str(one): None for one in self.validity_warnings}
         for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
             if contact is None:
                 said[f"p/(E* h') = {pressure:g}: interrupted before it was solved"] = None
             else:
-                said |= {f"p/(E* h') = {pressure:g}: {one}": None for one in contact.doubts}
+                said |= {f"p/(E* h') = {pressure:g}: {one}": None for one in contact.validity_warnings}
         return list(said)
 
 
@@ -96,6 +97,6 @@ def summary_of_contact(contact: ContactOfMap) -> dict[str, Any]:
         "longest_waves_on_a_side": contact.curve.of_map["longest_waves_on_a_side"],
         "columns": {head: values.tolist() for head, values in contact.columns.items()},
         "residual": contact.curve.array("residual").tolist(),
-        "doubts": [one.as_data() for one in contact.doubts],
-        "doubts_in_words": contact.all_warnings(),
+        "validity_warnings": [one.as_data() for one in contact.validity_warnings],
+        "validity_warnings_in_words": contact.all_warnings(),
     }

@@ -21,7 +21,7 @@ from stiction.studies.prediction.predict import is_predicted, predict
 from stiction.studies.pressing_loads import few_places
 from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
-from stiction.studies.uncertainty.bands import doubts_said, drawing_said
+from stiction.studies.uncertainty.bands import drawing_said, warning_shares
 from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
 
 if TYPE_CHECKING:
@@ -57,8 +57,8 @@ def sensitivity(
     of ln y that goes if the input were known, and that stays if all others were; y_effect, the mean size of the elementary
     effects of Morris on ln y, from the 2.5 % to the 97.5 % end of the input, with y_effect_error and y_effect_deviation.
     Over `number`, which are all numbers of the contact: y_elasticity, d ln y/d ln x at the nominal numbers by the model of the
-    case. Attributes: `working_load`, the `models` that are drawn and their weights, `doubts_of_points`. Where nothing is
-    uncertain there are elasticities only. Raises InputError for bad input.
+    case. Attributes: `working_load`, the `models` that are drawn and their weights, `validity_warnings_of_points`. Where
+    nothing is uncertain there are elasticities only. Raises InputError for bad input.
     """
     require_callable(progress, "progress")
     case = as_case(case, ranges)
@@ -177,7 +177,11 @@ def _with_indices(found: "xarray.Dataset", case: Case, variation: _Variation, pr
         if name not in found.coords:
             dims = ("input", *drawn.dims[name])
             variables |= {f"{name}_{end}": (dims, *table) for end, table in _of_result(name, drawn, screened, points, paths)}
-    return found.assign_coords(input=variation.inputs).assign(variables).assign_attrs(doubts_of_points=doubts_said(drawn))
+    return (
+        found.assign_coords(input=variation.inputs)
+        .assign(variables)
+        .assign_attrs(validity_warnings_of_points=warning_shares(drawn))
+    )
 
 
 def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any) -> Draws:

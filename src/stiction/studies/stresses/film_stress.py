@@ -38,8 +38,8 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
 
     Returns the dataset of `solve` with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, and
     with yields_first: "film", "counterbody" (where it is softer than the film that it meets), "interface" or "body", or ""
-    where nothing touches. Where they leave what film and body bear, `doubts` say so. The strength of the bond is not asked for:
-    it is compared with the weaker of the two that it joins. Raises InputError.
+    where nothing touches. Where they leave what film and body bear, `validity_warnings` say so. The strength of the bond is not
+    asked for: it is compared with the weaker of the two that it joins. Raises InputError.
     """
     subject = as_subject(contact)
     require_film(subject)

@@ -18,24 +18,25 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Return the results of a block, name -> array (dimensions of the contacts and the points), and its doubts as bits.
+    """Return the results of a block, name -> array (dimensions of the contacts and the points), and its validity warnings as
+    bits.
 
     dims: name -> dimensions of each result that is kept; sizes: of the dimensions of the points.
 
-    Contacts that are refused are not numbers, with that as their doubt; all that are not are solved together, as far as halving
-    the region parts them.
+    Contacts that are refused are not numbers, with that as their validity warning; all that are not are solved together, as far
+    as halving the region parts them.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
-    doubts = np.full(tuple(shape.values()), 1, dtype=np.uint32)
+    validity_warnings = np.full(tuple(shape.values()), 1, dtype=np.uint32)
     for place, solved in _solved(plan, choice, block, list(dims)):
         for name, of in dims.items():
             if name in solved.variables:
                 have, values, _ = solved.variables[name]
                 results[name][tuple(place.get(dim, slice(None)) for dim in of)] = arranged(values, have, of)
-        have, bits = solved.doubts
-        doubts[tuple(place.get(dim, slice(None)) for dim in shape)] = arranged(bits, have, shape)
-    return results, doubts
+        have, bits = solved.validity_warnings
+        validity_warnings[tuple(place.get(dim, slice(None)) for dim in shape)] = arranged(bits, have, shape)
+    return results, validity_warnings
 
 
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:

@@ -35,8 +35,8 @@ def sweep(
     progress: shown what is done.
 
     Returns the store as a labelled dataset, read from disk as it is used: the results, over the dimensions of what varies (or
-    `sample`, of points that are listed or drawn) and the loads or separations, and `doubts`, whose bits say of every point
-    which ranges of validity it leaves, and why it has no results, by its attributes flag_masks and flag_meanings. Raises
+    `sample`, of points that are listed or drawn) and the loads or separations, and `validity_warnings`, whose bits say of every
+    point which ranges of validity it leaves, and why it has no results, by its attributes flag_masks and flag_meanings. Raises
     InputError for bad input, a store of another case, and a place that cannot be written to.
     """
     from stiction.studies.sweep.store import open_store

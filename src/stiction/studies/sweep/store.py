@@ -1,8 +1,8 @@
 """The store of a sweep: chunked, labelled, zarr 3; opened again by xarray.open_zarr.
 
-Every block is a chunk of each array, written on its own; the last that is written of a block is its row of `doubts_by_block`,
-which says that it is done. A file is either there or not (zarr moves it into place), and the same bits follow from the same
-case: what was interrupted is written again as it would have been.
+Every block is a chunk of each array, written on its own; the last that is written of a block is its row of
+`validity_warnings_by_block`, which says that it is done. A file is either there or not (zarr moves it into place), and the same
+bits follow from the same case: what was interrupted is written again as it would have been.
 """
 
 import json
@@ -34,7 +34,7 @@ from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantil
 if TYPE_CHECKING:
     import xarray
 
-_DONE, _DOUBTS, _PARTS, _COUNTS = "doubts_by_block", "doubts", "statistics_by_block", "counts_by_block"
+_DONE, _WARNINGS, _PARTS, _COUNTS = "validity_warnings_by_block", "validity_warnings", "statistics_by_block", "counts_by_block"
 _NOTHING = -1  # of a block that is not done
 _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
@@ -80,27 +80,27 @@ class Store:
 
     def do(self, block: int) -> int:
         """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
-        results, doubts = solve_block(self.plan, self._choice, block, self._results, self._points)
+        results, validity_warnings = solve_block(self.plan, self._choice, block, self._results, self._points)
         with uninterrupted():
-            self._write(block, results, doubts)
-        return doubts.size
+            self._write(block, results, validity_warnings)
+        return validity_warnings.size
 
-    def _write(self, block: int, results: Mapping[str, np.ndarray], doubts: np.ndarray) -> None:
+    def _write(self, block: int, results: Mapping[str, np.ndarray], validity_warnings: np.ndarray) -> None:
         if self.plan.sweep.statistics:
             self._write_statistics(block, results)
         else:
-            self._write_points(block, results, doubts)
+            self._write_points(block, results, validity_warnings)
         bits = np.arange(self._arrays[_DONE].shape[1], dtype=np.uint32)
-        counts = [int(((doubts >> bit) & 1).sum()) for bit in bits]
+        counts = [int(((validity_warnings >> bit) & 1).sum()) for bit in bits]
         self._arrays[_DONE][block : block + 1] = np.array([counts])
 
-    def _write_points(self, block: int, results: Mapping[str, np.ndarray], doubts: np.ndarray) -> None:
+    def _write_points(self, block: int, results: Mapping[str, np.ndarray], validity_warnings: np.ndarray) -> None:
         region = self.plan.region(block)
         for name, values in results.items():
             place = tuple(region.get(dim, slice(None)) for dim in self._results[name])
             self._arrays[name][place] = values.astype(self._arrays[name].dtype)
         place = (*region.values(), *(slice(None) for _ in self._points))
-        self._arrays[_DOUBTS][place] = doubts
+        self._arrays[_WARNINGS][place] = validity_warnings
         if SAMPLE in region:
             drawn = self.plan.arrays(region)
             for path, one in self.plan.several.items():
@@ -131,7 +131,7 @@ class Store:
         for file in Path(self.path).rglob("*.partial"):  # which a process that was killed had begun to write
             file.unlink(missing_ok=True)
 
-    def doubts(self) -> dict[str, int]:
+    def validity_warnings(self) -> dict[str, int]:
         """At how many points each rule is left, of the blocks that are done; those that are nowhere left out."""
         counts = np.zeros(self.group[_DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[_DONE]):
@@ -245,7 +245,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     for name in plan.sweep.keep:
         if name not in names:
             raise InputError("sweep.keep", name, nearest(name, names))
-    dims, bits = solved.doubts
+    dims, bits = solved.validity_warnings
     names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     points |= {"load": case.load.size} if "load" in points else {}
@@ -288,23 +288,23 @@ def _of_sample(plan: Plan) -> dict[str, Any]:
 
 
 def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[str, int], solved: Any) -> None:
-    """The arrays of results by point, chunked as the blocks are, and of doubts."""
-    for name, dims in [*layout.items(), (_DOUBTS, tuple(sizes))]:
-        doubts = name == _DOUBTS
+    """The arrays of results by point, chunked as the blocks are, and of validity warnings."""
+    for name, dims in [*layout.items(), (_WARNINGS, tuple(sizes))]:
+        validity_warnings = name == _WARNINGS
         array = group.create_array(
             name,
             shape=[sizes[dim] for dim in dims],
             chunks=[plan.tile.get(dim, sizes[dim]) for dim in dims],
-            dtype="uint32" if doubts else plan.sweep.precision,
-            fill_value=int(NOT_COMPUTED) if doubts else float("nan"),
+            dtype="uint32" if validity_warnings else plan.sweep.precision,
+            fill_value=int(NOT_COMPUTED) if validity_warnings else float("nan"),
             dimension_names=dims,
         )
-        array.attrs.update(_doubts_attributes(meanings_of(solved.rules)) if doubts else solved.variables[name][2])
+        array.attrs.update(_warning_attributes(meanings_of(solved.rules)) if validity_warnings else solved.variables[name][2])
 
 
-def _doubts_attributes(meanings: list[str]) -> dict[str, Any]:
+def _warning_attributes(meanings: list[str]) -> dict[str, Any]:
     return {
-        "long_name": "doubts",
+        "long_name": "validity warnings",
         "comment": "bits, by flag_masks and flag_meanings",
         "flag_masks": [1 << bit for bit in range(len(meanings))] + [int(NOT_COMPUTED)],
         "flag_meanings": [*meanings, "not computed yet"],

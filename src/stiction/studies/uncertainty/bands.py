@@ -97,7 +97,10 @@ def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
         left = "there is no band" if impossible > 1.0 - _LEAST_KNOWN else "the band of mu is of the others"
         data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
-        drawing_said(case), doubts_of_points=doubts_said(found), impossible_draws=impossible, coverage=case.uncertainty.coverage
+        drawing_said(case),
+        validity_warnings_of_points=warning_shares(found),
+        impossible_draws=impossible,
+        coverage=case.uncertainty.coverage,
     )
 
 
@@ -108,6 +111,6 @@ def drawing_said(case: Case) -> dict[str, str]:
     return {"uncertain_inputs": "\n".join(words), "uncertainty": drawn}
 
 
-def doubts_said(found: Draws) -> str:
+def warning_shares(found: Draws) -> str:
     """Return the share of all points at which each range is left, as JSON."""
     return json.dumps(found.shares(), ensure_ascii=False)

@@ -42,20 +42,20 @@ class Draws:
     """Results of contacts that are drawn.
 
     tables: name -> array (n, *shape), NaN where nothing is known and where the result is impossible; dims: name -> the
-    dimensions of that shape; attributes: name -> meaning and unit. doubtful: range of validity, or why nothing is known -> in
-    how many points. impossible: in how many points the result is impossible.
+    dimensions of that shape; attributes: name -> meaning and unit. validity_warnings: range of validity, or why nothing is
+    known -> in how many points. impossible: in how many points the result is impossible.
     """
 
     points: int = 0
     tables: dict[str, np.ndarray] = field(default_factory=dict)
     dims: dict[str, tuple[str, ...]] = field(default_factory=dict)
     attributes: dict[str, dict[str, str]] = field(default_factory=dict)
-    doubtful: Counter[str] = field(default_factory=Counter)
+    validity_warnings: Counter[str] = field(default_factory=Counter)
     impossible: int = 0
 
     def shares(self) -> dict[str, float]:
         """Range of validity, or why nothing is known -> in which share of all points; those that are nowhere left out."""
-        return {text: count / self._every for text, count in self.doubtful.most_common() if count}
+        return {text: count / self._every for text, count in self.validity_warnings.most_common() if count}
 
     @property
     def impossible_share(self) -> float:
@@ -134,7 +134,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
             if at == 0:
                 raise
             continue
-        found.points = max(found.points, solved.doubts[1].size)
+        found.points = max(found.points, solved.validity_warnings[1].size)
         for name, (dims, values, attributes) in solved.variables.items():
             if name in names:
                 found.tables.setdefault(name, values)
@@ -145,9 +145,9 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
 
 def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     if solved is None:
-        found.doubtful[WHY_NOT[0]] += len(rows) * found.points
+        found.validity_warnings[WHY_NOT[0]] += len(rows) * found.points
         return
-    points, bits = solved.doubts
+    points, bits = solved.validity_warnings
     rules = [bit for bit, rule in enumerate(solved.rules, start=len(WHY_NOT)) if excludes(rule)]
     impossible = bits & np.uint32(sum(1 << bit for bit in rules)) != 0
     for name, (dims, values, _) in solved.variables.items():
@@ -159,4 +159,4 @@ def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
     times = len(rows) * found.points // bits.size
     found.impossible += times * int(impossible.sum())
     for bit, text in enumerate(meanings_of(solved.rules)):
-        found.doubtful[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
+        found.validity_warnings[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
