@@ -7,7 +7,7 @@ import pytest
 
 import stiction as st
 
-ROOMS = ("contact",)  # others join as their docstrings get the sections
+ROOMS = ("contact", "surfaces")  # others join as their docstrings get the sections
 EXPORTED = {name: getattr(st, name) for name in st.__all__ if callable(getattr(st, name))}
 
 

@@ -1,4 +1,4 @@
-"""What every method of finding asperities hands on: how many, how high, how blunt, with the same averages for all."""
+"""Asperities as every method returns them: how many, how high, how blunt."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -21,11 +21,11 @@ class Asperities:
     """The asperities of a surface as one method finds them.
 
     method: its key. heights: (n,) [m] over the mean plane; radii: (n,) [m], inf where a summit does not curve down; both are
-    empty for a method that has averages only. density: per nominal area [1/m^2]. deviation: of the heights, sigma [m].
-    radius: R [m], of the mean curvature, 1 / <1/R>: that of Nayak's and McCool's relations, and always finite where the mean
-    of the radii is ruled by the few flattest. mean_height: over the mean plane [m]. skewness: of the heights. note: what was
-    found, and what it rests on. places: (n, 2), row and column of each one's point in the map, in the middle of one that has
-    several; as empty where there are averages only or the method does not say.
+    empty for a method that only computes averages. density: per nominal area [1/m^2]. deviation: of the heights, sigma [m].
+    radius: R [m], of the mean curvature, 1 / <1/R>, as in Nayak's and McCool's relations; it is always finite, while the few
+    flattest summits dominate the mean of the radii. mean_height: over the mean plane [m]. skewness: of the heights. note: the
+    numbers found and their basis. places: (n, 2), row and column of each asperity in the map, of its middle point if it has
+    several; also empty for averages, or where the method does not return them.
     """
 
     method: str
@@ -41,7 +41,7 @@ class Asperities:
 
     @property
     def count(self) -> int:
-        """How many were found; 0 for a method that has averages only."""
+        """Return how many were found; 0 for a method that only computes averages."""
         return len(self.heights)
 
 
@@ -49,10 +49,10 @@ def of_samples(
     method: str, heights: np.ndarray, curvatures: np.ndarray, density: float, note: str,
     remedy: str = "finer points or a larger map", places: np.ndarray | None = None,
 ) -> Asperities:  # fmt: skip
-    """Asperities from what was found: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
+    """Average asperities: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
 
-    remedy: what would find more. places: (n, 2), row and column of each, None where they are not known. InputError if
-    there are fewer than two, or if they do not, on average, curve down.
+    remedy: a change that would find more. places: (n, 2), row and column of each, None if unknown. Raises InputError if there
+    are fewer than two, or if their mean curvature is not downwards.
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
@@ -83,24 +83,33 @@ def of_samples(
 
 
 def spread(samples: np.ndarray) -> float:
-    """Standard deviation; 0 where all are equal to rounding."""
+    """Return the standard deviation; 0 where all are equal to rounding."""
     deviation = float(samples.std())
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
 
 
 def of_numbers(surface: "Roughness") -> Asperities:
-    """Asperities of a body that was not measured, from its numbers; heights counted from their own mean."""
+    """Return stated asperities of a body without a scan.
+
+    Heights count from their own mean.
+    """
     deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
     return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")
 
 
 def rounding(heights: np.ndarray) -> float:
-    """Differences in height [m] that may be the rounding of levelling: not to be taken for peaks of a groove's ridge."""
+    """Return the difference in height [m] that may be rounding of levelling.
+
+    Smaller differences are not taken for peaks along the ridge of a groove.
+    """
     return _ROUNDING * float(np.nanmax(heights) - np.nanmin(heights))
 
 
 def skewness(samples: np.ndarray) -> float:
-    """Third central moment over the cube of the deviation; 0 where all are equal to rounding."""
+    """Return the third central moment over the cube of the deviation.
+
+    It is 0 where all heights are equal to rounding.
+    """
     deviation = spread(samples)
     if deviation == 0.0:
         return 0.0
@@ -109,5 +118,8 @@ def skewness(samples: np.ndarray) -> float:
 
 
 def over_mean_plane(surface: HeightMap) -> np.ndarray:
-    """Heights (rows, columns) less their mean [m], NaN where missing. A tilt is not taken off: level the map first."""
+    """Subtract the mean from the heights (rows, columns) [m]; NaN where missing.
+
+    A tilt stays: level the map first.
+    """
     return surface.heights - (surface.heights.mean() if surface.complete else np.nanmean(surface.heights))

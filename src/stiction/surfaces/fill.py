@@ -11,11 +11,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
-    """With heights in place of the missing points.
+    """Replace the missing points by heights.
 
     way: "harmonic", each the mean of its four neighbours (as a membrane spans a hole), or "nearest", the height of the nearest
-    point that is there. Both are smoother than the surface was: where much is missing, slopes and summits suffer. InputError
-    if nothing is there, or for another way.
+    known point. Both are smoother than the surface was: where much is missing, slopes and summits suffer. Raises InputError if
+    no height is known, or for another way.
     """
     if way not in FILLS:
         raise InputError("fill", way, " or ".join(FILLS))
@@ -34,7 +34,10 @@ def _nearest(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> np.ndarray:
-    """By conjugate gradients: each equation is of one missing point, with fewer neighbours at the edge of the map."""
+    """Solve for the missing heights by conjugate gradients.
+
+    Each equation belongs to one missing point, with fewer neighbours at the edge of the map.
+    """
     if heights.shape[0] == 1:
         place = np.arange(heights.shape[1])
         return np.interp(place, place[~missing[0]], heights[~missing])[None, :]
@@ -56,9 +59,10 @@ _FEW = 1000  # points, for which the equations are solved at once
 
 
 def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) -> LinearOperator:
-    """An approximate inverse that makes the iterations few, however wide the holes: relaxation here and on ever coarser grids.
+    """Return an approximate inverse, by relaxation on ever coarser grids.
 
-    Points two by two go into one of the next grid. Between these there are twice the links, hence the half.
+    It keeps the iterations few, however wide the holes. Blocks of two by two points form a point of the next grid. Between
+    these blocks there are twice the links, hence the half.
     """
     levels = []
     size = matrix.shape
@@ -85,7 +89,10 @@ def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) ->
 
 
 def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> tuple[sparse.csr_array, np.ndarray]:
-    """Matrix and right side of: each missing height is the mean of its neighbours, which the pitch weighs along x and y."""
+    """Return matrix and right side: each missing height is the mean of its neighbours.
+
+    The pitch weighs the neighbours along x and y.
+    """
     dy, dx = pitch
     number = np.full(missing.shape, -1, dtype=np.int32)
     number[missing] = np.arange(np.count_nonzero(missing), dtype=np.int32)
@@ -106,7 +113,7 @@ def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """Slices of the points that have a next one along the axis, and of the next ones."""
+    """Return slices of the points with a next one along the axis, and of the next ones."""
     everything = slice(None)
     low, high = slice(None, -1), slice(1, None)
     return ((low, everything), (high, everything)) if axis == 0 else ((everything, low), (everything, high))

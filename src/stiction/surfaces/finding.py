@@ -1,4 +1,6 @@
-"""Asperities of a measured surface: sigma, R and N differ with the method of finding them as much as with the resolution.
+"""Asperities of a measured surface: sigma, R and N by a chosen method.
+
+The numbers differ with the method of finding asperities as much as with the resolution of the map.
 
 A method is a file in `asperity_method`, or an entry point of another package, with a record of the kind AsperityMethod.
 """
@@ -17,27 +19,53 @@ from stiction.surfaces.heightmap import HeightMap, in_metres
 
 
 def methods() -> dict[str, AsperityMethod]:
-    """All ways of finding asperities, key -> record, in the order in which they are shown."""
+    """Return all ways of finding asperities, key -> record, in the order shown."""
     known = of_kind(AsperityMethod)
     return dict(sorted(known.items(), key=lambda one: (one[1].order, one[0])))
 
 
 def methods_for(surface: HeightMap) -> tuple[str, ...]:
-    """The methods that a map, or a profile, can be given to."""
+    """Return the keys of the methods that accept this map or profile."""
     return tuple(key for key, one in methods().items() if one.of_profiles or not surface.is_profile)
 
 
 def method_of_moments() -> str:
-    """The method that looks for no asperities and keeps the moments exactly: what theories of the whole surface take."""
+    """Return the method that keeps the spectral moments and finds no summits.
+
+    Theories of the whole surface use it.
+    """
     return next(key for key, one in methods().items() if one.of_moments)
 
 
 def asperities(surface: HeightMap, method: str = "mccool", **options) -> Asperities:
-    """The asperities of a surface by one method.
+    """Find the asperities of a surface by one method.
 
-    method: key of a way of finding asperities, as `st.models()` lists them. options: its own, None for the default; lengths in
-    metres or as text with a unit. The map is to be levelled and filtered before: heights are counted from their mean. Raises
-    InputError for a method, option or map that will not do, or if nothing is found.
+    Parameters
+    ----------
+    surface : HeightMap
+        Heights (rows, columns) [m], levelled and filtered beforehand: heights are counted from their mean.
+    method : str
+        Key of a way of finding asperities, as `st.models()` lists them.
+    **options : float, int, str or None
+        Options of that method, None for the default; lengths in metres or as text with a unit.
+
+    Returns
+    -------
+    Asperities
+        Deviation sigma [m], radius R [m] and density N [1/m^2]; heights and radii (n,) [m] where the method finds them.
+
+    Raises
+    ------
+    InputError
+        The method is unknown, an option or the map does not suit it, or no asperity is found.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
+    >>> print(f"{st.asperities(surface).radius:.1e} m")
+    3.1e-06 m
     """
     record = find(str(method), AsperityMethod)
     if not np.isfinite(surface.heights).any():
@@ -59,7 +87,7 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """The ranges of validity that what was found leaves, in words."""
+    """List the ranges of validity that the asperities leave, in words."""
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [
         f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, claimed is {rule.range}: {rule.why}"
@@ -69,7 +97,10 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 
 
 def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Every option of a method, the default where None or nothing is given; InputError for any other, or a bad value."""
+    """Return every option of a method, the default where None or nothing is stated.
+
+    Raises InputError for an unknown option or a bad value.
+    """
     for name in given:
         if name not in record.parameters:
             known = ", ".join(record.parameters) or "no option"
@@ -81,7 +112,7 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _checked(name: str, option: Parameter, value: Any) -> Any:
-    """A value of an option, a length in metres."""
+    """Return the value of an option, a length in metres. Raises InputError."""
     if option.unit and not option.values and not isinstance(value, bool):
         value = in_metres(value, name)
     if isinstance(value, bool) or not option.allows(value):

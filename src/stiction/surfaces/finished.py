@@ -1,4 +1,4 @@
-"""A rough surface known by its finish: sigma, R and N from Sq and what the finish says of slope and N R sigma.
+"""A rough surface with a stated finish: sigma, R and N from Sq and the finish.
 
 Sq, the rms slope h' and N R sigma fix the spectral moments of a Gaussian surface: m0 = Sq^2, m2 = h'^2/2, m4 = alpha m2^2/m0,
 alpha being Nayak's, from N R sigma (stiction.surfaces.theory.moments). Its summits are the asperities (McCool 1986), so that
@@ -35,10 +35,10 @@ def _finish(value):
 
 
 class Finished(Input):
-    """A rough body known by its finish.
+    """A rough body with a stated finish.
 
-    finish: name of a finish class (docs/interfaces.md). rms_height: Sq; mean_height: Ra, of which Sq is 1.25 times; left out
-    both, the height is not known either. kind: as of Roughness; left out, that of the finish. Raises InputError.
+    finish: name of a finish class (docs/interfaces.md). rms_height: Sq; mean_height: Ra, Sq being 1.25 Ra; without either, the
+    height is taken from the finish. kind: as in Roughness; by default that of the finish. Raises InputError.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="the name of a finish class")
@@ -67,23 +67,26 @@ class Finished(Input):
 
     @property
     def height(self) -> Any:
-        """Sq [m] as stated; None where it is not."""
+        """Return Sq [m] as stated; None where it is not."""
         return self.rms_height if self.mean_height is None else SQ_OVER_RA * self.mean_height
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """The numbers that are known as ranges only."""
+        """Return the names of the numbers with a range instead of a value."""
         return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
 
     def moments(self, levels: Mapping[str, Any]) -> Moments:
-        """Return the spectral moments at quantile levels of the unknowns, the median of each that is not named."""
+        """Return the spectral moments at quantile levels of the uncertain numbers.
+
+        Numbers without a level are at their median.
+        """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
         m0, m2 = (drawn[0] if drawn else self.height) ** 2, slope**2 / 2.0
         return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
 
     def notes(self) -> list[str]:
-        """Return what is taken from the finish, in a line, and how Ra was read."""
+        """Return the numbers taken from the finish, in a line, and how Ra was converted."""
         made = finish(self.finish)
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
@@ -97,7 +100,7 @@ def _median(made: Finish, name: str) -> str:
 
 
 def _body(value):
-    """A finish, or the numbers of a body."""
+    """Return a finish, or the numbers of a body."""
     if not isinstance(value, Mapping):
         return value
     return Roughness(**value) if value.keys() & set(_ASPERITIES) and "finish" not in value else Finished(**value)
@@ -107,47 +110,56 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 
 
 class FinishedBodies(Input):
-    """Two rough bodies of which one at least is known by its finish, or one against a smooth body. Raises InputError."""
+    """Two rough bodies, at least one with a stated finish, or one such body on a smooth one.
+
+    Raises InputError.
+    """
 
     first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
     second: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the second body")
 
     @property
     def bodies(self) -> dict[str, Finished | Roughness]:
-        """The rough bodies by name."""
+        """Return the rough bodies by name."""
         return {name: body for name in ("first", "second") if (body := getattr(self, name)) is not None}
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Names of the numbers that are known as ranges only: "first.rms_slope"."""
+        """Return the names of numbers with a range only, e.g. "first.rms_slope"."""
         finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
         return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
 
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of the unknowns, the median of each that is not named."""
+        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of uncertain numbers.
+
+        Numbers without a level are at their median.
+        """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness at the medians, which remembers the ranges."""
+        """Return the roughness at the medians, with a reference to the ranges."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         return Roughness(**numbers, kind=self._kind()).attached(finished=self)
 
     def with_first(self, **changes: Any) -> "FinishedBodies":
-        """Return the same with another height or finish of the first body. Raises InputError where there are two."""
+        """Return the same bodies with another height or finish of the first.
+
+        Raises InputError where there are two.
+        """
         if len(self.bodies) > 1 or not isinstance(self.first, Finished):
             raise InputError(next(iter(changes)), "one number", "first or second before it: each body has its own")
         return self.replace(first=self.first.replace(**changes))
 
     def notes(self) -> list[str]:
-        """Return what is taken from each finish."""
+        """Return the numbers taken from each finish."""
         return [
             f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
         ]
 
     def _kind(self) -> str | None:
-        """The kind of the body that is much the steeper, or of both; None where they differ."""
+        """Return the kind of the much steeper body, or of both; None where they differ."""
         kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}
         ruling = [kinds[name] for name in slopes if slopes[name] >= _RULES * sum(slopes.values())] or list(kinds.values())
@@ -161,7 +173,7 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a table of a roughness names a finish or a height for it, and no scan."""
+    """Return whether a table states a finish or a height for it, and no scan."""
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *_HEIGHTS}:
@@ -172,5 +184,8 @@ def is_finished(table: Any) -> bool:
 
 
 def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
-    """Return the roughness of a table for which `is_finished` is true. Raises InputError."""
+    """Return the roughness of a table for which `is_finished` is true.
+
+    Raises InputError.
+    """
     return FinishedBodies(**(table if table.keys() & {"first", "second"} else {"first": Finished(**table)})).roughness()

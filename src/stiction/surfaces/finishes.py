@@ -1,4 +1,4 @@
-"""Finish classes: what is known of a surface by the way it was made, from finish_data/."""
+"""Finish classes: numbers of surfaces by the way they were made, from finish_data/."""
 
 from collections.abc import Iterable
 from functools import cache
@@ -23,7 +23,7 @@ NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 
 
 class Finish(Input):
-    """A finish class: the 5 and 95 % quantiles of the numbers of a surface that was made this way.
+    """A finish class: 5 and 95 % quantiles of the numbers of surfaces made this way.
 
     range: of NUMBERS, each lognormal with its median at the geometric mean. surface_kind: one of SURFACE_KINDS.
     source, grade: of each number (data_files.GRADES). Raises InputError.
@@ -43,7 +43,10 @@ class Finish(Input):
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:
-        """Return one of NUMBERS [SI] at quantile levels between 0 and 1. Raises InputError."""
+        """Return one of NUMBERS [SI] at quantile levels between 0 and 1.
+
+        Raises InputError.
+        """
         if name not in NUMBERS:
             raise InputError("quantity", name, ", ".join(NUMBERS))
         low, high = self.range[name]
@@ -51,19 +54,25 @@ class Finish(Input):
 
 
 def finish_names() -> list[str]:
-    """Names of the finish classes, in alphabetical order."""
+    """Return the names of the finish classes, in alphabetical order."""
     return sorted(_finishes())
 
 
 def finish(name: str, /) -> Finish:
-    """Return the finish class of that name. Raises InputError for an unknown name, listing those near to it."""
+    """Return the finish class of that name.
+
+    Raises InputError for an unknown name, listing similar ones.
+    """
     if not isinstance(name, str) or name not in _finishes():
         raise InputError("finish", name, "a finish: " + nearest(name, finish_names()))
     return _finishes()[name]
 
 
 def surface_kind_of(word: Any) -> str:
-    """Return the kind of surface, one of SURFACE_KINDS, that a kind or the name of a finish stands for. Raises InputError."""
+    """Return the kind of surface, one of SURFACE_KINDS, for a kind or a finish name.
+
+    Raises InputError.
+    """
     if isinstance(word, str) and word in SURFACE_KINDS:
         return word
     if isinstance(word, str) and word in _finishes():
@@ -73,8 +82,11 @@ def surface_kind_of(word: Any) -> str:
 
 
 def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return a dict for each of these finishes, or of all: name, surface_kind and numbers (unit, 5 and 95 % quantiles, source
-    and grade of each). Raises InputError for an unknown name."""
+    """Return a dict for each of these finishes, or of all.
+
+    Each has name, surface_kind and numbers (unit, 5 and 95 % quantiles, source and grade). Raises InputError for an unknown
+    name.
+    """
     return [_row(finish(name)) for name in (finish_names() if names is None else names)]
 
 

@@ -1,4 +1,4 @@
-"""Asperities that a Gaussian surface has, from its spectral moments, and those of two surfaces taken together.
+"""Asperities of a Gaussian surface from its spectral moments, and of two surfaces.
 
 McCool (1986) puts the moments m0, m2, m4 into Nayak's statistics of summits (1971); stiction.surfaces.theory.moments has the
 relations.
@@ -13,7 +13,10 @@ LEAST = f"no isotropic Gaussian surface has alpha < {LEAST_BANDWIDTH}"
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:
-    """The summits of the isotropic Gaussian surface with these moments [SI]. InputError if there is none."""
+    """Return the summits of the isotropic Gaussian surface with these moments [SI].
+
+    Raises InputError if there is no such surface.
+    """
     if not (moments.m2 > 0.0 and moments.m4 > 0.0):
         given = f"m2 = {moments.m2:g}, m4 = {moments.m4:g} 1/m^2"
         raise InputError(f"asperities by {method}", given, "> 0: a surface that is not flat")
@@ -26,11 +29,13 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
 
 
 def combine(first: Asperities, second: Asperities) -> Asperities:
-    """Asperities of the sum of two independent rough surfaces: one smooth surface against it is like the two together.
+    """Return the asperities of the sum of two independent rough surfaces.
+
+    The contact of both is equivalent to that sum on a smooth surface.
 
     Heights of independent surfaces add, and so do m0, m2 and m4. Each set of sigma, R and N is turned into the moments of the
     Gaussian surface that has it (McCool 1986), and their sum back. sigma^2 of the heights adds exactly; that of the summits
-    does so as far as Nayak's alpha is large. InputError as of `of_moments`.
+    does so as far as Nayak's alpha is large. Raises InputError as of `of_moments`.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)

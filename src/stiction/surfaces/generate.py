@@ -1,4 +1,4 @@
-"""Surfaces of a given power spectrum, from a seed: periodic, Gaussian or of a given skewness and kurtosis.
+"""Surfaces of a power spectrum, from a seed: Gaussian, or with skewness and kurtosis.
 
 Gaussian: white noise whose Fourier transform is multiplied by sqrt(C / (dx dy)); then every wave on the grid has the mean
 square C / (area of the map), and their sum is the integral of C up to the spacing of the waves (the linear filter of Hu &
@@ -8,8 +8,8 @@ Non-Gaussian: the ranks of a Gaussian surface get the heights of Johnson's distr
 turn the amplitudes of the waves, and the heights, are put back to what they should be (Schreiber & Schmitz 1996, for series).
 Both cannot be met exactly by a finite map. What remains is written into the history.
 
-Stretched along a direction by s: h(x / s, y) of the isotropic surface. Along it the mean square slope falls by s^2 and that of
-the second derivative by s^4; across it, and for the heights, nothing changes. Its spectrum is s C(s q_along, q_across).
+Stretched along a direction by s: h(x / s, y) of the isotropic surface. Along it the mean square slope falls by s^2 and the mean
+square second derivative by s^4; across it, and for the heights, nothing changes. Its spectrum is s C(s q_along, q_across).
 
 A surface to look at, or to give to `stiction surface made.npy --size "10 um" --unit m`:
 
@@ -44,7 +44,7 @@ _SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less 
 
 
 class Lay(TypedDict, total=False):
-    """What else may be asked of `gaussian_surface`."""
+    """Further options of `gaussian_surface`."""
 
     stretch: float
     angle: float
@@ -53,7 +53,10 @@ class Lay(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class _Periodic:
-    """A Gaussian surface as it is asked for: fields as arguments of `gaussian_surface`, size in metres; raises InputError."""
+    """A requested Gaussian surface: arguments of `gaussian_surface`, size in metres.
+
+    Raises InputError.
+    """
 
     shape: tuple[int, int]
     size: tuple[float, float]
@@ -71,13 +74,13 @@ class _Periodic:
         self._check_spectrum()
 
     def heights(self) -> np.ndarray:
-        """Its heights (rows, columns) [m]."""
+        """Return its heights (rows, columns) [m]."""
         waves = rfft2(np.random.default_rng(self.seed).standard_normal(self.shape), workers=_WORKERS)
         self._colour(waves)
         return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
 
     def said(self, kind: str) -> str:
-        """What was made, in words."""
+        """Describe the surface in words."""
         text = f"made: {kind} {'profile' if self.shape[0] == 1 else 'surface'}, seed {self.seed}, spectrum {self.spectrum}"
         if self.stretch != 1.0:
             text += f", stretched {self.stretch:g} times along {math.degrees(self.angle):g} degrees from x"
@@ -98,7 +101,10 @@ class _Periodic:
                 raise InputError("shortest", spectrum.shortest, allowed)
 
     def _colour(self, waves: np.ndarray) -> None:
-        """White noise into waves of the spectrum, in place: times sqrt(C / (dx dy)), of a profile sqrt(C / dx)."""
+        """Turn white noise into waves of the spectrum, in place.
+
+        The factor is sqrt(C / (dx dy)), of a profile sqrt(C / dx).
+        """
         (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
         cosine, sine = math.cos(self.angle), math.sin(self.angle)
         cell = size[1] / columns * (size[0] / rows if rows > 1 else 1.0)
@@ -124,14 +130,45 @@ def gaussian_surface(
     shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *,
     stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True,
 ) -> HeightMap:  # fmt: skip
-    """A periodic Gaussian surface or profile of mean 0; the same seed and shape give the same heights.
+    """Generate a periodic Gaussian surface or profile of mean 0 from a seed.
 
-    shape: (rows, columns), (1, columns) makes a profile; size: (y, x) [m], or text with units; spectrum: C(q) in m^4
-    of a surface, m^3 of a profile, normalised as in `targets`; seed: integer >= 0; stretch: > 0, along angle [rad] from x
-    towards y.
-    random_amplitudes: as in a Gaussian process, so that the rms height scatters about that of the spectrum; if not, every wave
-    has exactly the amplitude of the spectrum and only phases are random: then rms height and slope do not scatter.
-    Raises InputError for a map that is too small, or a spectrum that is no density or has waves shorter than two pitches.
+    Parameters
+    ----------
+    shape : (rows, columns)
+        Number of points; (1, columns) makes a profile.
+    size : (y, x) [m], each a number or text with a unit
+        Size of the period.
+    spectrum : callable
+        C(q) at wave numbers q [rad/m]: m^4 of a surface, m^3 of a profile, normalised as in `targets`; e.g. `SelfAffine`.
+    seed : int
+        At least 0; the same seed and shape give the same heights.
+    stretch : float, optional
+        Factor > 0 by which the surface is stretched along `angle`, by default 1 (isotropic).
+    angle : float [rad], optional
+        Direction of the stretch, from x towards y.
+    random_amplitudes : bool, optional
+        True (default): a Gaussian process, whose rms height scatters about that from the spectrum. False: every wave has
+        exactly its amplitude in the spectrum, only phases are random, and rms height and slope do not scatter.
+
+    Returns
+    -------
+    HeightMap
+        Heights of shape `shape` [m], periodic.
+
+    Raises
+    ------
+    InputError
+        The map is too small, or the spectrum is no density or has waves shorter than two pitches.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1, random_amplitudes=False)
+    >>> surface.heights.shape
+    (64, 64)
+    >>> print(f"{1e9 * surface.heights.std():.1f} nm")
+    10.0 nm
     """
     asked = _Periodic(shape, size_in_metres(size), spectrum, seed, stretch, angle, random_amplitudes)
     return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),), periodic=True)
@@ -141,13 +178,39 @@ def non_gaussian_surface(
     shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *, skewness: float, kurtosis: float,
     steps: int = 50, exact_spectrum: bool = False, **lay: Unpack[Lay],
 ) -> HeightMap:  # fmt: skip
-    """A periodic surface of given skewness and kurtosis of its heights and, nearly, of the spectrum of a Gaussian one.
+    """Generate a periodic surface with a skewness, a kurtosis and nearly a spectrum.
 
-    skewness, kurtosis (3 of a Gaussian): as `johnson` allows; steps: of the iteration at most, 0 for ranks alone;
-    exact_spectrum: end on the spectrum, with heights that are nearly of the distribution, rather than on the heights. Choose
-    it where slopes and curvatures matter: what the heights add beyond the shortest wave is small in height alone.
-    shape, size, spectrum, seed, and of the lay stretch, angle and random_amplitudes: as in `gaussian_surface`, whose
-    amplitudes are aimed at. Raises InputError as that does, for moments that no such heights have, and for steps below 0.
+    Parameters
+    ----------
+    shape, size, spectrum, seed
+        As in `gaussian_surface`, whose amplitudes are the target.
+    skewness, kurtosis : float
+        Of the heights, 0 and 3 of a Gaussian surface; skewness^2 + 1 < kurtosis <= 50.
+    steps : int, optional
+        Largest number of iterations; 0 only transforms the ranks.
+    exact_spectrum : bool, optional
+        Meet the spectrum exactly and the distribution of heights nearly, instead of the reverse. Choose it where slopes and
+        curvatures matter: heights beyond the shortest wave are small in height alone.
+    **lay : float or bool
+        stretch, angle [rad] and random_amplitudes, as in `gaussian_surface`.
+
+    Returns
+    -------
+    HeightMap
+        Heights of shape `shape` [m], periodic; the remaining error is in `history`.
+
+    Raises
+    ------
+    InputError
+        As `gaussian_surface`; also for moments that no heights have, and for steps below 0.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> worn = st.non_gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1, skewness=-1.0, kurtosis=5.0)
+    >>> print(f"{(worn.heights**3).mean() / worn.heights.std() ** 3:.1f}")
+    -1.0
     """
     curve = johnson(skewness, kurtosis)
     if steps < 0:
@@ -166,22 +229,23 @@ def non_gaussian_surface(
 
 
 def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:
-    """The map with heights multiplied so that their root mean square about their mean is exactly this [m]."""
+    """Scale the heights so that their rms about the mean is exactly this [m]."""
     require_positive(deviation=deviation)
     step = f"heights multiplied to an rms height of {show(deviation, 'mean_separation')}"
     return _multiplied(surface, deviation, float(np.std(surface.heights)), step)
 
 
 def with_slope(surface: HeightMap, slope: float) -> HeightMap:
-    """The map with heights multiplied so that `rms_slope` is exactly this [1]."""
+    """Scale the heights so that `rms_slope` is exactly this [1]."""
     require_positive(slope=slope)
     return _multiplied(surface, slope, rms_slope(surface), f"heights multiplied to an rms slope of {slope:g}")
 
 
 def rms_slope(surface: HeightMap) -> float:
-    """Root mean square gradient [1] of a periodic map, of the waves between its points: sum of q^2 |h|^2 (Parseval).
+    """Return the rms gradient [1] of a periodic map: sum of q^2 |h|^2 (Parseval).
 
-    Not that of finite differences, which see short waves as less steep. InputError where points are missing.
+    It counts the waves between the points; finite differences see short waves as less steep. Raises InputError where points are
+    missing.
     """
     if not surface.complete:
         raise InputError("heights", f"{surface.missing} missing points", "a map without missing points")
@@ -210,7 +274,10 @@ def _check_grid(shape, seed) -> None:
 
 
 def _blocks(shape, size):
-    """(slice of rows, q_y (n, 1), q_x (1, columns/2 + 1)) [rad/m] of a half-sided transform, block by block."""
+    """Yield (slice of rows, q_y (n, 1), q_x (1, columns/2 + 1)) [rad/m] in blocks.
+
+    The waves are those of a half-sided transform.
+    """
     rows, columns = shape
     along_y = 2.0 * math.pi * np.fft.fftfreq(rows, size[0] / rows)[:, np.newaxis]
     along_x = 2.0 * math.pi * np.fft.rfftfreq(columns, size[1] / columns)[np.newaxis, :]
@@ -223,7 +290,11 @@ def _blocks(shape, size):
 
 
 def _alternate(start, amplitudes, wanted, steps):
-    """(heights of the distribution, heights of the spectrum, relative rms error of the first one's amplitudes, steps taken)."""
+    """Alternate between the distribution of heights and the spectrum.
+
+    Returns the heights of the distribution, the heights of the spectrum, the relative rms error of the amplitudes of the
+    former, and the steps taken.
+    """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))
     taken = -1

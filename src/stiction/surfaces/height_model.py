@@ -1,4 +1,4 @@
-"""The height distribution of asperities as a contact takes it: Gaussian, Weibull, or as found."""
+"""Distribution of asperity heights in a contact: Gaussian, Weibull, or empirical."""
 
 import math
 from dataclasses import dataclass, field
@@ -24,9 +24,12 @@ _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.engine.heights
 
 @dataclass(frozen=True)
 class HeightModel:
-    """name and parameters: as Roughness takes them. distances: of Kolmogorov and Smirnov, by name; allowed: what would have
-    been good enough; likelihoods: log-likelihood per asperity of the standardised heights, -inf where a height is impossible.
-    skewness: of the heights. reason: of the choice."""
+    """A height distribution, and how well each distribution fits.
+
+    name and parameters: as in Roughness. distances: Kolmogorov-Smirnov distances, by name; allowed: the largest acceptable one;
+    likelihoods: log-likelihood per asperity of the standardised heights, -inf where a height is impossible. skewness: of the
+    heights. reason: of the choice.
+    """
 
     name: str
     parameters: dict[str, Any]
@@ -38,11 +41,12 @@ class HeightModel:
 
 
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
-    """The simplest distribution that is good enough: Gaussian, else Weibull, else the heights as found; or the one wanted.
+    """Choose the simplest distribution that fits: Gaussian, else Weibull, else empirical.
 
-    All have the mean and deviation of the heights; the exponent of the Weibull distribution is that of the same skewness. Good
-    enough: see _INDEPENDENT. Gaussian, whatever is wanted, if there are no heights (averages only), all are equal, or fewer
-    than FEW. InputError if another than gaussian, weibull and empirical is wanted.
+    A requested distribution is used instead. All have the mean and deviation of the heights; the Weibull exponent reproduces
+    their skewness. The limit of a good fit is explained at _INDEPENDENT. The choice is always Gaussian if there are no heights
+    (averages only), all are equal, or fewer than FEW. Raises InputError if another than gaussian, weibull and empirical is
+    requested.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))
@@ -73,7 +77,10 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
 
 
 def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
-    """The rough surface of a contact with these asperities; model: else their `height_model`. InputError if sigma is 0."""
+    """Return the rough surface of a contact with these asperities.
+
+    model: by default their `height_model`. Raises InputError if sigma is 0.
+    """
     model = height_model(found) if model is None else model
     return Roughness(
         asperity_height_deviation=found.deviation,
@@ -85,7 +92,10 @@ def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
 
 
 def exponent_of_skewness(skewness: float) -> float:
-    """Exponent of the Weibull distribution of this skewness: 2 at 1, falling through 0 at 3.60; the nearest within 1 to 100."""
+    """Return the exponent of the Weibull distribution of this skewness.
+
+    It is 1 at skewness 2 and 3.60 at skewness 0; clipped to 1 to 100.
+    """
     from scipy.optimize import brentq
     from scipy.special import gamma
 
@@ -102,7 +112,10 @@ def exponent_of_skewness(skewness: float) -> float:
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
-    """The samples, or as many quantiles as stand for them; the lowest and the highest are among them: these touch first."""
+    """Return the samples, or as many quantiles as represent them.
+
+    The lowest and the highest are included: these touch first.
+    """
     if len(ascending) <= _QUANTILES:
         return ascending.tolist()
     return np.quantile(ascending, np.arange(_QUANTILES) / (_QUANTILES - 1)).tolist()

@@ -1,4 +1,4 @@
-"""The one form in which a measured surface or profile is handed on."""
+"""Height map: the form in which every measured surface or profile is passed on."""
 
 import warnings
 from dataclasses import dataclass, replace
@@ -19,13 +19,35 @@ _LEAST, _MOST = 1e-60, 1e60  # of a side [m]: squares and fourth powers of pitch
 
 @dataclass(frozen=True)
 class HeightMap:
-    """Heights on a regular grid, where they are, and what was done to them.
+    """Heights on a regular grid, with the size of the map and its history.
 
-    heights: (rows, columns) [m], float64, NaN where missing; rows go along y, columns along x; a profile is (1, columns).
-    size: (y, x) [m], > 0; text with a unit is fine. The pitch is size / count: N points stand for N intervals, as in one period
-    of a periodic surface. The y size of a profile only gives its row a width. history: every step that was taken, in words.
-    name: of the scan. periodic: it is one period of a surface without end, as made maps are.
-    Raises InputError if the heights are no such array, hold infinite values, or the size is not two finite numbers > 0.
+    Parameters
+    ----------
+    heights : array_like (rows, columns) [m]
+        NaN where missing. Rows run along y, columns along x; a profile is (1, columns). Stored as float64.
+    size : (y, x) [m], each a number or text with a unit
+        Positive. The pitch is size / count: N points span N intervals, as in one period of a periodic surface. The y size of
+        a profile only states the width of its row.
+    history : tuple of str, optional
+        Every processing step, in words.
+    name : str, optional
+        Name of the scan.
+    periodic : bool, optional
+        Whether the map is one period of an endless surface, as generated maps are; by default not.
+
+    Raises
+    ------
+    InputError
+        The heights are not such an array or hold infinite values, or the size is not two finite positive numbers.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> surface = st.HeightMap([[0.0, 1e-9], [2e-9, 1e-9]], size=("2 um", "4 um"))
+    >>> surface.heights.shape, surface.missing
+    ((2, 2), 0)
+    >>> print(surface.pitch)
+    (1e-06, 2e-06)
     """
 
     heights: np.ndarray
@@ -47,33 +69,36 @@ class HeightMap:
 
     @property
     def pitch(self) -> tuple[float, float]:
-        """(dy, dx) [m]: distance of neighbouring points, size / count."""
+        """Return (dy, dx) [m], the distance of neighbouring points, size / count."""
         rows, columns = self.heights.shape
         return self.size[0] / rows, self.size[1] / columns
 
     @property
     def coarsest_pitch(self) -> float:
-        """The larger of the two pitches, of a profile the only one [m]."""
+        """Return the larger of the two pitches, of a profile the only one [m]."""
         return self.pitch[1] if self.is_profile else max(self.pitch)
 
     @property
     def missing(self) -> int:
-        """How many points have no height."""
+        """Return the number of points without a height."""
         return int(np.count_nonzero(np.isnan(self.heights)))
 
     @property
     def complete(self) -> bool:
-        """Whether every point has a height."""
+        """Return whether every point has a height."""
         return self.missing == 0
 
     @property
     def is_profile(self) -> bool:
-        """Whether this is one line of points."""
+        """Return whether this is one line of points."""
         return self.heights.shape[0] == 1
 
     def to_xarray(self) -> "xarray.DataArray":
-        """The map as an xarray.DataArray (y, x) [m], a profile as (x,), with the places of its points [m] as coordinates; its
-        history is an attribute. What takes a map takes that too."""
+        """Return the map as an xarray.DataArray (y, x) [m], a profile as (x,).
+
+        The positions of its points [m] are coordinates, its history is an attribute. Functions that accept a map accept this
+        too.
+        """
         import xarray
 
         places = {
@@ -85,8 +110,10 @@ class HeightMap:
         return xarray.DataArray(heights, dims=dims, coords={one: places[one] for one in dims}, name=self.name, attrs=attributes)
 
     def to_topography(self) -> Any:
-        """The map as a topography of the library SurfaceTopography, an optional extra: lengths in m, missing points masked.
-        Raises InputError where the library is not installed."""
+        """Return the map as a topography of the library SurfaceTopography.
+
+        Lengths are in m, missing points are masked. Raises InputError where that optional library is not installed.
+        """
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # what the library says of its own libraries
@@ -100,23 +127,29 @@ class HeightMap:
         return Topography(heights.T, self.size[::-1], unit="m", info=about)
 
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
-        """The map after one more step: its new heights [m], the step in words, and its size (y, x) [m] if that changed."""
+        """Return the map after one more processing step.
+
+        heights: new heights [m]; step: in words; size: (y, x) [m] if it changed.
+        """
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """The same as no period of anything, as it is after a step that treats its ends as ends."""
+        """Return the map marked as not periodic, as after a step that does not wrap around."""
         return replace(self, periodic=False) if self.periodic else self
 
 
 def _unmasked(heights) -> np.ndarray:
-    """NaN where a masked array is masked."""
+    """Return an array with NaN where a masked array is masked."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         return np.asarray(heights)
     return np.ma.filled(heights.astype(np.float64), np.nan)
 
 
 def size_in_metres(size) -> tuple[float, float]:
-    """The size (y, x) of a map in metres, from numbers or text with units; InputError unless both are finite and > 0."""
+    """Return the size (y, x) of a map in metres, from numbers or text with units.
+
+    Raises InputError unless both are finite and > 0.
+    """
     try:
         y, x = (float(in_metres(one, "size")) for one in size)
     except (TypeError, ValueError):
@@ -127,7 +160,10 @@ def size_in_metres(size) -> tuple[float, float]:
 
 
 def in_metres(value, field: str) -> float:
-    """A length of any sign in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
+    """Convert a length of any sign to metres: a number, or text like "10 um".
+
+    Raises InputError, which names the field.
+    """
     try:
         return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")
     except OverflowError:  # a whole number of hundreds of digits
@@ -145,7 +181,10 @@ def metres_per(unit: str, field: str) -> float:
 
 
 def metres(value, field: str) -> float:
-    """One length > 0 in metres, from a number in metres or text with its unit ("10 um"); InputError names the field."""
+    """Convert one length > 0 to metres: a number, or text like "10 um".
+
+    Raises InputError, which names the field.
+    """
     try:
         length = to_si(value, "scan_size")
     except InputError as error:

@@ -1,4 +1,6 @@
-"""Maps as other packages hold them: a topography of SurfaceTopography, an array of xarray, an array with its size.
+"""Maps held by other packages: a topography, an xarray array, an array with its size.
+
+HeightMap has the conversions back.
 
 What a HeightMap gives back to them stands with it.
 """
@@ -20,12 +22,12 @@ _ROUNDING = 1e-6  # of the pitch, by which coordinates may be off
 
 
 def as_height_map(value: Any, field: str = "scan") -> HeightMap:
-    """The map that another package holds, heights in metres.
+    """Convert the map of another package to a HeightMap, heights in metres.
 
-    value: a HeightMap, which is given back as it is; a topography of SurfaceTopography that knows its unit; an xarray.DataArray
-    (y, x), or (x,) of a profile, whose coordinates are equally spaced lengths; its attribute `units` and theirs say in what
-    unit; or (array, size), heights (rows, columns) or (columns,) in m and the size along
-    x, with square pixels, or (y, x), in metres or as text with unit. Raises InputError, which names the field.
+    value: a HeightMap, returned unchanged; a topography of SurfaceTopography with a unit; an xarray.DataArray (y, x), or (x,)
+    of a profile, whose coordinates are equally spaced lengths and whose attribute `units`, like theirs, states the unit; or
+    (array, size): heights (rows, columns) or (columns,) in m, and the size along x, with square pixels, or (y, x), in metres or
+    as text with unit. Raises InputError, which names the field.
     """
     if isinstance(value, HeightMap):
         return value
@@ -52,7 +54,7 @@ def _is_pair(value: Any) -> bool:
 
 
 def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
-    """The map, after the checks that a file goes through."""
+    """Return the map after the checks applied to a file."""
     surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
     check_numbers(surface.heights, surface.name)
     check_scale(surface.heights, surface.size, surface.name)
@@ -101,7 +103,7 @@ def _of_labelled(array: Any) -> HeightMap:
 
 
 def _pitch(array: Any, dim: str) -> float:
-    """Distance of the points along a dimension, in metres, from its coordinate."""
+    """Return the spacing [m] of the points along a dimension, from its coordinate."""
     if dim not in array.coords:
         raise InputError(dim, None, "a coordinate with the places of the points, in m, or in its attribute `units`")
     coordinate = array.coords[dim]
@@ -116,7 +118,10 @@ def _pitch(array: Any, dim: str) -> float:
 
 
 def _unit_of(array: Any, field: str) -> str:
-    """What the attribute `units` says. Metres are not supposed where it is not there: most maps are in um or nm."""
+    """Return the unit in the attribute `units`.
+
+    Metres are not assumed where it is missing: most maps are in um or nm.
+    """
     if "units" not in array.attrs:
         raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')
     return str(array.attrs["units"])

@@ -1,4 +1,6 @@
-"""Heights of a given skewness and kurtosis, as a rising function of a Gaussian variable: Johnson's system (1949).
+"""Heights of a stated skewness and kurtosis: Johnson's system (1949).
+
+A height is a rising function of a Gaussian variable.
 
 With u = (z - gamma) / delta of a standard Gaussian z, a height is up to its mean and scale
 
@@ -32,10 +34,10 @@ _LARGEST = 50.0  # kurtosis; the mean of fourth powers of any map is far from it
 
 
 def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarray]:
-    """The rising function that makes a standard Gaussian variable into one of mean 0, variance 1, this skewness and kurtosis.
+    """Return the rising function with this skewness and kurtosis for Gaussian variables.
 
-    kurtosis: 3 of a Gaussian; above skewness^2 + 1 and at most 50. Raises InputError otherwise, or where the curve is not
-    found (close to that limit, where the heights are two values).
+    It maps a standard Gaussian variable to mean 0 and variance 1. kurtosis: 3 of a Gaussian; above skewness^2 + 1 and at most
+    50. Raises InputError otherwise, or where no curve is found (close to that limit, where the heights are two values).
     """
     limit = skewness * skewness + 1.0
     if not (math.isfinite(skewness) and limit < kurtosis <= _LARGEST):
@@ -64,7 +66,7 @@ def _lognormal(z, delta, gamma):
 
 
 def _lognormal_base(skewness: float) -> float:
-    """w of the lognormal distribution of this skewness."""
+    """Return w of the lognormal distribution of this skewness."""
     return brentq(lambda w: (w - 1.0) * (w + 2.0) ** 2 - skewness**2, 1.0, 2.0 + abs(skewness))
 
 
@@ -86,9 +88,10 @@ def _skewness_and_kurtosis(curve, delta, gamma) -> tuple[float, float]:
 
 
 def _fitted(curve, skewness: float, kurtosis: float):
-    """(curve, delta, gamma) with this skewness >= 0 and kurtosis; from the best point of a coarse grid of both parameters.
+    """Return (curve, delta, gamma) with this skewness >= 0 and kurtosis.
 
-    gamma / delta rather than gamma is sought: it stays of order one.
+    The search starts from the best point of a coarse grid of both parameters. It varies gamma / delta instead of gamma, because
+    that ratio stays of order one.
     """
     sign = -1.0 if curve is _unbounded else 1.0
 

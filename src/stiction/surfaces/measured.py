@@ -1,4 +1,4 @@
-"""The rough surface of a contact from scans of its bodies in place of numbers: a Roughness for each way to find asperities."""
+"""Roughness of a contact from scans of its bodies, for each way to find asperities."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -36,9 +36,9 @@ _Length = Annotated[str, BeforeValidator(_length)]
 class Scan(Input):
     """A scan of one body.
 
-    file: path, from the folder of the case file. size: along x, in place of what the file says; unit, height_unit: of the
-    numbers in the file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period
-    of a surface without end. Raises InputError.
+    file: path, from the folder of the case file. size: along x, overrides the file; unit, height_unit: of the numbers in the
+    file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period of an endless
+    surface. Raises InputError.
     """
 
     file: str
@@ -51,7 +51,7 @@ class Scan(Input):
 
 
 def _body(value):
-    """A scan, or the numbers of a body that was not measured."""
+    """Return a scan, or the numbers of a body without one."""
     if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
         from stiction.surfaces.held import as_height_map
 
@@ -82,21 +82,21 @@ def _is_scan(body: Any) -> bool:
 
 
 def _with_methods(schema: dict[str, Any]) -> None:
-    """Says in a JSON schema which ways of finding asperities there are; they are looked up when it is asked for."""
+    """List the ways of finding asperities in a JSON schema, at the time of the request."""
     from stiction.surfaces.finding import methods
 
     schema["description"] = f"way of finding asperities: {', '.join(methods())}"
 
 
 class MeasuredRoughness(Input):
-    """Scans of one body, the other being smooth or known by its numbers, or of both, and how asperities are found in them.
+    """Scans of one or both bodies, and how asperities are found in them.
 
-    first, second: a scan (in Python also a HeightMap, or what `as_height_map` takes), or a Roughness with Gaussian heights, one
-    of them a scan. method: key of a way of finding asperities;
-    else the first that finds enough of those whose record says `of_summits`. form: order of the polynomial that is taken off, 1
-    for a plane. spikes: robust deviations from the median beyond which points are masked. fill: how missing points are filled,
-    if they are. shortest, longest: wavelengths between which the heights are kept. heights: gaussian, weibull or empirical, the
-    distribution of the asperity heights; else the simplest that fits. Raises InputError.
+    With a single scan the other body is smooth, or its numbers are stated. first, second: a scan (in Python also a HeightMap,
+    or any input of `as_height_map`), or a Roughness with Gaussian heights, at least one a scan. method: key of a way of finding
+    asperities; by default the first that finds enough, among those whose record has `of_summits`. form: order of the polynomial
+    to remove, 1 for a plane. spikes: robust deviations from the median beyond which points are masked. fill: way of filling
+    missing points. shortest, longest: ends of the band of wavelengths. heights: gaussian, weibull or empirical, the
+    distribution of the asperity heights; by default the simplest that fits. Raises InputError.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -118,14 +118,13 @@ class MeasuredRoughness(Input):
 
 @dataclass(frozen=True)
 class Measured:
-    """What scans say of the roughness of a contact.
+    """Roughness of a contact, as measured in scans.
 
-    by_method: method -> Roughness; method: that which stands for the surface; failures: method -> why it found nothing.
-    history: of each scan, in words; notes: method -> what was found, and what it rests on; counts: method -> how many
-    separate asperities it found, 0 where it has averages only or two bodies are taken together. mean_heights: of the
-    asperities, over the mean plane [m]: separations count from them. validity_warnings: what is to be said of two bodies taken
-    together. of_moments: the method that keeps the moments of the surface. stated: which of method and heights were.
-    solvable: the maps whose contact can be solved point by point.
+    by_method: method -> Roughness; method: the chosen one; failures: method -> why it found nothing. history: of each scan, in
+    words; notes: method -> its findings and their basis; counts: method -> number of separate asperities, 0 where it only
+    computes averages or for two combined bodies. mean_heights: of the asperities, over the mean plane [m]: separations count
+    from them. validity_warnings: warnings about combining two bodies. of_moments: the method that keeps the moments of the
+    surface. stated: whether method and heights were stated. solvable: the maps whose contact can be solved point by point.
     """
 
     by_method: Mapping[str, Roughness]
@@ -141,37 +140,37 @@ class Measured:
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
-        """The numbers of the method that stands for the surface, which know that they were measured."""
+        """Return the numbers of the chosen method, with a reference to this measurement."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
             found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """The contact with the roughness that each method finds, the chosen method first."""
+        """Return the contact with the roughness of each method, the chosen one first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """What theories of the whole surface take of it: the moments, in the form of asperities that have them."""
+        """Return the asperities with the moments of the surface, for theories of all of it."""
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
 
     def attributes(self) -> dict[str, str]:
-        """What goes with a result: the method, and what was done to each scan."""
+        """Return attributes of a result: the method, and the history of each scan."""
         scans = "\n".join(f"{body} body: {step}" for body, steps in self.history.items() for step in steps)
         return {"roughness_method": self.method, "scans": scans}
 
     def sources(self) -> list[str]:
-        """Keys of the bibliography entries of the methods, each once."""
+        """Return the keys of the bibliography entries of the methods, each once."""
         from stiction.surfaces.finding import methods
 
         known = methods()
         return list(dict.fromkeys(source.key for name in self.by_method for source in known[name].sources))
 
     def record(self) -> dict[str, Any]:
-        """Everything as plain numbers in SI units, for JSON."""
+        """Return everything as plain numbers in SI units, for JSON."""
         by_method = {
             name: {
                 "sigma": one.asperity_height_deviation,
@@ -195,7 +194,7 @@ class Measured:
 
 
 def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
-    """What a map says of the roughness of a contact whose map is to be solved, with the asperities that were found in it."""
+    """Return the roughness of a contact whose map, with its asperities, is to be solved."""
     key = asperities.method
     return Measured(
         by_method={key: found},
@@ -210,8 +209,11 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
 
 
 def roughness_of(scan: Any) -> Roughness:
-    """The roughness in a scan of the first body that the user holds, or in a table of scans like that of a case file; it knows
-    what was measured. Raises InputError."""
+    """Return the roughness of a scan of the first body, or of a table of scans.
+
+    The scan is any map that Python holds, the table like that of a case file. The result keeps the measurement. Raises
+    InputError.
+    """
     from stiction.surfaces.held import as_height_map
 
     table = scan if isinstance(scan, Mapping) else {"first": as_height_map(scan, "roughness")}
@@ -219,8 +221,10 @@ def roughness_of(scan: Any) -> Roughness:
 
 
 def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
-    """Read the scans, prepare them, and find asperities by every method. Raises InputError for scans that cannot be read or
-    where the wanted method finds nothing."""
+    """Read the scans, prepare them, and find asperities by every method.
+
+    Raises InputError for unreadable scans, or where the requested method finds nothing.
+    """
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.finding import asperities, method_of_moments, methods
     from stiction.surfaces.gaussian_asperities import combine
@@ -277,7 +281,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """The same, each with the asperities that have the measured moments: theories of the whole surface look for none."""
+    """Add to each roughness the asperities with the measured moments, for surface theories."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -285,7 +289,7 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
 
 
 def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
-    """The map that stands for both faces; None where there is none."""
+    """Return the map that stands for both faces; None where there is none."""
     try:
         return solvable.one()
     except InputError:
@@ -293,17 +297,22 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:
-    """How many separate asperities were found: not more than there are, by their density, on the area of a map, where the
-    same hill is crossed by many profiles."""
+    """Return the number of separate asperities: at most density times area of the map.
+
+    Many profiles cross the same hill.
+    """
     if surface.is_profile:
         return found.count
     return min(found.count, round(found.density * surface.size[0] * surface.size[1]))
 
 
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """The method that stands for the surface where none is named: the first that finds enough, or has averages only, of those
-    that agree with Nayak's summits where the waves are resolved (docs/surfaces.md), so that they may be added for two bodies.
-    Of a profile there are averages only. Else the first of the others."""
+    """Return the method to use where none is named.
+
+    It is the first that finds enough, or only computes averages, among those that agree with Nayak's summits where the waves
+    are resolved (docs/surfaces.md), so that their moments can be added for two bodies. Profiles only have averages. Otherwise
+    the first of the others.
+    """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods
 
@@ -331,7 +340,7 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 
 
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
-    """What is to be said of two rough bodies taken together."""
+    """Return warnings about combining two rough bodies."""
     if numbers:
         return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
     if len(maps) < 2:
@@ -362,7 +371,7 @@ def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: 
 
 
 def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
-    """The map whose contact is solved: that in which asperities are found, and one period as it is, without form."""
+    """Return the map whose contact is solved: the one with the asperities, or one period."""
     from stiction.surfaces.prepare import prepared_period
 
     return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
@@ -377,7 +386,7 @@ def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
 
 
 def _rough(value):
-    """Numbers as they are, scans and finishes as the roughness that is found by them."""
+    """Return numbers unchanged, scans and finishes as the roughness found by them."""
     if isinstance(value, Roughness | str | int | float | None):
         return value
     if is_finished(value):

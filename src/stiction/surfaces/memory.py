@@ -1,4 +1,4 @@
-"""How much memory a map asks for, before it is taken."""
+"""Memory that a map needs, checked before it is allocated."""
 
 import os
 from pathlib import Path
@@ -12,14 +12,16 @@ _GIGA = 1e9
 
 
 def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> int:
-    """Bytes that `solve_map` takes beside the heights; free: nothing presses outside of the map; kept: pressure maps that are
-    kept."""
+    """Return the bytes that `solve_map` needs besides the heights.
+
+    free: no pressure outside the map; kept: number of stored pressure maps.
+    """
     rows, columns = shape
     return rows * columns * _NUMBER * ((_FREE if free else _PERIODIC) + kept)
 
 
 def available_memory() -> int | None:
-    """Bytes that can be had without swapping; None where the system does not say."""
+    """Return the bytes available without swapping; None where the system has no figure."""
     try:
         for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
             if line.startswith("MemAvailable:"):
@@ -33,12 +35,15 @@ def available_memory() -> int | None:
 
 
 def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
-    """Raise InputError if a map of this shape cannot be solved in the memory there is: before it is made, or read."""
+    """Raise InputError if a map of this shape does not fit into memory.
+
+    Called before the map is generated or read.
+    """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 
 
 def require_arrays(shape: tuple[int, int], arrays: int) -> None:
-    """Raise InputError unless there is memory for so many arrays of this shape."""
+    """Raise InputError unless so many arrays of this shape fit into memory."""
     _require(shape, shape[0] * shape[1] * _NUMBER * arrays)
 
 

@@ -1,4 +1,7 @@
-"""Preparing a measured surface: level, remove form, fill missing points, crop, filter to a band.
+"""Preparing a measured surface: level, remove form, fill, crop, filter to a band.
+
+Each step takes a HeightMap and returns another, with the step in its history. Missing points stay missing unless filled; fits
+and filters use the points with heights.
 
 Each step takes a HeightMap and returns another, with what was done in its history. Missing points stay missing unless
 filled; fits and filters work from the points that are there.
@@ -28,12 +31,38 @@ def prepared(
     shortest: Any = None,
     longest: Any = None,
 ) -> HeightMap:
-    """The scan without its form and without the waves outside of a band.
+    """Return the scan without its form and without waves outside a band.
 
-    surface: heights in metres, as `read_scan` gives them. form: order of the polynomial taken off, 1 for the mean plane, 0
-    for nothing. spikes: points further from the median of the levelled heights than so many robust deviations are masked
-    before that; None for none. fill: "harmonic" or "nearest" fills missing points, None leaves them missing. shortest,
-    longest: ends of the band, metres or text with a unit; None for no end. Raises InputError.
+    Parameters
+    ----------
+    surface : HeightMap
+        Heights (rows, columns) [m], as `read_scan` returns them.
+    form : int, optional
+        Order of the polynomial to remove: 1 (default) for the mean plane, 0 for none, at most 4.
+    spikes : float, optional
+        Mask points further than so many robust deviations from the median of the levelled heights, before the form is removed.
+    fill : {"harmonic", "nearest"}, optional
+        Way of filling missing points; by default they stay missing.
+    shortest, longest : float [m] or str with a unit, optional
+        Ends of the band of wavelengths; by default no end.
+
+    Returns
+    -------
+    HeightMap
+        Heights of the same shape [m], with every step in `history`.
+
+    Raises
+    ------
+    InputError
+        An option is out of its bounds, or no heights are left without the form.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
+    >>> print(st.prepared(surface, shortest="500 nm").history[-1].split(":")[0])
+    filtered to wavelengths 500 nm to all
     """
     raw = surface
     if spikes is not None:
@@ -51,9 +80,10 @@ def prepared(
 def prepared_period(
     surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
 ) -> HeightMap:
-    """One period of a surface without end, without its mean and the waves outside of a band: it stays a period.
+    """Return one period of a surface, without mean and waves outside a band.
 
-    It has no form. The rest as in `prepared`; missing points are left, unless filled, and then no band is taken.
+    It stays a period and has no form to remove. Other arguments as in `prepared`; missing points stay missing unless filled,
+    and then no band is filtered.
     """
     if spikes is not None:
         surface = mask_spikes(surface, spikes)
@@ -65,8 +95,10 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """A word where the ends of what is said to be one period do not meet: where its mean square step from one end to the other,
-    along rows or columns, is much larger than that of neighbours within."""
+    """Return a remark where the ends of a stated period do not meet.
+
+    They do not where the mean square step from one end to the other is much larger than between neighbours.
+    """
     heights = surface.heights
     far = 0.0
     for axis in (axis for axis in (0, 1) if heights.shape[axis] > 1):
@@ -80,7 +112,7 @@ def _seam(surface: HeightMap) -> str:
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
-    """InputError if what is left without form and spikes is no more than the rounding of the heights."""
+    """Raise InputError if only round-off remains without form and spikes."""
     if surface is raw or not np.isfinite(surface.heights).any():
         return
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
@@ -93,13 +125,16 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
 
 
 def level(surface: HeightMap) -> HeightMap:
-    """Without the mean plane (the mean line of a profile): the least-squares fit to the points that are there."""
+    """Subtract the least-squares mean plane (of a profile the mean line)."""
     fitted = "line" if surface.is_profile else "plane"
     return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed").alone()
 
 
 def remove_form(surface: HeightMap, order: int) -> HeightMap:
-    """Without the least-squares polynomial of total order 1 to 4 in x and y, fitted to the points that are there."""
+    """Subtract the least-squares polynomial of total order 1 to 4 in x and y.
+
+    It is fitted to the points with heights. Raises InputError for another order.
+    """
     if isinstance(order, bool) or order not in (1, 2, 3, 4):
         raise InputError("order", order, "1, 2, 3 or 4: of the polynomial that is removed")
     step = f"form removed: least-squares polynomial of order {order}"
@@ -107,10 +142,11 @@ def remove_form(surface: HeightMap, order: int) -> HeightMap:
 
 
 def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
-    """Heights less their least-squares polynomial; InputError if fewer points are there than it has coefficients.
+    """Subtract the least-squares polynomial from the heights.
 
-    In Legendre polynomials over -1..1, which keep the normal equations well conditioned, and these summed row by row: the
-    matrix of all points and terms never exists. The fit to what is left makes up for the rounding of the first.
+    Legendre polynomials over -1..1 keep the normal equations well conditioned; they are summed row by row, so that the matrix
+    of all points and terms never exists. A second fit to the residual removes the rounding of the first. Raises InputError if
+    there are fewer points than coefficients.
     """
     heights = surface.heights
     rows, columns = heights.shape
@@ -136,7 +172,10 @@ def _unit(count: int) -> np.ndarray:
 
 
 def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, terms) -> np.ndarray:
-    """Sums over the points that are there of the products of all pairs of terms (i, j) = P_i(x) P_j(y)."""
+    """Sum the products of all pairs of terms (i, j) = P_i(x) P_j(y).
+
+    The sums run over the points with heights.
+    """
     n = along_x.shape[1]
     pairs_x = (along_x[:, :, None] * along_x[:, None, :]).reshape(-1, n * n)
     pairs_y = (along_y[:, :, None] * along_y[:, None, :]).reshape(-1, n * n)
@@ -152,10 +191,11 @@ def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, te
 
 
 def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
-    """The part between two places along y and along x, from the first row and column, as (start, stop).
+    """Cut out the part between two positions along y and along x.
 
-    Numbers in metres or text with unit ("2 um"); point i lies at i times the pitch and is kept if start <= i pitch < stop.
-    None keeps all. The size is again count times pitch. InputError if a place is outside the map or nothing is left.
+    Positions (start, stop) count from the first row and column, in metres or as text with unit ("2 um"); point i lies at i
+    times the pitch and is kept if start <= i pitch < stop. None keeps all. The new size is count times pitch. Raises InputError
+    if a position is outside the map or nothing is left.
     """
     kept, sizes, words = [], [], []
     for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):
@@ -169,7 +209,7 @@ def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) 
 
 
 def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
-    """First point kept, and the one past the last."""
+    """Return the first point to keep, and the one past the last. Raises InputError."""
     allowed = f"(start, stop) with 0 m <= start < stop <= {count * pitch:.6g} m and a point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
@@ -184,13 +224,14 @@ def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
 
 
 def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
-    """With the wavelengths between two cutoffs: Gaussian filters, 50 % at the cutoff. Source: ISO 16610-21 and -61.
+    """Keep the wavelengths between two cutoffs (Gaussian filters, ISO 16610).
 
-    shortest, longest: numbers in metres or text with unit ("800 nm"), None for no such cutoff. The weights are
-    exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with alpha = sqrt(ln 2 / pi), along x times along y, and pass
-    exp(-ln 2 (lambda / wavelength)^2). Beyond the edges and where points are missing weights are left out, and the others
-    renormalised: there a slope is not followed, so level first; half a cutoff from an edge is better left out of statistics.
-    Missing points stay missing. InputError unless 2 pitch <= shortest < longest <= size (of the longest side).
+    shortest, longest: numbers in metres or text with unit ("800 nm"), None for no such cutoff. The transmission is 50 % at a
+    cutoff (ISO 16610-21 and -61). The weights are exp(-pi (x / (alpha lambda))^2) / (alpha lambda) with alpha = sqrt(ln 2 /
+    pi), along x times along y, and pass exp(-ln 2 (lambda / wavelength)^2). At edges and missing points the remaining weights
+    are renormalised: they do not follow a slope there, so level first, and exclude half a cutoff from each edge from
+    statistics. Missing points stay missing. Raises InputError unless 2 pitch <= shortest < longest <= size (of the longest
+    side).
     """
     low, high, band = _band(surface, shortest, longest)
     heights = surface.heights
@@ -202,8 +243,11 @@ def filter_band(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 
 
 def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
-    """The same for one period of a surface without end, which it stays: the filters of `filter_band` go on over its ends.
-    Arguments and errors as there; also InputError for missing points."""
+    """Keep the wavelengths between two cutoffs of one period of a surface.
+
+    The filters of `filter_band` wrap around, so that the map stays a period. Arguments and errors as there; also raises
+    InputError for missing points.
+    """
     low, high, band = _band(surface, shortest, longest)
     if not surface.complete:
         raise InputError("heights", f"{surface.missing} missing points", "a map without missing points: fill them")
@@ -220,7 +264,10 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 
 
 def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
-    """Return both cutoffs [m], None where there is none, and what is said of the filter. Raises InputError."""
+    """Return both cutoffs [m], None where there is none, and the filter in words.
+
+    Raises InputError.
+    """
     low = None if shortest is None else metres(shortest, "shortest")
     high = None if longest is None else metres(longest, "longest")
     if low is None and high is None:
@@ -237,9 +284,9 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
 
 
 def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:
-    """Gaussian mean of the points that are there, NaN where they are not.
+    """Return the Gaussian mean of the points with heights, NaN at missing points.
 
-    The weight of the points that are there is a product of one function of y and one of x if none is missing.
+    If no point is missing, the weight is a product of one function of y and one of x.
     """
     missing = np.isnan(heights)
     axes = [axis for axis in (0, 1) if heights.shape[axis] > 1]
@@ -269,9 +316,9 @@ _AT_ONCE = 1 << 21  # numbers transformed together: the memory that a filter tak
 
 
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:
-    """Gaussian convolution along an axis, in place, with zeros beyond the ends; cutoff in points.
+    """Convolve with a Gaussian along an axis, in place, with zeros beyond the ends.
 
-    By its transmission on a padded line, some lines at a time.
+    The cutoff is in points. Lines are padded, transformed some at a time, and multiplied by the transmission.
     """
     lines = np.moveaxis(values, axis, 1)
     count = lines.shape[1]

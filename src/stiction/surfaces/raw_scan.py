@@ -1,4 +1,4 @@
-"""What a file says of a scan, before units and size are settled, and what reads it."""
+"""Content of a scan file, before units and size are settled, and its reader."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,11 +13,11 @@ FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to
 
 @dataclass(frozen=True)
 class RawScan:
-    """Heights in the file's own numbers, and what it says of them.
+    """Heights in the numbers of the file, with its statements about them.
 
     heights: (rows, columns), NaN where missing, of any real type. said: the format and the channel, in words. size: (y, x) in
-    numbers of the file, pitch times count. unit: of size and heights. Both None where the file does not say. notes: what was
-    done to the heights to bring them to a grid.
+    numbers of the file, pitch times count. unit: of size and heights. Both None if missing in the file. notes: steps that
+    brought the heights to a grid.
     """
 
     heights: np.ndarray
@@ -29,11 +29,11 @@ class RawScan:
 
 @dataclass(frozen=True, kw_only=True)
 class Reader:
-    """A format of files, or several that are alike.
+    """A format of files, or several similar ones.
 
-    endings: of their names, in lower case and with the dot; none of one that is asked where no other takes a file. read(path,
-    channel) -> RawScan, or None where a file of that name is of another format; channel: its name or place, None for the one
-    that there is. holds: what is in such a file; given: what has to be given beside it. Both in words, for tables and errors.
+    endings: of their names, in lower case and with the dot; empty for the reader of last resort. read(path, channel) ->
+    RawScan, or None if the file has another format; channel: its name or position, None for the only one. holds: the content of
+    such a file; given: the inputs that the user must state. Both in words, for tables and errors.
     """
 
     endings: tuple[str, ...]
@@ -43,13 +43,16 @@ class Reader:
 
 
 def no_channel(channel) -> None:
-    """InputError if a channel is asked for in a file that has none."""
+    """Raise InputError if a channel is requested from a file without channels."""
     if channel is not None:
         raise InputError("channel", channel, "none: the file holds one map")
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:
-    """What to say of a text file whose last line has no end: nothing else would show that its last number lacks digits."""
+    """Return a remark on a text file whose last line has no end.
+
+    No other sign shows that digits of its last number are missing.
+    """
     with path.open("rb") as file:
         file.seek(max(0, path.stat().st_size - 2))
         ended = file.read().rstrip(b"\0").endswith((b"\r", b"\n"))  # the line end of UTF-16 is followed by a zero

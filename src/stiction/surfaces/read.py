@@ -1,4 +1,7 @@
-"""Reading what instruments write, into heights in metres.
+"""Reading files of instruments, into heights in metres.
+
+Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
+is a file in `readers` with a READER; no other code depends on it.
 
 Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
 is a file in `readers` with a READER: nothing else has to know of it.
@@ -26,17 +29,50 @@ _FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a u
 
 
 def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None, channel=None) -> HeightMap:
-    """The heights of a scan, in metres, with what was read and what was overridden in its history.
+    """Read the heights of a scan, in metres.
 
-    path: of the file. size: instead of that of the file, or where it has none: one length is that along x, with square
-    pixels, two are (y, x); numbers in metres, text with unit ("10 um"), or text without in `unit`. unit: of the numbers in the
-    file ("nm"), heights included unless height_unit is given. height_scale: factor on the heights, not 0. channel: name or
-    place of a channel of a file with several; without it the library's choice if that is heights, else the first heights.
+    Parameters
+    ----------
+    path : str or Path
+        File of the scan.
+    size : float [m], str with a unit, or (y, x), optional
+        Size in place of the one in the file; a single length is along x, with square pixels. Text without a unit is in `unit`.
+    unit : str, optional
+        Unit of the numbers in the file ("nm"), of the heights too unless `height_unit` is stated.
+    height_unit : str, optional
+        Unit of the heights in the file.
+    height_scale : float, optional
+        Factor on the heights, not 0.
+    channel : str or int, optional
+        Name or position of a channel; by default the default channel of the library if it holds heights, else the first with
+        heights.
 
-    Arrays (.npy, .npz) and matrices in text need size and unit, columns x y z or x z need unit. Missing points are NaN.
-    Profiles whose points are not equally spaced are resampled. Raises InputError, one line, for a file that is absent, empty,
-    damaged, of no known format, without heights, constant, with fewer than FEWEST_POINTS along a direction, or wrongly scaled,
-    and where size or unit are lacking.
+    Returns
+    -------
+    HeightMap
+        Heights (rows, columns) [m], NaN where missing; `history` names the format and every overridden number.
+
+    Raises
+    ------
+    InputError
+        The file is absent, empty, damaged, of unknown format, constant, too small (FEWEST_POINTS), without heights, or wrongly
+        scaled; or its size or unit is missing.
+
+    Notes
+    -----
+    Arrays (.npy, .npz) and matrices in text need `size` and `unit`, columns x y z or x z need `unit`. Profiles with unequal
+    spacing are resampled.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import numpy as np
+    >>> import stiction as st
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "scan.npy"
+    >>> np.save(path, np.sin(np.arange(1024.0)).reshape(32, 32))
+    >>> scan = st.read_scan(path, size="10 um", unit="nm")
+    >>> scan.heights.shape, scan.missing
+    ((32, 32), 0)
     """
     path = _file(path)
     raw = _read(path, channel)
@@ -53,7 +89,10 @@ def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None
 
 @cache
 def readers() -> tuple[Reader, ...]:
-    """All formats in the order in which they are asked: by the names of their files, one without an ending of its own last."""
+    """Return all formats in the order in which they are tried.
+
+    They are sorted by file ending; formats without an ending come last.
+    """
     names = sorted(one.name for one in pkgutil.iter_modules(formats.__path__))
     modules = [import_module(f"{formats.__name__}.{name}") for name in names]
     found = [module.READER for module in modules if hasattr(module, "READER")]
@@ -61,7 +100,7 @@ def readers() -> tuple[Reader, ...]:
 
 
 def _read(path: Path, channel) -> RawScan:
-    """What the first reader says that takes the file; InputError if none does."""
+    """Return what the first matching reader reads. Raises InputError if none does."""
     check_packed(path)
     ending = path.suffix.lower()
     asked = [one for one in readers() if ending in one.endings or not one.endings]
@@ -103,7 +142,10 @@ def _file(path) -> Path:
 
 
 def check_numbers(heights: np.ndarray, name: str) -> None:
-    """InputError unless there are enough heights, whatever their unit, that are not all missing or constant."""
+    """Raise InputError unless there are enough heights that differ.
+
+    Their unit does not matter; missing points do not count.
+    """
     rows, columns = heights.shape
     if columns < FEWEST_POINTS or (rows != 1 and rows < FEWEST_POINTS):
         hint = "; columns x z or x y z are read from .csv and .xyz" if columns in (2, 3) else ""
@@ -116,7 +158,7 @@ def check_numbers(heights: np.ndarray, name: str) -> None:
 
 
 def check_scale(heights: np.ndarray, size: tuple[float, float], name: str) -> None:
-    """InputError unless the heights in metres are finite and not out of all proportion to the size."""
+    """Raise InputError unless the heights [m] are finite and plausible for the size."""
     if np.isinf(heights).any():
         raise InputError("scan", f"{name} with infinite heights", "finite heights, nan where missing")
     with np.errstate(over="ignore"):
@@ -136,7 +178,10 @@ def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str,
 
 
 def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
-    """Metres per number of the file, along the surface and of heights, and what to say of them."""
+    """Return metres per number of the file and a remark.
+
+    There is one factor along the surface and one for heights.
+    """
     taken = unit or raw.unit
     heights_in = height_unit or taken
     if heights_in is None or (taken is None and size is None and raw.size is not None):
@@ -158,7 +203,7 @@ def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float
 
 
 def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float], tuple[str, ...]]:
-    """The size (y, x) [m] as given, or that of the file, and what to say of it."""
+    """Return the size (y, x) [m], as stated or from the file, and a remark."""
     rows, columns = raw.heights.shape
     if size is None:
         if raw.size is None:

@@ -1,4 +1,4 @@
-"""A rough surface by its asperities: given, or found in scans."""
+"""A rough surface by its asperities: stated numbers, or found in scans."""
 
 from typing import Annotated, Any, Self
 
@@ -28,13 +28,43 @@ _Parameter = Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=f
 
 
 class Roughness(Input):
-    """The equivalent rough surface: asperities of one radius, with distributed heights (GW 1966).
+    """The equivalent rough surface: asperities of one radius, with distributed heights.
 
-    height_distribution: name of a height distribution; height_parameters: its parameters, e.g. {"shape":
-    3.4}. surface: asperities with the spectral moments of the surface (McCool 1986), with Gaussian heights, which theories of
-    the whole surface take in place of these; left out, they take these. kind: gaussian, skewed, worn, lay (rougher across than
-    along), two-scale (fine roughness on coarse) or the name of a finish ("ground"), which stands for one; left out, not
-    known. It changes no result of a model, but the solved surfaces that the result is compared to. Raises InputError.
+    Parameters
+    ----------
+    asperity_height_deviation : float [m], str with a unit, or array
+        Standard deviation sigma of the asperity heights.
+    asperity_radius : float [m], str with a unit, or array
+        Radius R of the asperity tips.
+    asperity_density : float [1/m^2], str with a unit, or array
+        Number N of asperities per nominal area.
+    height_distribution : str, optional
+        Name of a height distribution, by default "gaussian".
+    height_parameters : dict, optional
+        Parameters of the distribution, e.g. {"shape": 3.4}.
+    kind : str, optional
+        Kind of surface: gaussian, skewed, worn, lay (rougher across than along), two-scale (fine roughness on coarse), or the
+        name of a finish ("ground"). It changes no result of a model, only the benchmark surfaces that the result is compared
+        to.
+    surface : Roughness, optional
+        Asperities with the spectral moments of the surface and Gaussian heights (McCool 1986), for theories of the whole
+        surface; by default these use the numbers above.
+
+    Raises
+    ------
+    InputError
+        A number is out of its bounds, or a name is unknown.
+
+    Notes
+    -----
+    Model of Greenwood & Williamson (1966).
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+    >>> print(f"{rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation:.4f}")
+    0.0024
     """
 
     asperity_height_deviation: Number
@@ -51,14 +81,19 @@ class Roughness(Input):
     _finished: Any = PrivateAttr(None)
 
     def replace(self, **changes: Any) -> Self:
-        """Return another roughness, with these fields in place of its own; of a finish also with another height.
-        Raises InputError."""
+        """Return a copy with these fields replaced. Raises InputError.
+
+        The roughness of a finish also accepts another height.
+        """
         of_finish = self._finished is not None and changes.keys() & {"finish", "rms_height", "mean_height"}
         return self._finished.with_first(**changes).roughness() if of_finish else super().replace(**changes)
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Names of the numbers that a finish leaves open, "first.rms_slope"; none where sigma, R and N are stated."""
+        """Return the names of numbers that a finish leaves open, e.g. "first.rms_slope".
+
+        Empty where sigma, R and N are stated.
+        """
         return () if self._finished is None else self._finished.unknowns
 
     def drawn(self, levels: Any) -> tuple[Any, Any, Any]:
@@ -81,8 +116,11 @@ class Roughness(Input):
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
     def attached(self, **what: Any) -> "Roughness":
-        """Return the same numbers with where they come from: measured (surfaces.measured.Measured), map, or the finishes of the
-        bodies, finished (surfaces.finished.FinishedBodies)."""
+        """Return the same numbers together with their origin.
+
+        measured: surfaces.measured.Measured; map: a HeightMap; finished: surfaces.finished.FinishedBodies, the finishes of the
+        bodies.
+        """
         found = self.model_copy()
         for name, value in what.items():
             setattr(found, f"_{name}", value)
@@ -92,26 +130,35 @@ class Roughness(Input):
         return [] if self._finished is None else self._finished.notes()
 
     def of_surface(self) -> "Roughness | None":
-        """Return the asperities with the moments of the surface, of the same kind; None where there are none but these."""
+        """Return the asperities with the moments of the surface, of the same kind.
+
+        None where no separate ones are stated.
+        """
         return self.surface if self.surface is None or self.kind is None else self.surface.replace(kind=self.kind)
 
     @property
     def surface_kind(self) -> str | None:
-        """The kind of surface, one of finishes.SURFACE_KINDS; None where it is not stated."""
+        """Return the kind of surface, one of finishes.SURFACE_KINDS; None if not stated."""
         return None if self.kind is None else surface_kind_of(self.kind)
 
     @property
     def measured(self) -> Any:
-        """What scans say by all ways of finding asperities (surfaces.measured.Measured), where these numbers are from scans."""
+        """Return the scan results of all methods (surfaces.measured.Measured).
+
+        None where these numbers are not from scans.
+        """
         return self._measured
 
     def as_numbers(self) -> "Roughness":
-        """The same without the memory of scans and their map."""
+        """Return the same numbers without reference to scans and their map."""
         return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
 
     @property
     def map(self) -> Any:
-        """The map (a HeightMap) that stands for both faces, where these numbers are from scans that make one; else None."""
+        """Return the map (a HeightMap) that stands for both faces.
+
+        None where these numbers are not from scans that make one.
+        """
         return self._map
 
     @model_validator(mode="after")

@@ -1,4 +1,4 @@
-"""The maps of a contact whose bodies were measured, as one map that stands for both where it is solved point by point."""
+"""Maps of a contact between scanned bodies, combined for a point-by-point solution."""
 
 import math
 from collections.abc import Mapping
@@ -17,28 +17,31 @@ _ALIKE = 1e-6  # sizes of two maps that differ by less, relatively, are one
 
 @dataclass(frozen=True)
 class SolvableMaps:
-    """maps: prepared, of each rough body; some_numbers: a rough body is known by numbers only."""
+    """maps: prepared, of each rough body; some_numbers: a rough body has stated numbers only."""
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)
     some_numbers: bool = False
 
     @property
     def points(self) -> int:
-        """How many points the larger map has."""
+        """Return the number of points of the larger map."""
         return max((one.heights.size for one in self.maps.values()), default=0)
 
     def filled(self) -> "list[HeightMap]":
-        """Return the maps, missing points at the mean height; no profiles."""
+        """Return the maps with missing points at the mean height; no profiles."""
         maps = [one for one in self.maps.values() if not one.is_profile]
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
-        """What goes with a result that looked for no asperities: what was done to each map."""
+        """Return attributes of a result that found no asperities: the history of each map."""
         scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
         return {"roughness_method": "none: the map itself", "scans": scans}
 
     def one(self) -> "HeightMap":
-        """The map that stands for both bodies. Raises InputError, with what would be a map."""
+        """Return the map that stands for both bodies.
+
+        Raises InputError, which describes a suitable map.
+        """
         if self.some_numbers or not self.maps:
             raise InputError("roughness", "numbers of a rough body", "a map of every rough body, or the other smooth")
         for body, each in self.maps.items():
@@ -54,7 +57,7 @@ class SolvableMaps:
 
 
 def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
-    """Two faces, each as seen from outside: the second is turned over to lie on the first."""
+    """Add two faces, each as seen from outside; the second is turned over first."""
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
         allowed = "as many points as the first, over the same size, both periodic or neither: then their sum stands for both"

@@ -1,4 +1,4 @@
-"""Power spectrum of a height map, its average over directions, and the band of wavelengths in which it can be believed.
+"""Power spectrum of a height map, its radial average, and its reliable wavelengths.
 
 The normalisation, with wavevectors q = 2 pi / wavelength [rad/m] on an area A (a profile: on a length L):
 
@@ -56,54 +56,57 @@ class PowerSpectrum:
 
     @property
     def is_profile(self) -> bool:
-        """Whether this is the spectrum of one line."""
+        """Return whether this is the spectrum of one line."""
         return self.density.shape[0] == 1
 
     @property
     def extent(self) -> float:
-        """Area of the map [m^2], length of the profile [m]."""
+        """Return the area of the map [m^2], or the length of the profile [m]."""
         return self.size[1] if self.is_profile else self.size[0] * self.size[1]
 
     @property
     def pitch(self) -> float:
-        """The larger of the two pitches, of a profile the only one [m]."""
+        """Return the larger of the two pitches, of a profile the only one [m]."""
         along_x = self.size[1] / self.columns
         return along_x if self.is_profile else max(along_x, self.size[0] / self.density.shape[0])
 
     @property
     def wavevectors(self) -> tuple[np.ndarray, np.ndarray]:
-        """q_y (rows,) and q_x (columns // 2 + 1,) [rad/m]."""
+        """Return q_y (rows,) and q_x (columns // 2 + 1,) [rad/m]."""
         return _wavevectors(self.density.shape[0], self.size[0], np.fft.fftfreq), _wavevectors(
             self.columns, self.size[1], np.fft.rfftfreq
         )
 
     @property
     def waves(self) -> np.ndarray:
-        """How many waves of the whole plane an entry stands for, by column (columns // 2 + 1,): itself, and that at -q."""
+        """Return the number of waves per entry, by column (columns // 2 + 1,).
+
+        An entry counts twice where the whole plane also has the wave at -q.
+        """
         return _waves(self.columns)
 
     @property
     def lowest(self) -> float:
-        """Smallest wavevector on the grid but zero [rad/m]."""
+        """Return the smallest nonzero wavevector on the grid [rad/m]."""
         return 2.0 * math.pi / (self.size[1] if self.is_profile else max(self.size))
 
     @property
     def longest(self) -> float:
-        """Longest reliable wavelength [m]."""
+        """Return the longest reliable wavelength [m]."""
         return (self.size[1] if self.is_profile else min(self.size)) / LEAST_PERIODS
 
     @property
     def shortest(self) -> float:
-        """Shortest reliable wavelength [m], without regard to a tip."""
+        """Return the shortest reliable wavelength [m], ignoring the tip."""
         return POINTS_PER_WAVE * self.pitch
 
 
 @dataclass(frozen=True)
 class BinnedSpectrum:
-    """A spectrum averaged in bins of the wavevector's magnitude; arrays (bins,), from long waves to short.
+    """A spectrum averaged in bins of |q|; arrays (bins,), from long waves to short.
 
     wavevector: mean |q| of the waves in a bin [rad/m]; density: mean C [m^4], of lines [m^3]; waves: how many they are, q and
-    -q being two. longest, shortest: ends of the reliable band [m]. is_profile: whether C is that of lines. window: a key of
+    -q being two. longest, shortest: ends of the reliable band [m]. is_profile: whether C belongs to lines. window: a key of
     WINDOWS.
     """
 
@@ -117,12 +120,12 @@ class BinnedSpectrum:
 
     @property
     def wavelength(self) -> np.ndarray:
-        """2 pi / wavevector [m]."""
+        """Return 2 pi / wavevector [m]."""
         return 2.0 * math.pi / self.wavevector
 
     @property
     def reliable(self) -> np.ndarray:
-        """Which bins are in the reliable band."""
+        """Return a mask of the bins in the reliable band."""
         return (self.wavelength <= self.longest * _ROUNDING) & (self.wavelength * _ROUNDING >= self.shortest)
 
 
@@ -134,14 +137,17 @@ def _rectangle(shape, size) -> np.ndarray:
 
 
 def _hann(shape, size) -> np.ndarray:
-    """Hann's window along x times that along y."""
+    """Return Hann's window along x times Hann's window along y."""
     rows, columns = (hann(count, sym=False) for count in shape)
     return rows[:, None] * columns
 
 
 def _radial_hann(shape, size) -> np.ndarray:
-    """Hann's window over the distance from the middle, zero outside the largest circle: uses pi/4 of the points, and fewer of a
-    long map. Source: Jacobs, Junge & Pastewka 2017."""
+    """Return Hann's window over the distance from the middle.
+
+    It is zero outside the largest circle, so it uses pi/4 of the points, and fewer of a long map. Source: Jacobs, Junge &
+    Pastewka 2017.
+    """
     y, x = (length * (np.arange(count) - count // 2) / count for count, length in zip(shape, size, strict=True))
     edge = min(length for count, length in zip(shape, size, strict=True) if count > 1) / 2.0
     distance = np.hypot(y[:, None], x)
@@ -152,7 +158,7 @@ WINDOWS: dict[str, Callable[..., np.ndarray]] = {"hann": _hann, "radial hann": _
 
 
 def _window(name: str, shape, size) -> np.ndarray:
-    """The named window with a mean square of 1."""
+    """Return the named window with a mean square of 1."""
     if name not in WINDOWS:
         raise InputError("window", name, ", ".join(WINDOWS))
     window = WINDOWS[name](shape, size)
@@ -164,9 +170,9 @@ def _window(name: str, shape, size) -> np.ndarray:
 
 
 def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
-    """Power spectrum of a map (two-dimensional) or a profile, about its mean height.
+    """Compute the power spectrum of a map or a profile, about its mean height.
 
-    window: a key of WINDOWS; "none" for periodic surfaces. InputError if points are missing or there are fewer than
+    window: a key of WINDOWS; "none" for periodic surfaces. Raises InputError if points are missing or there are fewer than
     LEAST_POINTS along a side. Takes four times the memory of the heights.
     """
     heights = _complete(surface)
@@ -179,9 +185,10 @@ def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
 
 
 def line_spectrum(surface: HeightMap, along: str = "x", window: str = "hann", bins: str = "log") -> BinnedSpectrum:
-    """Spectrum of the lines of a map along "x" or "y", each about its own mean, averaged over the lines and in bins.
+    """Average the spectra of the lines of a map along "x" or "y", in bins.
 
-    window: "hann" or another key of WINDOWS, along the line; bins: a key of BINS. InputError as for `power_spectrum`.
+    Each line is taken about its own mean. window: "hann" or another key of WINDOWS, along the line; bins: a key of BINS. Raises
+    Raises InputError as `power_spectrum` does.
     """
     if along not in _LINES:
         raise InputError("along", along, " or ".join(_LINES))
@@ -203,7 +210,9 @@ _LINES: dict[str, Callable[[np.ndarray], np.ndarray]] = {"x": lambda heights: he
 
 
 def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float | None = None) -> BinnedSpectrum:
-    """The spectrum averaged over directions, in bins of |q| up to Nyquist's wavevector of the larger pitch.
+    """Average a spectrum over directions, in bins of |q| up to the Nyquist wavevector.
+
+    It is the Nyquist wavevector of the larger pitch.
 
     bins: a key of BINS; bins without a wave are left out. tip_radius [m], > 0: of the stylus, ends the reliable band earlier.
     Of a profile: averaged in bins.
@@ -215,8 +224,10 @@ def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float
 
 
 def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
-    """Wavelength [m] below which a stylus of this tip radius [m] drew itself, as defined at the top; 0 if the surface is too
-    smooth for that. InputError unless the radius is > 0."""
+    """Return the wavelength [m] below which a stylus tip drew its own shape.
+
+    It is defined at the top, and 0 if the surface is too smooth. tip radius in m; raises InputError unless it is > 0.
+    """
     if not (tip_radius > 0.0 and math.isfinite(tip_radius)):
         raise InputError("tip_radius", tip_radius, "> 0 m, finite")
     waves, power, magnitudes = _average_over_directions(spectrum, _linear_edges(spectrum.lowest, math.pi / spectrum.pitch))
@@ -232,13 +243,19 @@ def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
 
 
 def _log_edges(low: float, high: float, per_decade: int = 10) -> np.ndarray:
-    """`per_decade` bins to a decade, down from the highest wavevector to below the lowest."""
+    """Return edges of `per_decade` bins per decade.
+
+    They run down from the highest wavevector to below the lowest.
+    """
     count = math.ceil(per_decade * math.log10(high / low)) + 1
     return high * _ROUNDING * 10.0 ** (np.arange(-count, 1) / per_decade)
 
 
 def _linear_edges(low: float, high: float) -> np.ndarray:
-    """Bins as wide as the lowest wavevector, around its multiples: no wave along an axis of a square map is on an edge."""
+    """Return edges of bins as wide as the lowest wavevector, around its multiples.
+
+    No wave along an axis of a square map is on an edge.
+    """
     return low * np.append(np.arange(0.5, high / low * (1.0 - 1e-9)), high / low * _ROUNDING)
 
 
@@ -252,7 +269,10 @@ def _edges(bins: str) -> Callable[[float, float], np.ndarray]:
 
 
 def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
-    """(3, bins): number of waves, sum of C and sum of |q|. q, density, waves: alike in shape."""
+    """Return (3, bins): number of waves, sum of C and sum of |q|.
+
+    q, density and waves have the same shape.
+    """
     place = np.searchsorted(edges, q.ravel(), side="right")
     count = len(edges) + 1
     weight = np.ravel(waves)
@@ -261,7 +281,10 @@ def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
 
 
 def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: int = 128) -> np.ndarray:
-    """(3, bins): number of waves, sum of C and sum of |q| in rings between the edges; `block` rows at a time."""
+    """Return (3, bins): number of waves, sum of C and sum of |q| in rings.
+
+    edges: of the rings; `block` rows are summed at a time.
+    """
     qy, qx = spectrum.wavevectors
     sums = np.zeros((3, len(edges) - 1))
     for start in range(0, len(qy), block):
@@ -272,7 +295,7 @@ def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: 
 
 
 def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
-    """Means of the sums, without empty bins."""
+    """Return the means from the sums, without empty bins."""
     full = waves > 0
     count = waves[full]
     return BinnedSpectrum(magnitudes[full] / count, power[full] / count, np.rint(count).astype(int), **settings)
@@ -282,7 +305,7 @@ def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
 
 
 def _complete(surface: HeightMap) -> np.ndarray:
-    """The heights, if no point is missing and there are enough."""
+    """Return the heights. Raises InputError if points are missing or too few."""
     heights = surface.heights
     if surface.missing:
         raise InputError("heights", f"{surface.missing} of {heights.size} points missing", "none missing: fill or crop first")
@@ -293,7 +316,7 @@ def _complete(surface: HeightMap) -> np.ndarray:
 
 
 def _squares(waves: np.ndarray) -> np.ndarray:
-    """|waves|^2, without a third array of their size."""
+    """Return |waves|^2, without a third array of their size."""
     squares = waves.real**2
     squares += waves.imag**2
     return squares
@@ -304,7 +327,10 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
 
 
 def _waves(columns: int) -> np.ndarray:
-    """2 for every entry of a real transform but the mean and, of an even number of points, Nyquist's, which are 1."""
+    """Return 2 for every entry of a real transform, 1 for the mean and Nyquist's.
+
+    Nyquist's entry exists for an even number of points.
+    """
     waves = np.full(columns // 2 + 1, 2.0)
     waves[0] = 1.0
     if columns % 2 == 0:

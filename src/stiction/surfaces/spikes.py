@@ -1,4 +1,6 @@
-"""Spikes: single points that an instrument drew far from the surface, where it saw dust, an edge, or nothing at all.
+"""Spikes: single points drawn far from the surface by the instrument.
+
+Dust, an edge or a lost signal causes them.
 
 A point is a spike if it is further from the median than so many robust deviations: 1.4826 times the median distance from the
 median, which is the standard deviation of a Gaussian surface and is not moved by the spikes themselves.
@@ -17,8 +19,10 @@ _GAUSSIAN = 1.4826  # standard deviation over median distance from the median
 
 
 def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
-    """Which points (rows, columns) are more than `times` robust deviations from the median; none where half of all points have
-    the same height. InputError unless times > 0 and finite."""
+    """Return a mask (rows, columns) of points beyond `times` robust deviations.
+
+    Empty where half of all points have the same height. Raises InputError unless times > 0 and finite.
+    """
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
     heights = surface.heights
@@ -30,7 +34,7 @@ def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
 
 
 def mask_spikes(surface: HeightMap, times: float) -> HeightMap:
-    """The levelled map with its spikes missing. InputError as of `spikes`."""
+    """Return the levelled map with its spikes missing. Raises InputError as `spikes`."""
     found = spikes(surface, times)
     step = f"{np.count_nonzero(found)} points further than {times:g} robust deviations from the median masked"
     return surface.with_heights(np.where(found, np.nan, surface.heights), step)

@@ -1,4 +1,4 @@
-"""Numbers that describe a height map: its heights, slopes and curvatures, and its spectral moments in two ways.
+"""Heights, slopes, curvatures and spectral moments of a height map.
 
 All are about the mean height and nothing else: level the map first. Height parameters are those of ISO 25178-2, with means
 over all points that have a height:
@@ -49,7 +49,9 @@ _ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of a map or profile, with the definitions at the top. None where a profile has none.
+    """Statistics of a map or profile, with the definitions at the top.
+
+    Values are None where a profile has none.
 
     Sq, Sa, Sz [m]; Ssk, Sku [1]; mean: height from which they count [m]. slope_x, slope_y: root mean square slopes along x and
     y [1]; slope: of the gradient, Sdq, (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: root mean square second
@@ -72,7 +74,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class ProfileMoments:
-    """Spectral moments of the profiles of a map in one of two ways.
+    """Spectral moments of the profiles of a map, by one of two ways.
 
     x, y: of profiles along x and y, which shows the anisotropy (y: None for a profile); isotropic: of the isotropic surface
     taken in its place by the mean; equivalent: by (1), which allows for a lay; None where all slopes are along one line, so
@@ -88,9 +90,10 @@ class ProfileMoments:
 
 
 def statistics(surface: HeightMap) -> Statistics:
-    """Height parameters, slopes and curvatures of a map or profile, over the points that have a height.
+    """Compute height parameters, slopes and curvatures over the points with heights.
 
-    InputError if no point has one, all heights are alike, or no three neighbouring points along x (and along y) have one.
+    Raises InputError if no point has one, all heights are alike, or no three neighbouring points along x (and along y) have
+    one.
     """
     heights, (dy, dx) = surface.heights, surface.pitch
     mean, heights_of = _height_parameters(heights)
@@ -114,11 +117,13 @@ def statistics(surface: HeightMap) -> Statistics:
 
 
 def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
-    """Spectral moments by finite differences of points half a cutoff wavelength apart, rounded to whole pitches.
+    """Compute spectral moments by finite differences.
+
+    The points are half a cutoff wavelength apart, rounded to whole pitches.
 
     cutoff: [m], > 0, by default two of the larger pitches: differences of neighbours. Shorter waves are not smoothed away first
-    but sampled, as by an instrument of that pitch: m0 stays that of all points. InputError as for `statistics`, or if the
-    cutoff is too long.
+    but sampled, as by an instrument of that pitch: m0 still includes all points. Raises InputError as for `statistics`, or if
+    the cutoff is too long.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
     if cutoff is not None and not (cutoff > 0.0 and math.isfinite(cutoff)):
@@ -146,11 +151,11 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
 
 
 def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) -> ProfileMoments:
-    """Spectral moments by integration of the power spectrum over all waves not shorter than the cutoff.
+    """Integrate the power spectrum over all waves not shorter than the cutoff.
 
     cutoff: wavelength [m], >= 0, by default two (of the larger) pitches, Nyquist's; 0 takes every wave on the grid, the
-    shortest of which are along its diagonals. Reliable only if it is not below `spectrum.shortest`. `isotropic` is that of the
-    radial average; x and y are integrated each. InputError if no wave is that long.
+    shortest of which are along its diagonals. Reliable only if it is not below `spectrum.shortest`. `isotropic` belongs to the
+    radial average; x and y are integrated each. Raises InputError if no wave is that long.
     """
     cutoff = 2.0 * spectrum.pitch if cutoff is None else in_metres(cutoff, "cutoff")
     if not (cutoff >= 0.0 and math.isfinite(cutoff)):
@@ -173,7 +178,7 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
 
 
 def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, float, float, float]]:
-    """Mean [m] and (Sq, Sa, Sz, Ssk, Sku)."""
+    """Return the mean [m] and (Sq, Sa, Sz, Ssk, Sku)."""
     count = int(np.count_nonzero(~np.isnan(heights)))
     if not count:
         raise InputError("heights", "all missing", "some points that have a height")
@@ -197,21 +202,24 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
 
 
 def _blocks(heights: np.ndarray, overlap: int = 0) -> Iterator[np.ndarray]:
-    """Views of some rows, _BLOCK points, and `overlap` more of the next."""
+    """Yield views of _BLOCK points in rows, and `overlap` more rows of the next block."""
     rows = max(1, _BLOCK // heights.shape[1])
     for start in range(0, max(1, heights.shape[0] - overlap), rows):
         yield heights[start : start + rows + overlap]
 
 
 def _difference(heights: np.ndarray, order: int, step: int) -> np.ndarray:
-    """First or second differences along the rows, of points `step` apart."""
+    """Return first or second differences along the rows, of points `step` apart."""
     for _ in range(order):
         heights = heights[:, step:] - heights[:, :-step]
     return heights
 
 
 def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -> float:
-    """Root mean square of the differences of an order along an axis, where all their points have a height."""
+    """Return the rms of the differences of an order along an axis.
+
+    Only differences whose points all have a height count.
+    """
     total, count = 0.0, 0
     if heights.shape[axis] > order * step:
         for block in _blocks(heights if axis == 1 else heights.T):
@@ -221,7 +229,7 @@ def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -
 
 
 def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
-    """Root mean square of the sum of both second derivatives, where all five points have a height."""
+    """Return the rms sum of both second derivatives, where all five points have a height."""
     total, count = 0.0, 0
     if min(heights.shape) > 2:
         for block in _blocks(heights, overlap=2):
@@ -233,7 +241,7 @@ def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
 
 
 def _sum_of_squares(values: np.ndarray) -> tuple[float, int]:
-    """Sum of the squares and number of the values that are there."""
+    """Return the sum of squares and the number of the values that are not missing."""
     total, count = float(np.einsum("ij,ij->", values, values)), values.size
     if math.isnan(total):
         there = values[~np.isnan(values)]
@@ -257,7 +265,10 @@ def _mean(x: Moments, y: Moments) -> Moments:
 
 
 def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
-    """Equation (1), from the moments along both axes and the correlation of the slopes along them."""
+    """Return equation (1), from the moments along both axes.
+
+    It also needs the correlation of the slopes along them.
+    """
     if not (min(x.m2, y.m2) > _ROUNDED * max(x.m2, y.m2) and abs(correlation) < 1.0 - 1e-9):
         return None
     m2 = math.sqrt(x.m2 * y.m2 * (1.0 - correlation * correlation))
@@ -265,8 +276,10 @@ def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
 
 
 def _slope_correlation(heights: np.ndarray, along_y: int, along_x: int) -> float:
-    """Correlation of the slopes along x and along y in the middle of every cell of four points that are all there, so many
-    points apart; 1 where there are no slopes along one of them."""
+    """Return the correlation of the slopes along x and y, in the middle of cells.
+
+    A cell has four points, all with heights, that many points apart. The result is 1 where there are no slopes along one axis.
+    """
     sums = np.zeros(3)
     for block in _blocks(heights, overlap=along_y):
         if block.shape[0] <= along_y:
@@ -286,7 +299,7 @@ _EVEN = [0, 2, 3]  # their places of 0, 2 and 4
 
 
 def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
-    """(4, 4): sum_q C q_y^i q_x^j / A over the waves 0 < |q| <= highest, for i and j of _POWERS."""
+    """Return (4, 4): sum_q C q_y^i q_x^j / A over 0 < |q| <= highest, i and j of _POWERS."""
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS
     reach = np.sqrt(np.maximum(highest * highest - qy * qy, 0.0))

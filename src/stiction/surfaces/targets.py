@@ -1,12 +1,12 @@
 """Power spectra to generate surfaces from, with their moments in closed form.
 
-The spectrum C of a surface is that of the wave vector's length q [rad/m], counted so that the mean square height is
+The spectrum C of a surface depends on the wave vector's length q [rad/m], counted so that the mean square height is
 
     m0 = Int C(q) d^2q / (2 pi)^2   of a surface, C in m^4,        m0 = Int C(q) dq / (2 pi)   of a profile, C in m^3,
 
 over both signs of every component. The moments are those of a profile along a line, as in `surfaces.theory.moments`: of an
 isotropic surface, with the mean squares M_k = Int C q^(k+1) dq / (2 pi), they are m0 = M_0, m2 = M_2 / 2, m4 = 3 M_4 / 8,
-because the mean of cos^2 over all directions is 1/2 and that of cos^4 is 3/8 (Nayak 1971).
+because the mean of cos^2 over all directions is 1/2, of cos^4 3/8 (Nayak 1971).
 """
 
 import math
@@ -25,7 +25,7 @@ _EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whate
 
 
 def require_positive(**values: float) -> None:
-    """InputError for the first of these that is not a finite number > 0."""
+    """Raise InputError for the first value that is not a finite number > 0."""
     for name, value in values.items():
         if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
             raise InputError(name, value, "a finite number > 0")
@@ -38,7 +38,7 @@ def _to_metres(spectrum, *names: str) -> None:
 
 
 def _powers(low: float, high: float, exponent: float) -> float:
-    """Int q^(exponent - 1) dq from low to high."""
+    """Return Int q^(exponent - 1) dq from low to high."""
     if abs(exponent) < 1e-12:
         return math.log(high / low)
     return (high**exponent - low**exponent) / exponent
@@ -46,12 +46,32 @@ def _powers(low: float, high: float, exponent: float) -> float:
 
 @dataclass(frozen=True)
 class SelfAffine:
-    """A self-affine surface between two wavelengths: C falls as q^(-2 - 2 H), below its roll-off it is constant.
+    """A self-affine power spectrum between two wavelengths, flat above its roll-off.
 
-    hurst: exponent H, 0 to 1; rolloff: wavelength [m] above which C is constant; shortest: the shortest wavelength [m];
-    deviation: root mean square height [m]; longest: wavelength [m] above which there is nothing, infinite if not given;
-    dimensions: 2 of a surface, 1 of a profile, whose C falls as q^(-1 - 2 H). Lengths may be text with a unit.
-    0 < shortest <= rolloff <= longest; InputError otherwise.
+    Parameters
+    ----------
+    hurst : float
+        Hurst exponent H, 0 to 1: C falls as q^(-2 - 2 H) of a surface, as q^(-1 - 2 H) of a profile.
+    rolloff, shortest : float [m] or str with a unit
+        Wavelength above which C is constant, and shortest wavelength; 0 < shortest <= rolloff <= longest.
+    deviation : float [m] or str with a unit
+        Root mean square height.
+    longest : float [m] or str with a unit, optional
+        Wavelength above which C is zero, by default infinite.
+    dimensions : int, optional
+        2 of a surface (default), 1 of a profile.
+
+    Raises
+    ------
+    InputError
+        A number is out of these bounds.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="200 nm", deviation="10 nm")
+    >>> round(target.rms_slope, 2)
+    0.06
     """
 
     hurst: float
@@ -76,7 +96,7 @@ class SelfAffine:
             raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
 
     def with_slope(self, slope: float) -> "SelfAffine":
-        """The same with this root mean square gradient [1] instead of its root mean square height."""
+        """Return the spectrum with this rms gradient [1] instead of its rms height."""
         require_positive(slope=slope)
         return replace(self, deviation=self.deviation * slope / self.rms_slope)
 
@@ -87,19 +107,22 @@ class SelfAffine:
 
     @property
     def rms_slope(self) -> float:
-        """Root mean square gradient [1], sqrt(2 m2) of a surface and sqrt(m2) of a profile."""
+        """Return the rms gradient [1], sqrt(2 m2) of a surface and sqrt(m2) of a profile."""
         return math.sqrt(self.dimensions * self.moments.m2)
 
     @property
     def moments(self) -> Moments:
-        """m0 [m^2], m2 [1], m4 [1/m^2] of a profile, of waves that lie close: of an infinite surface. In closed form."""
+        """Return m0 [m^2], m2 [1], m4 [1/m^2] of a profile, in closed form.
+
+        The waves lie close, as on an infinite surface.
+        """
         zeroth, second, fourth = (self._shape(k) for k in (0, 2, 4))
         m0 = self.deviation**2
         _, two, four = _SHARES[self.dimensions]
         return Moments(m0, two * m0 * second / zeroth, four * m0 * fourth / zeroth)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        """Return C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
         lowest, corner, highest = self._edges()
         solid = {1: math.pi, 2: 2.0 * math.pi}[self.dimensions]
         plateau = self.deviation**2 * solid / self._shape(0)
@@ -108,11 +131,11 @@ class SelfAffine:
         return np.where(inside, plateau * falling ** (-self.dimensions - 2.0 * self.hurst), 0.0)
 
     def _edges(self) -> tuple[float, float, float]:
-        """Wave numbers [rad/m] of the longest wave, the roll-off, the shortest wave."""
+        """Return the wave numbers [rad/m] of longest wave, roll-off and shortest wave."""
         return 2.0 * math.pi / self.longest, 2.0 * math.pi / self.rolloff, 2.0 * math.pi / self.shortest
 
     def _shape(self, k: int) -> float:
-        """Int C q^(k + dimensions - 1) dq over the plateau's C."""
+        """Return Int C q^(k + dimensions - 1) dq over the plateau's C."""
         lowest, corner, highest = self._edges()
         d, h = self.dimensions, self.hurst
         flat = _powers(lowest, corner, k + d)
@@ -121,7 +144,9 @@ class SelfAffine:
 
 @dataclass(frozen=True)
 class GaussianCorrelation:
-    """A surface whose autocorrelation is deviation^2 exp(-r^2 / length^2): smooth, of one scale, alpha = 3 in closed form.
+    """A surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
+
+    Smooth, of one scale, alpha = 3 in closed form.
 
     deviation: root mean square height [m]; length: correlation length [m]; dimensions: 2 of a surface, 1 of a profile.
     """
@@ -142,11 +167,11 @@ class GaussianCorrelation:
 
     @property
     def moments(self) -> Moments:
-        """m0 [m^2], m2 [1], m4 [1/m^2]: the derivatives of the autocorrelation at 0."""
+        """Return m0 [m^2], m2 [1], m4 [1/m^2]: derivatives of the autocorrelation at 0."""
         m0 = self.deviation**2
         return Moments(m0, 2.0 * m0 / self.length**2, 12.0 * m0 / self.length**4)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        """Return C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
         plateau = self.deviation**2 * (math.sqrt(math.pi) * self.length) ** self.dimensions
         return plateau * np.exp(-np.minimum((0.5 * q * self.length) ** 2, 700.0))

@@ -1,11 +1,11 @@
-r"""Summits of a map: points higher than their eight neighbours, with the curvature of a fitted paraboloid.
+r"""Summits of a map: points higher than their eight neighbours, with fitted curvatures.
 
 What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
 too low and too blunt. Where a long summit lies aslant of the grid, several of its points are higher than their neighbours.
 
-*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is that of the least-squares
-paraboloid through five or nine points around it. *Source*: [nayak_1971] for the summits that these points stand for. With $n$
-such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the paraboloid,
+*Assumes*: an asperity is a sampled point that is higher than its eight neighbours; its curvature is taken from the
+least-squares paraboloid through five or nine points around it. *Source*: [nayak_1971] for the summits that these points stand
+for. With $n$ such points of heights $z$ on the area $A$ where they could be, and the second derivatives of the paraboloid,
 
 $$
 \kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\sigma^2=\overline{(z-\bar z)^2},\qquad\frac1R=\bar\kappa
@@ -24,11 +24,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
-    """Points higher than all eight neighbours.
+    """Find the points higher than all eight neighbours.
 
     fit_points: a key of FITS, of the fitted paraboloid. Neighbours must be lower, not equal: plateaus are not counted. Summits
-    whose fitted points are not all on the map and known are left out, also of the area. InputError for a profile or if fewer
-    than two summits are found.
+    whose fitted points are not all on the map and known are excluded, also from the area. Raises InputError for a profile or if
+    fewer than two summits are found.
     """
     heights = areal(surface)
     middle = heights[1:-1, 1:-1]

@@ -25,10 +25,11 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 
 def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
-    """Summits of the Gaussian surface with the moments of this one, by finite differences; isotropic, or stretched (a lay).
+    """Return the summits of the Gaussian surface with the moments of this one.
 
-    cutoff: [m], as of `moments_by_differences`, None for two pitches. Differences see less of the waves near the cutoff than
-    there is; for moments by the spectrum see `of_moments`. InputError as of both, and for grooves all along one line.
+    The moments are by finite differences; the surface is isotropic or stretched (a lay). cutoff: [m], as in
+    `moments_by_differences`, None for two pitches. Differences underestimate waves near the cutoff; for moments by the spectrum
+    see `of_moments`. Raises InputError as both do, and for grooves all along one line.
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:

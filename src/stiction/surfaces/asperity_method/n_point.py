@@ -6,7 +6,7 @@ stiction.surfaces.theory.n_point.
 
 *Assumes*: an asperity is $n$ neighbouring sampled points of a profile whose $n-2$ middle ones are above a level. *Source*:
 [hariri_zu_ben_mrad_2006], its abstract. *Unknown*: every formula. *Reconstruction*: with the highest point at $t$ above the
-level and the chord $L=(n-1)\ell$, the radius is that of the parabola, and $D$ places per length where the profile comes up
+level and the chord $L=(n-1)\ell$, the radius belongs to the parabola, and $D$ places per length where the profile comes up
 through the level give as many per area as peaks would:
 
 $$
@@ -27,12 +27,13 @@ from stiction.surfaces.theory.n_point import n_point_asperities
 
 
 def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
-    """Rows of neighbouring points above a level, each one asperity: stiction.surfaces.theory.n_point has height and radius.
+    """Find rows of neighbouring points above a level, each one asperity.
 
-    level: [m], over the mean plane. directions: a value of DIRECTIONS. Every asperity begins where the profile comes up through
-    the level: these places are counted, per length of neighbours that are there. Heights and radii are of those asperities that
-    no end and no missing point cuts, which are a little shorter than all. Per area by the relation of peaks, for want of one
-    for n-point asperities. InputError if fewer than two are found.
+    stiction.surfaces.theory.n_point defines height and radius. level: [m], over the mean plane. directions: a value of
+    DIRECTIONS. Every asperity begins where the profile comes up through the level: these crossings are counted, per length of
+    neighbours with heights. Heights and radii are of asperities that no end and no missing point cuts, which are a little
+    shorter than all. The density per area uses the relation of peaks, because none is published for n-point asperities. Raises
+    InputError if fewer than two are found.
     """
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]
     per_length: list[float] = []
@@ -56,14 +57,20 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
 
 
 def _rises(lines: np.ndarray, level: float) -> float:
-    """Share of the neighbours of all lines (lines, points) between which the height comes up through the level."""
+    """Return the share of neighbours between which the height rises through the level.
+
+    lines: (lines, points).
+    """
     rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never beside NaN
     known = np.isfinite(lines)
     return float(rises / max(int(np.count_nonzero(known[:, :-1] & known[:, 1:])), 1))
 
 
 def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
-    """The stretches of every line that have no missing point and at least three: which line, from which point, its heights."""
+    """Yield the stretches of every line without missing points, at least three long.
+
+    Each is the line, its first point, and its heights.
+    """
     known = np.isfinite(lines)
     whole = known.all(axis=1)
     for row, (line, complete) in enumerate(zip(lines, whole.tolist(), strict=True)):

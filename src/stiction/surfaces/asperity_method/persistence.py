@@ -5,9 +5,9 @@ as well. A maximum has no higher neighbour; a saddle has several groups of them,
 of the same height that with the larger flat index counts as higher, so that there is one order of all.
 
 *Assumes*: an asperity is the top of a hill from which one has to go down by more than a threshold before a higher one can be
-reached; its curvature is that of the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf pruning.
-*Reconstruction*: the standards were not at hand; the pruning, and its default of 5 % of $S_z$, are as remembered, and dales are
-left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, it counts where
+reached; its curvature is taken from the least-squares paraboloid around it. *Source*: [iso_25178_2_2012], hills and Wolf
+pruning. *Reconstruction*: the standards were not at hand; the pruning, and its default of 5 % of $S_z$, are as remembered, and
+dales are left out. With the saddle $s$ at which a hill of the top $z$ joins a higher one, it counts where
 
 $$
 z-s>c,\qquad\kappa=-\tfrac12(z_{xx}+z_{yy}),\qquad N=\frac nA,\qquad\frac1R=\bar\kappa
@@ -31,12 +31,13 @@ PRUNING = 0.05
 
 
 def persistence(surface: HeightMap, threshold: float | None, fit_points: int) -> Asperities:
-    """Summits that stand out: from each one has to go down by more than the threshold before a higher one can be reached.
+    """Find summits that stand out from their surroundings by more than a threshold.
 
-    threshold: [m] >= 0, None for PRUNING times the largest difference in height. A hill that stands out by less is part of the
-    higher one behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit. fit_points: a key
-    of FITS. Summits whose fitted points are not all on the map and known are left out, also of the area. InputError for a
-    profile or if fewer than two summits are found.
+    From each one has to descend by more than the threshold before a higher one can be reached. threshold: [m] >= 0, None for
+    PRUNING times the largest difference in height. A hill that stands out by less is part of the higher one behind its saddle,
+    as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit. fit_points: a key of FITS. Summits whose fitted
+    points are not all on the map and known are excluded, also from the area. Raises InputError for a profile or if fewer than
+    two are found.
     """
     heights = areal(surface)
     if threshold is None:
@@ -60,7 +61,10 @@ _MISSING = -1
 
 @cache
 def _groups() -> np.ndarray:
-    """How many groups of neighbours, touching each other at sides or corners, the neighbours in a mask are; (256,)."""
+    """Return the number of connected groups of the neighbours in a mask; (256,).
+
+    Neighbours are connected at sides or corners.
+    """
     from scipy.ndimage import label  # slow to import
 
     counts = np.empty(256, dtype=np.int8)
@@ -73,10 +77,11 @@ def _groups() -> np.ndarray:
 
 
 def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
-    """Flat indices, ascending, of the maxima of heights (rows, columns) that stand out by more than the threshold >= 0.
+    """Return the flat indices of maxima that stand out by more than the threshold >= 0.
 
-    Where two hills meet, among eight neighbours, the lower one ends: it stands out by its height over this saddle. The highest
-    of every connected piece stays. Missing points, NaN, connect nothing. Of a plateau it is one of its points.
+    heights: (rows, columns); the indices ascend. Where two hills meet, among eight neighbours, the lower one ends: it stands
+    out by its height over this saddle. The highest of every connected piece stays. Missing points, NaN, connect nothing. A
+    plateau yields one of its points.
     """
     heights = np.ascontiguousarray(heights)
     parent, saddle = _uphill(heights, _groups())
@@ -88,7 +93,10 @@ def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
 
 @kernel
 def _uphill(heights, groups):
-    """For every point (n,) a higher neighbour, itself if there is none, _MISSING if it has no height; and which are saddles."""
+    """Return for every point (n,) a higher neighbour, and a mask of the saddles.
+
+    The point itself if no neighbour is higher, _MISSING if it has no height.
+    """
     rows, columns = heights.shape
     parent = np.empty(heights.size, dtype=np.int32)
     saddle = np.zeros(heights.size, dtype=np.bool_)
@@ -110,13 +118,16 @@ def _uphill(heights, groups):
 
 @formula
 def _above(heights, one, other):
-    """Whether one point is higher than another in the order of all."""
+    """Return whether one point is higher than another in the order of all."""
     return heights[one] > heights[other] or (heights[one] == heights[other] and one > other)
 
 
 @formula
 def _top(parent, point):
-    """The highest point of what the point belongs to, by the way up, which is halved for the next time."""
+    """Return the highest point of the hill that a point belongs to.
+
+    The path uphill is halved for the next call.
+    """
     while parent[point] != point:
         parent[point] = parent[parent[point]]
         point = parent[point]
@@ -125,7 +136,10 @@ def _top(parent, point):
 
 @kernel
 def _joined(heights, columns, parent, ascending, threshold):
-    """Which points (n,) of the flat map are maxima that stand out; joins what `parent` says of every hill on the way."""
+    """Return which points (n,) of the flat map are maxima that stand out.
+
+    It joins the entries of `parent` of every hill on the path.
+    """
     kept = np.zeros(heights.size, dtype=np.bool_)
     for k in range(ascending.size - 1, -1, -1):
         point = ascending[k]

@@ -1,14 +1,14 @@
 r"""Peaks of profiles: points higher than both neighbours along a row or a column of a map.
 
 A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits and, on a smooth
-Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), that of the summits (8/3) sqrt(m4/pi), 1.20 times as large
+Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), for summits it is (8/3) sqrt(m4/pi), 1.20 times as large
 (Nayak 1971). Where there are ever smaller waves, three points see ever smaller and sharper peaks as the pitch shrinks, a fixed
 share of all points, whatever carries the load. That is Greenwood's doubt about three-point peaks (Greenwood & Wu 2001): they
 are here to be compared with.
 
 *Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
-[greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface by that of
-the peaks of its profiles, $D$ per length. With the pitch $\ell$,
+[greenwood_williamson_1966] for the peaks, [nayak_1971] for the number of summits of an isotropic Gaussian surface from the
+number of peaks of its profiles, $D$ per length. With the pitch $\ell$,
 
 $$
 \kappa_i=\frac{2z_i-z_{i-1}-z_{i+1}}{\ell^2},\qquad N=\frac{2\pi}{3\sqrt3}D_xD_y,\qquad\frac1R=\bar\kappa
@@ -25,11 +25,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def three_point(surface: HeightMap, directions: str) -> Asperities:
-    """Points higher than both neighbours along a profile, with the curvature of the second difference.
+    """Find points higher than both neighbours along a profile.
 
-    directions: a value of DIRECTIONS. Peaks of all profiles are taken together; with one direction D_x D_y is D^2. Neighbours
-    must be lower, not equal: plateaus are not counted. Points beside missing ones are left out. InputError if fewer than two
-    peaks are found.
+    Their curvature is the second difference. directions: a value of DIRECTIONS. Peaks of all profiles are taken together; with
+    one direction D_x D_y is D^2. Neighbours must be lower, not equal: plateaus are not counted. Points next to missing ones are
+    excluded. Raises InputError if fewer than two peaks are found.
     """
     found = [_peaks(lines, pitch) for lines, pitch in profiles(surface, directions)]
     heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])
@@ -44,8 +44,10 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
 
 
 def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
-    """Heights and curvatures of the peaks of all lines (lines, points), how many there are per length, and their lines and
-    points."""
+    """Return heights and curvatures of the peaks of all lines (lines, points).
+
+    Also returns the number per length, and their lines and points.
+    """
     middle = lines[:, 1:-1] - rounding(lines)
     peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN
     line, point = np.nonzero(peak)

@@ -13,7 +13,7 @@ GIVEN = "of a matrix size and unit, else unit"
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Rows of heights along x, or columns x z or x y z."""
+    """Read rows of heights along x, or columns x z or x y z."""
     return read_text(path, channel, matrix)
 
 

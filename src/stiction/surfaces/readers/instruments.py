@@ -1,4 +1,4 @@
-"""Reading instruments' own formats by the library SurfaceTopography, an optional extra that is imported when needed."""
+"""Instruments' own formats, read by the optional library SurfaceTopography."""
 
 import logging
 import math
@@ -20,8 +20,10 @@ _DENSEST = 32  # points per byte of a file, beyond which its header is wrong: co
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """A file in an instrument's format, None of no known one; channel: name or place of one, without it the library's choice if
-    that is heights."""
+    """Read a file in an instrument's format; return None for an unknown format.
+
+    channel: name or position; by default the default channel of the library if it holds heights.
+    """
     with _quiet():
         try:
             from SurfaceTopography.Exceptions import CannotDetectFileFormat
@@ -42,7 +44,10 @@ def read(path: Path, channel) -> RawScan | None:
 
 @contextmanager
 def _quiet():
-    """No warnings, log lines or floating-point complaints of the library: what is wrong is told by InputError."""
+    """Suppress warnings, log lines and floating-point complaints of the library.
+
+    Errors are reported by InputError.
+    """
     before = logging.root.manager.disable
     logging.disable(logging.CRITICAL)
     try:
@@ -73,7 +78,10 @@ def _library(reader, channel, path: Path) -> RawScan | None:
 
 
 def _no_line_lost(path: Path, points: int) -> None:
-    """InputError if there are more lines of numbers than points: the library skips all lines above one that it cannot read."""
+    """Raise InputError if there are more lines of numbers than points.
+
+    The library skips all lines above one that it cannot read.
+    """
     with path.open("rb") as file:
         lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)
     if lines > points:
@@ -81,7 +89,10 @@ def _no_line_lost(path: Path, points: int) -> None:
 
 
 def _channel(reader, wanted):
-    """The channel of that name or place, or the library's choice; InputError naming the channels if it has no heights."""
+    """Return the channel of that name or position, or the library's choice.
+
+    Raises InputError naming the channels if it has no heights.
+    """
     channels = list(reader.channels)
     with_heights = [each for each in channels if each.is_height_channel and not isinstance(each.unit, tuple)]
     names = ", ".join(f"{place} {each.name!r}" for place, each in enumerate(channels) if each in with_heights)

@@ -10,9 +10,9 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 
 
 def read(path: Path, channel) -> RawScan:
-    """The array of a .npy file: (rows, columns) along y and x, or (points,) of a profile.
+    """Read the array of a .npy file: (rows, columns) along y and x, or (points,).
 
-    Mapped rather than loaded: a damaged header that claims more than the file holds takes no memory.
+    It is mapped instead of loaded: a damaged header that claims more than the file holds takes no memory.
     """
     no_channel(channel)
     try:

@@ -1,4 +1,4 @@
-"""Arrays of heights in .npz files: the one that there is, or the one that is named as channel."""
+"""Arrays of heights in .npz files: the only one, or the one named as channel."""
 
 from pathlib import Path
 
@@ -10,7 +10,10 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 
 
 def read(path: Path, channel) -> RawScan:
-    """One array of a .npz file, laid out as in .npy; channel: its name, needed if there are several."""
+    """Read one array of a .npz file, laid out as in .npy.
+
+    channel: its name, needed if there are several.
+    """
     try:
         with quiet(), path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
             names = ", ".join(archive.files) or "it has none"

@@ -1,5 +1,7 @@
-"""Tables in other text files, as in .csv. Remarks at their head may say the units of columns x y z; those that say more are an
-instrument's."""
+"""Tables in other text files, as in .csv.
+
+Remarks at their head may state the units of columns x y z; longer remarks belong to an instrument's format.
+"""
 
 import re
 from dataclasses import replace
@@ -13,7 +15,10 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Rows of heights along x, or columns x z or x y z; None of a file with remarks that say more than its units."""
+    """Read rows of heights along x, or columns x z or x y z.
+
+    Returns None for a file whose remarks state more than its units.
+    """
     units = _units(path)
     if units is None:
         return None
@@ -30,7 +35,10 @@ _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 
 
 def _units(path: Path) -> tuple[str, ...] | None:
-    """Units along the surface and of heights, () where there are no remarks or none with a colon, None where they say more."""
+    """Return the units along the surface and of heights.
+
+    () where there are no remarks or none with a colon, None where they state more.
+    """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for line in file:

@@ -1,4 +1,7 @@
-"""Heights with their positions in .xyz files. Those that begin with words are an instrument's."""
+"""Heights with their positions in .xyz files.
+
+Files that begin with words belong to an instrument's format.
+"""
 
 from pathlib import Path
 
@@ -10,7 +13,7 @@ from stiction.surfaces.readers.shared.text import read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Columns x z or x y z."""
+    """Read columns x z or x y z."""
     return read_text(path, channel, _no_positions)
 
 

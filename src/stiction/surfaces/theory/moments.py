@@ -49,7 +49,7 @@ class Moments:
 
     @classmethod
     def from_asperities(cls, deviation, radius, density) -> "Moments":
-        """The surface whose summits have this deviation of heights, mean tip radius and number per area.
+        """Return the surface whose summits have this height deviation, radius and density.
 
         Source: McCool 1986, solved for the moments; R and N are Nayak's (1971).
         """
@@ -59,75 +59,94 @@ class Moments:
 
     @classmethod
     def from_groups(cls, density, sharpness) -> "Moments":
-        """The same in units of sigma, from N R sigma and sqrt(sigma/R)."""
+        """Return the same in units of sigma, from N R sigma and sqrt(sigma/R)."""
         radius = 1.0 / (sharpness * sharpness)
         return cls.from_asperities(1.0, radius, density / radius)
 
     @property
     def alpha(self):
-        """Nayak's bandwidth m0 m4 / m2^2: 3/2 if all waves have one length, large if they have many."""
+        """Return Nayak's bandwidth m0 m4 / m2^2.
+
+        It is 3/2 if all waves have one length, and large if they have many.
+        """
         return self.m0 * self.m4 / (self.m2 * self.m2)
 
     @property
     def rms_slope(self):
-        """Root mean square of the gradient over the area, sqrt(2 m2)."""
+        """Return the rms gradient over the area, sqrt(2 m2)."""
         return np.sqrt(2.0 * self.m2)
 
     @property
     def rms_curvature(self):
-        """Root mean square of half the Laplacian over the area, sqrt(2 m4 / 3)."""
+        """Return the rms of half the Laplacian over the area, sqrt(2 m4 / 3)."""
         return np.sqrt(2.0 / 3.0 * self.m4)
 
     @property
     def summit_height(self):
-        """Mean height of the summits over the mean plane, 4 sqrt(m0 / (pi alpha)). Source: Nayak 1971."""
+        """Return the mean height of the summits over the mean plane.
+
+        It is 4 sqrt(m0 / (pi alpha)). Source: Nayak 1971.
+        """
         return 4.0 * self.m2 / np.sqrt(math.pi * self.m4)
 
     def asperities(self):
-        """(deviation of the summits' heights, mean tip radius, summits per area). Source: Nayak 1971, McCool 1986."""
+        """Return deviation of summit heights, mean tip radius, and summits per area.
+
+        Source: Nayak 1971, McCool 1986.
+        """
         deviation = np.sqrt(self.m0 - SUMMIT_DEFICIT * self.m2 * self.m2 / self.m4)
         radius = 3.0 / 8.0 * np.sqrt(math.pi / self.m4)
         return deviation, radius, self.m4 / self.m2 / (6.0 * math.pi * math.sqrt(3.0))
 
 
 def combine(first: Moments, second: Moments) -> Moments:
-    """Return the moments of the sum of two independent surfaces, as for the gap between two rough bodies: they add.
+    """Return the moments of the sum of two independent surfaces.
 
-    Both must have been taken with the same cutoff.
+    They add, as for the gap between two rough bodies. Both must have the same cutoff.
     """
     return Moments(first.m0 + second.m0, first.m2 + second.m2, first.m4 + second.m4)
 
 
 def bandwidth(density):
-    """Nayak's alpha of the surface with this N R sigma."""
+    """Return Nayak's alpha of the surface with this N R sigma."""
     return _BANDWIDTH_FACTOR * density * density + SUMMIT_DEFICIT
 
 
 def density_of_bandwidth(alpha):
-    """N R sigma of a surface with this alpha, the inverse of `bandwidth`; alpha >= 3/2."""
+    """Return N R sigma of a surface with this alpha, the inverse of `bandwidth`.
+
+    alpha >= 3/2.
+    """
     return np.sqrt((alpha - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR)
 
 
 def summit_height(density):
-    """Mean height of the summits over the mean plane of the surface, over sigma: 1 / (sqrt(48) pi N R sigma)."""
+    """Return the mean summit height over the mean plane, over sigma.
+
+    It is 1 / (sqrt(48) pi N R sigma).
+    """
     return 1.0 / (math.sqrt(48.0) * math.pi * density)
 
 
 def slope_over_sharpness(density):
-    """Root mean square gradient over sqrt(sigma/R): (sqrt(3) / (64 N R sigma))^(1/2)."""
+    """Return the rms gradient over sqrt(sigma/R): (sqrt(3) / (64 N R sigma))^(1/2)."""
     return np.sqrt(math.sqrt(3.0) / (64.0 * density))
 
 
 def reduced_pressure(load, density):
-    """p / (E* h') from a load per asperity over K R^(1/2) sigma^(3/2): (4/3) N R sigma sqrt(sigma/R) load over h'.
+    """Return p / (E* h') from a load per asperity over K R^(1/2) sigma^(3/2).
 
-    p: load per nominal area; h': root mean square gradient. sigma/R drops out. load, density: alike in shape.
+    It is (4/3) N R sigma sqrt(sigma/R) load over h'. p: load per nominal area; h': rms gradient; sigma/R cancels. load and
+    density have the same shape.
     """
     return 4.0 / 3.0 * density * load / slope_over_sharpness(density)
 
 
 def require_gaussian(density: np.ndarray) -> None:
-    """Refuse asperities that no isotropic Gaussian surface has: InputError where N R sigma < LEAST_DENSITY."""
+    """Raise InputError for asperities that no isotropic Gaussian surface has.
+
+    These have N R sigma < LEAST_DENSITY.
+    """
     small = density < LEAST_DENSITY
     if small.any():
         raise InputError(

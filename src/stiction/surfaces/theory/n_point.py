@@ -1,6 +1,6 @@
 """Asperities of n neighbouring points of a sampled profile: found on a measured one, and counted on a Gaussian one.
 
-Hariri, Zu & Ben Mrad (2006) take as one asperity n neighbouring sampled points of which the n - 2 in the middle are above a
+Hariri, Zu & Ben Mrad (2006) take as one asperity n neighbouring sampled points whose n - 2 middle ones are above a
 level: the closer the surfaces, the more points an asperity has. Their abstract says that height and curvature of such an
 asperity are defined and their distributions found, for the exponential autocorrelation as an example; it does not say how.
 This is a reconstruction:
@@ -10,7 +10,7 @@ This is a reconstruction:
     radius R   of the parabola of this height over the chord L = (m + 1) spacing between the two neighbours, L^2 / (8 t)
 
 A Gaussian profile with exponential autocorrelation is a Markov chain, so that no simulation is needed. Levels and heights are
-over its standard deviation, `correlation` is that of two neighbours, and rates are per sampled point.
+over its standard deviation, `correlation` refers to two neighbours, and rates are per sampled point.
 
 - A row begins wherever the profile comes up through the level: the rate of rows is a bivariate Gaussian integral,
   P(y0 < D < y1) = 2 T(D, sqrt((1 - rho)/(1 + rho))) with Owen's function T.
@@ -56,10 +56,11 @@ class NPointAsperities:
 
 
 def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperities:
-    """The n-point asperities of sampled heights above a level, as defined at the top.
+    """Find the n-point asperities of sampled heights above a level.
 
-    profile: heights (N,) [m]; spacing: of the points [m], > 0; level: [m], from where the heights are counted. A point at the
-    level is not above it. Rows that the end of the profile cuts are left out. InputError if that is not what is given.
+    They are defined at the top. profile: heights (N,) [m]; spacing: of the points [m], > 0; level: [m], on the scale of the
+    heights. A point at the level is not above it. Rows cut by the end of the profile are excluded. Raises InputError for other
+    input.
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():
@@ -83,22 +84,24 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
 
 def rate_of_rows(level, correlation):
-    """n-point asperities of any n per sampled point: P(y0 < D < y1). Numbers or arrays; 0 <= correlation < 1."""
+    """Return n-point asperities of any n per sampled point: P(y0 < D < y1).
+
+    Numbers or arrays; 0 <= correlation < 1.
+    """
     return 2.0 * owens_t(level, np.sqrt((1.0 - correlation) / (1.0 + correlation)))
 
 
 def points_above(level):
-    """Share of the sampled points that are above the level."""
+    """Return the share of the sampled points above the level."""
     return ndtr(-np.asarray(level, dtype=float))
 
 
 def mean_height(level, correlation):
-    """Mean height of the n-point asperities of all n over the level, in standard deviations of the profile; arrays alike in
-    shape.
+    """Return the mean height over the level of n-point asperities of all n.
 
-    From a table, good to 5e-6, for -3 <= level <= 10 and a correlation of 0 to LARGEST_CORRELATION; InputError for others.
-    Beyond these levels the leading terms go on: 2 |D| below, where a row is long and its highest point as far above the mean
-    line as the level is below it, and 1/D above.
+    In standard deviations of the profile; arrays of the same shape. From a table, good to 5e-6, for -3 <= level <= 10 and a
+    correlation of 0 to LARGEST_CORRELATION; raises InputError for others. Beyond these levels the leading terms continue: 2 |D|
+    below, where a row is long and its highest point as far above the mean line as the level is below it, and 1/D above.
     """
     level, correlation = np.broadcast_arrays(np.asarray(level, dtype=float), np.asarray(correlation, dtype=float))
     good = (correlation >= 0.0) & (correlation <= LARGEST_CORRELATION)
@@ -117,20 +120,23 @@ LARGEST_CORRELATION = 1.0 - _SMALLEST * _SMALLEST
 
 
 def _unit_level(level):
-    """Levels of the table to -1..1, denser below."""
+    """Map levels of the table to -1..1, denser below."""
     share = (level - _LOWEST) / (level - _LOWEST + _FOLD)
     return 2.0 * share * (_HIGHEST - _LOWEST + _FOLD) / (_HIGHEST - _LOWEST) - 1.0
 
 
 def _unit_roughness(correlation):
-    """Correlations of the table to 1..-1, even in (1 - correlation)^(1/4)."""
+    """Map correlations of the table to 1..-1, even in (1 - correlation)^(1/4)."""
     least = math.sqrt(_SMALLEST)
     return 2.0 * ((1.0 - correlation) ** 0.25 - least) / (1.0 - least) - 1.0
 
 
 @cache
 def _table() -> np.ndarray:
-    """Chebyshev coefficients of the logarithm of the mean height, over both coordinates; a third of a second."""
+    """Return Chebyshev coefficients of the logarithm of the mean height.
+
+    They depend on both coordinates; computed in a third of a second.
+    """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)
     levels = _LOWEST + _FOLD * share / (1.0 - share)
@@ -142,7 +148,7 @@ def _table() -> np.ndarray:
 
 
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
-    """`mean_height` at one level >= -3, from the integral equation; to 3e-6 or better.
+    """Solve the integral equation for `mean_height` at one level >= -3; good to 3e-6.
 
     heights: number of z; the panels between them have `least` Gauss points and `fineness` for every width of the kernel.
     """
@@ -171,7 +177,10 @@ def solved_mean_height(level: float, correlation: float, heights: int = 48, fine
 
 
 def _kernel(x, y, correlation):
-    """Joint density of two neighbours over sqrt(phi(x) phi(y)): the symmetric form of the step from one to the next."""
+    """Return the joint density of two neighbours over sqrt(phi(x) phi(y)).
+
+    It is the symmetric form of the step from one point to the next.
+    """
     variance = 1.0 - correlation * correlation
     spread = correlation / (2.0 * variance) * (x - y) ** 2
     fall = (1.0 - correlation) / (4.0 * (1.0 + correlation)) * (x * x + y * y)
@@ -179,7 +188,10 @@ def _kernel(x, y, correlation):
 
 
 def _falls(x, level, correlation):
-    """sqrt(phi(x)) times the probability that the neighbour of a point at x is below the level."""
+    """Return sqrt(phi(x)) times the probability that the next point is below the level.
+
+    x is the height of the present point.
+    """
     root = np.exp(-0.25 * x * x) / (2.0 * math.pi) ** 0.25
     return ndtr((level - correlation * x) / math.sqrt(1.0 - correlation * correlation)) * root
 
@@ -188,13 +200,18 @@ def _falls(x, level, correlation):
 
 
 def peaks_per_point(correlation):
-    """Share of the sampled points that are higher than both neighbours. Source: Whitehouse & Archard 1970; the two steps down
-    are Gaussian with the correlation (1 - rho)/2."""
+    """Return the share of sampled points higher than both neighbours.
+
+    The two steps down are Gaussian with the correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
+    """
     return 0.25 + np.arcsin((1.0 - correlation) / 2.0) / (2.0 * math.pi)
 
 
 def peak_curvature(correlation):
-    """Mean of 2 y0 - y-1 - y1 over those points, in standard deviations. Source: Whitehouse & Archard 1970."""
+    """Return the mean of 2 y0 - y-1 - y1 over peaks, in standard deviations.
+
+    Source: Whitehouse & Archard 1970.
+    """
     return (3.0 - correlation) * np.sqrt(1.0 - correlation) / (2.0 * math.sqrt(math.pi) * peaks_per_point(correlation))
 
 
@@ -215,10 +232,10 @@ LARGEST_BANDWIDTH = (_MATCH / float(_match(LARGEST_CORRELATION))) ** 2
 
 
 def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
-    """Correlation of neighbours of the sampled profile, exponentially correlated, whose peaks of three points are as many and
-    as curved as those of a surface with Nayak's alpha (n,).
+    """Return the correlation of neighbours that reproduces Nayak's alpha (n,).
 
-    By bisection: `_match` falls all the way from no correlation to full. InputError outside LEAST_BANDWIDTH to
+    The profile is exponentially correlated; its three-point peaks have the number and curvature of those on a surface with
+    alpha. By bisection: `_match` decreases from no correlation to full. Raises InputError outside LEAST_BANDWIDTH to
     LARGEST_BANDWIDTH.
     """
     alpha = np.asarray(alpha, dtype=float)

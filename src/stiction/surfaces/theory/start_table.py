@@ -1,4 +1,4 @@
-"""Where, about, a theory of the whole surface carries a load: tables from which the search for the separation starts.
+"""Tables of approximate separations, from which the search at a load starts.
 
 Lone spheres under a Gaussian of heights carry F_3/2(x) at the separation x (Greenwood & Williamson 1966). By how much another
 theory's separation at the same load is larger varies slowly, with x and with the one group that the theory depends on: a
@@ -19,7 +19,7 @@ _LONE = np.linspace(-12.0, 20.0, 257)
 
 @cache
 def _inverse():
-    """Separations of lone spheres against the logarithm of their load, as a spline."""
+    """Return separations of lone spheres against the logarithm of their load, as a spline."""
     from scipy.interpolate import CubicSpline
 
     x = np.linspace(-40.0, 36.0, 2001)
@@ -27,16 +27,20 @@ def _inverse():
 
 
 def lone_separation(load: np.ndarray) -> np.ndarray:
-    """Separations x with F_3/2(x) = load, to 1e-6 or so; not a number beyond -40 and 36, and for loads of 0 or less."""
+    """Return separations x with F_3/2(x) = load, to 1e-6 or so.
+
+    NaN beyond -40 and 36, and for loads of 0 or less.
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
         return _inverse()(np.log(load))
 
 
 def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """near(load (n, m), along (n,)) -> separations (n, m), about where a theory carries the loads, from a table made once.
+    """Return near(load (n, m), along (n,)) -> separations (n, m), from a table made once.
 
-    loads(h, group) -> loads (k, H) at the separations h (H,), for the groups (k,); along: (k,) ascending, what of the groups
-    the table is even in. Of several separations with one load the farthest is meant.
+    The separations are approximate. loads(h, group) -> loads (k, H) at the separations h (H,), for the groups (k,); along: (k,)
+    ascending, the function of the groups in which the table is even. If several separations have one load, the largest is
+    taken.
     """
     from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 
@@ -55,8 +59,10 @@ def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callabl
 
 
 def separation_of_summits(load: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> np.ndarray:
-    """Separations (n, m), about where the summits of surfaces with these roughness parameters (n,) carry the loads (n, m);
-    shapes: as `summits.curve` takes them."""
+    """Return approximate separations (n, m) at which summits carry loads (n, m).
+
+    The surfaces have the roughness parameters (n,); shapes: as in `summits.curve`.
+    """
     require_gaussian(density)
     return _of_shapes(shapes)(load, np.arcsin(np.minimum(LEAST_DENSITY / density, 1.0)))
 

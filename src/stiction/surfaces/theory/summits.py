@@ -40,7 +40,10 @@ _MOST_PANELS = 200
 
 @cache
 def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
-    """Chebyshev coefficients of F_n: times exp(h^2/2) (1 + h)^(n+1) on 0..FAR, over (1 - h)^n on DEEP..0."""
+    """Return Chebyshev coefficients of F_n.
+
+    They are times exp(h^2/2) (1 + h)^(n+1) on 0..FAR, and over (1 - h)^n on DEEP..0.
+    """
     node, weight = leggauss(200)
     y = 7.0 * (1.0 + node) / 2.0  # v = y^2, up to 49
     v, measure = y * y, 7.0 * weight * y ** (2.0 * n + 1.0) / _ROOT_2PI
@@ -64,7 +67,7 @@ def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fold(h, last):
-    """0..last to -1..1, dense near zero: h/(h + 3), stretched. Arrays."""
+    """Map 0..last to -1..1, dense near zero: h/(h + 3), stretched. Arrays."""
     return 2.0 * (last + 3.0) / last * h / (h + 3.0) - 1.0
 
 
@@ -77,7 +80,10 @@ def _unfold(x: np.ndarray, last: float = _FAR) -> np.ndarray:
 
 
 def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
-    """F_n(h) = Int_h^inf (z - h)^n phi(z) dz, phi the standard Gaussian; relative error below 1e-11. n >= 0, h of any shape."""
+    """Return F_n(h) = Int_h^inf (z - h)^n phi(z) dz, phi the standard Gaussian.
+
+    Relative error below 1e-11; n >= 0, h of any shape.
+    """
     above, below = _truncated_tables(n)
     h = np.asarray(h, dtype=float)
     value = np.zeros_like(h)
@@ -93,7 +99,7 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
 
 
 def _asymptotic(n, depth):
-    """The mean of (depth + z)^n over all z, by its moments. Arrays."""
+    """Return the mean of (depth + z)^n over all z, by its moments. Arrays."""
     total = term = 1.0
     for k in range(1, 12):  # binomial(n, 2k) (2k - 1)!! / depth^(2k)
         term = term * (n - 2 * k + 2) * (n - 2 * k + 1) / (2 * k) / (depth * depth)
@@ -108,9 +114,9 @@ _asymptotic_one = formula(_asymptotic)
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """What a summit of the flatness t = r / kappa carries, at Gauss points of t over 0..1; arrays (m,).
+    """Load and area of a summit of flatness t = r / kappa, at Gauss points of t.
 
-    t; weight: of the Gauss point; load: C_P(t); area: C_A(t), both 1 at t = 0.
+    Arrays (m,) over 0..1. weight: of the Gauss point; load: C_P(t); area: C_A(t), both 1 at t = 0.
     """
 
     t: np.ndarray
@@ -124,7 +130,10 @@ _LARGEST_Q = 60.0
 
 @cache
 def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
-    """Chebyshev coefficients, over q, of (1 + q^2) g(q): g = Int t (1 - t^2) exp(-q^2 t^2/2) C(t) dt, of load and area."""
+    """Return Chebyshev coefficients, over q, of (1 + q^2) g(q), of load and area.
+
+    g = Int t (1 - t^2) exp(-q^2 t^2/2) C(t) dt.
+    """
     measure = shapes.weight * shapes.t * (1.0 - shapes.t**2)
 
     def tabulate(carried):
@@ -138,10 +147,11 @@ def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> tuple[np.ndarray, np.ndarray]:
-    """Load over K R^(1/2) sigma^(3/2) and area over pi R sigma, per asperity, at separations h over sigma.
+    """Return load and area per asperity at separations h over sigma.
 
-    h: (H,), or (n, H) if each surface has its own, from the mean of the summits; density: N R sigma (n,). Returns two arrays
-    (n, H). InputError where no isotropic Gaussian surface has this density.
+    Load over K R^(1/2) sigma^(3/2) and area over pi R sigma, two arrays (n, H). h: (H,), or (n, H) if each surface has its own,
+    from the mean of the summits; density: N R sigma (n,). Raises InputError where no isotropic Gaussian surface has this
+    density.
     """
     require_gaussian(density)
     # Lengths in sigma, heights from the mean plane. A summit of curvature q has the mean height `rise` q and deviation `rest`.
@@ -162,7 +172,7 @@ def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> t
 
 @cache
 def _tables_of_means() -> tuple[np.ndarray, np.ndarray]:
-    """Chebyshev coefficients (2, terms) of F_3/2 and F_1, above and below 0."""
+    """Return Chebyshev coefficients (2, terms) of F_3/2 and F_1, above and below 0."""
     above, below = zip(_truncated_tables(1.5), _truncated_tables(1.0), strict=True)
     return np.stack(above), np.stack(below)
 
@@ -175,10 +185,10 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 
 @kernel
 def _fill_curves(separations, spread, series, gauss, sums):
-    """Integrals (n, H) over q, of load and area of the summits, at the separations d (n, H) from the mean plane; with panels
-    that reach as far as the farthest (n, H) of those that are to be computed alike.
+    """Fill the integrals (n, H) over q, of load and area of the summits.
 
-    spread: rise and rest (n,). series: Chebyshev coefficients over the shapes, and of the means above and below 0.
+    The separations d (n, H) are from the mean plane; panels reach as far as the farthest (n, H) computed alike. spread: rise
+    and rest (n,). series: Chebyshev coefficients over the shapes, and of the means above and below 0.
     """
     (d, farthest), (rise, rest), (node, weight), (load, area) = separations, spread, gauss, sums
     shapes, above, below = series
@@ -208,7 +218,10 @@ def _fill_curves(separations, spread, series, gauss, sums):
 
 @kernel
 def _add_series(x, first, last, coefficients, work, out):
-    """Chebyshev series out[f, k] at x[k], k from first to last, of both rows of coefficients: Clenshaw's recurrence."""
+    """Add the Chebyshev series out[f, k] at x[k], k from first to last.
+
+    For both rows of coefficients, by Clenshaw's recurrence.
+    """
     for f in range(coefficients.shape[0]):
         one, two, series = work[f, 0], work[f, 1], coefficients[f]
         one[first:last] = 0.0
@@ -224,7 +237,10 @@ def _add_series(x, first, last, coefficients, work, out):
 
 @kernel
 def _put_means(h, count, above, below, x, work, mean):
-    """mean[f, k]: F_3/2 and F_1 of h[k], which fall with k from 0 to count. x, work: scratch."""
+    """Write mean[f, k]: F_3/2 and F_1 of h[k], which fall with k from 0 to count.
+
+    x, work: scratch.
+    """
     high = 0
     while high < count and h[high] >= _FAR:
         high += 1
@@ -255,8 +271,10 @@ def _put_means(h, count, above, below, x, work, mean):
 
 @kernel
 def _put_panels(d, farthest, rise, rest, ends):
-    """Ends of panels over sqrt(q), into `ends`, and how many panels there are: as fine as the summits' scatter, graded away
-    from q = d / rise, where the mean height is the separation."""
+    """Write the ends of panels over sqrt(q) into `ends`, and return their number.
+
+    They are as fine as the summits' scatter, graded away from q = d / rise, where the mean height is the separation.
+    """
     whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height
     highest = max(farthest, 0.0) / whole

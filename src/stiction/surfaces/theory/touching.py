@@ -1,4 +1,4 @@
-"""The share of asperities with Gaussian heights that touch where their elastic contact area is known."""
+"""Share of touching asperities, from their elastic contact area (Gaussian heights)."""
 
 import math
 from functools import cache
@@ -10,8 +10,11 @@ _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:
-    """Share of asperities that touch where elastic spheres with Gaussian heights have this area, over pi R sigma per asperity:
-    F_0 where F_1(h) = area (Greenwood & Williamson 1966, eqs 5 and 6). For theories that count no asperities."""
+    """Return the share of asperities that touch, from area over pi R sigma per asperity.
+
+    It is F_0 where F_1(h) = area, for elastic spheres with Gaussian heights (Greenwood & Williamson 1966, eqs 5 and 6).
+    Theories without asperities use it.
+    """
     log_area, log_share = _tables()
     small = np.log(np.maximum(area, 1e-300))
     return np.where(area > 0.0, np.exp(np.interp(small, log_area, log_share)), 0.0)
@@ -19,7 +22,7 @@ def expected_share(area: np.ndarray) -> np.ndarray:
 
 @cache
 def _tables() -> tuple[np.ndarray, np.ndarray]:
-    """Logarithms of F_1, ascending, and of F_0 at the same separations."""
+    """Return the logarithms of F_1, ascending, and of F_0 at the same separations."""
     from scipy.special import ndtr  # slow to import, and wanted by theories without asperities only
 
     h = _SEPARATIONS[::-1]

@@ -1,4 +1,4 @@
-"""Contact area of a surface from its moments: Persson's theory, widened to what solved maps show.
+"""Contact area of a surface from its moments: Persson's theory, fitted to solved maps.
 
 This project's own formulas, grade B: their evidence is solved maps (docs/truth.md; fitted to the Gaussian isotropic ones of
 seeds 1 and 2). They begin with Persson (2001), A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient:
@@ -20,23 +20,29 @@ MEETING = 3.5  # (5)
 
 
 def widened(pressure, c):
-    """(1); pressure: over E* h', of the local slope."""
+    """Evaluate (1); pressure: over E* h', of the local slope."""
     plain = erf(math.sqrt(2.0) * pressure)
     return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - np.sqrt(plain))))
 
 
 def with_hardness(elastic, pressure, hardness):
-    """(5): share of the area of bodies that flow; elastic: of those that do not; pressure, hardness: alike in unit, hardness
-    may be infinite. From p = H on all is in contact."""
+    """Evaluate (5): share of the area of bodies that flow.
+
+    elastic: share without flow; pressure, hardness: in the same unit, hardness may be infinite. From p = H on all is in
+    contact.
+    """
     flowing = np.minimum(pressure / hardness, 1.0)
     return np.minimum((elastic**MEETING + flowing**MEETING) ** (1.0 / MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
-    """(2): share of the area in contact; pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces."""
+    """Evaluate (2): share of the area in contact.
+
+    pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces.
+    """
     return widened(pressure, width_by_moments(alpha))
 
 
 def width_by_moments(alpha):
-    """c of (2)."""
+    """Return c of (2)."""
     return 0.617 - 0.041 * np.log(alpha)

@@ -1,4 +1,4 @@
-"""Profiles of a map, its rows and columns, and how many asperities there are per area if so many are found along them.
+"""Profiles of a map, its rows and columns, and the density of asperities along them.
 
 From asperities per length D to asperities per area N, the relation of the peaks of an isotropic Gaussian surface is used (Nayak
 1971): peaks (1/2 pi) sqrt(m4/m2) per length, summits m4 / (6 pi sqrt(3) m2) per area, and thus
@@ -23,7 +23,10 @@ DIRECTIONS = Parameter("along which the profiles run; of a single profile only x
 
 
 def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
-    """(lines (lines, points) [m] over the mean plane, pitch [m]) along each direction; InputError if they are too short."""
+    """Return (lines (lines, points) [m] over the mean plane, pitch [m]) per direction.
+
+    Raises InputError if they are too short.
+    """
     heights = over_mean_plane(surface)
     dy, dx = surface.pitch
     along = {"x": (heights, dx), "y": (heights.T, dy)}
@@ -34,17 +37,23 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 
 
 def directions_of(surface: HeightMap, directions: str) -> str:
-    """Those of the directions, a value of DIRECTIONS, that the surface has."""
+    """Return the directions, among a value of DIRECTIONS, that the surface has."""
     return "x" if surface.is_profile else directions
 
 
 def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
-    """(n, 2), row and column in the map of points (line, point) on the profiles along each direction, one after the other."""
+    """Return row and column (n, 2) in the map of points (line, point).
+
+    The points lie on the profiles along each direction, one direction after the other.
+    """
     chosen = directions_of(surface, directions)
     along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]
     return np.concatenate([np.column_stack(one) for one in along])
 
 
 def per_area(per_length: Sequence[float]) -> float:
-    """Equation (1), from asperities per length [1/m] along two directions, or one that stands for both."""
+    """Apply equation (1) to asperities per length [1/m] along two directions.
+
+    A single direction stands for both.
+    """
     return _SUMMITS_PER_PEAKS_SQUARED * per_length[0] * per_length[-1]

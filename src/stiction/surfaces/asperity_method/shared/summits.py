@@ -1,6 +1,6 @@
 """Summits of a map: the mean curvature of the paraboloid through the points around each, and how many there are per area.
 
-The curvature of a summit is that of the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
+The curvature of a summit is taken from the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
 best (least squares), half the sum of its two principal curvatures: -(d + f). On a grid this is a weighted sum of the heights.
 What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
 too low and too blunt. Fitting more points, or a threshold, trades one bias for another; docs/surfaces.md has their sizes.
@@ -16,7 +16,7 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def areal(surface: HeightMap) -> np.ndarray:
-    """Heights over the mean plane [m]; InputError for a map without inner points."""
+    """Return heights over the mean plane [m]. Raises InputError without inner points."""
     if min(surface.heights.shape) < 3:
         shape = f"shape {surface.heights.shape}"
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
@@ -26,8 +26,11 @@ def areal(surface: HeightMap) -> np.ndarray:
 def fitted(
     method: str, surface: HeightMap, heights: np.ndarray, tops: tuple[np.ndarray, ...], fit_points: int, note: str, **more
 ) -> Asperities:
-    """The summits at the points `tops` (rows, columns) whose fitted points are there, with their curvatures, per area where
-    they could be. heights: over the mean plane [m]; fit_points: a key of FITS; note, and more: as of `of_samples`."""
+    """Return the summits at the points `tops` with their curvatures, per area.
+
+    tops: (rows, columns); only points whose fitted points all have heights count, and the area is where they could be. heights:
+    over the mean plane [m]; fit_points: a key of FITS; note, and more: as in `of_samples`.
+    """
     row, column = tops
     dy, dx = surface.pitch
     stencil = FITS[fit_points](dy, dx)
@@ -44,7 +47,10 @@ def fitted(
 
 
 def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarray:
-    """Where the square of points up to `reach` away is on the map and known; booleans like the heights."""
+    """Return where the square of points up to `reach` away is on the map and known.
+
+    Booleans, of the shape of the heights.
+    """
     known = np.ones(heights.shape, dtype=bool) if complete else np.isfinite(heights)
     if complete:
         for border in (known, known.T):
@@ -56,7 +62,7 @@ def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarra
 
 
 def _square(reach: int) -> Callable[[float, float], np.ndarray]:
-    """Weights of the least-squares paraboloid over the (2 reach + 1)^2 points around.
+    """Return weights of the least-squares paraboloid over (2 reach + 1)^2 points.
 
     x^2 less its mean is orthogonal to every other term but a, to which it adds nothing: so d = sum(w z) / sum(w^2) with it.
     """
@@ -70,7 +76,7 @@ def _square(reach: int) -> Callable[[float, float], np.ndarray]:
 
 
 def _cross(dy: float, dx: float) -> np.ndarray:
-    """Weights of the paraboloid through a point and its four nearest neighbours."""
+    """Return weights of the paraboloid through a point and its four nearest neighbours."""
     along = np.array([[0.0, 0.0, 0.0], [1.0, -2.0, 1.0], [0.0, 0.0, 0.0]]) / 2.0
     return -(along / (dx * dx) + along.T / (dy * dy))
 

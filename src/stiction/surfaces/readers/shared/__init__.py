@@ -1,1 +1,1 @@
-"""What formats of files have in common: arrays, numbers in text, heights that come with their positions."""
+"""Functions that formats share: arrays, numbers in text, heights with positions."""

@@ -1,4 +1,7 @@
-"""What a packed file would unpack to, before anything of it is unpacked: a few megabytes can claim all memory there is."""
+"""Size of a packed file after unpacking, checked before it is unpacked.
+
+A few megabytes can claim all available memory.
+"""
 
 import zipfile
 from pathlib import Path
@@ -11,8 +14,11 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def check_packed(path: Path) -> None:
-    """Raise InputError where a .zip archive (.npz, .x3p and others are such) or an HDF5 file holds far more than a scan of its
-    length can. The sizes are those that its directory states; those who unpack it go by the same."""
+    """Raise InputError where an archive holds far more than a scan of its length can.
+
+    Archives are .zip files (.npz, .x3p and others) and HDF5 files. The sizes are those in the directory, which unpacking uses
+    too.
+    """
     try:
         held = _held(path)
     except Exception:  # of a damaged file; what is wrong with it, its reader says better
@@ -23,7 +29,7 @@ def check_packed(path: Path) -> None:
 
 
 def _held(path: Path) -> int:
-    """Bytes of the unpacked contents; 0 of a file that is no archive."""
+    """Return the bytes of the unpacked contents; 0 for a file that is no archive."""
     with path.open("rb") as file:
         start = file.read(len(_HDF5))
     if start == _HDF5:

@@ -9,10 +9,11 @@ _ROUNDED = 0.75  # of a last digit that positions may be off: half of it, and as
 
 
 def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """A profile with equal spacing: heights (1, n), size (y, x) in the unit of x, and what was done.
+    """Return a profile with equal spacing: heights (1, n), size (y, x), and a remark.
 
-    Positions that are equally spaced but for the rounding of their last written digit are taken as that: interpolating
-    between rounded positions would make slopes that are not there. Others are resampled to as many points.
+    The size is in the unit of x. Positions that are equally spaced but for the rounding of their last written digit are taken
+    as equally spaced: interpolating between rounded positions would create false slopes. Others are resampled to as many
+    points.
     """
     count = len(x)
     if count < FEWEST_POINTS:
@@ -35,9 +36,9 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
 
 
 def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Heights (rows, columns) of points in any order that lie on a grid, NaN where none lies, size (y, x), and what was done.
+    """Return heights (rows, columns) of points on a grid, size (y, x), and a remark.
 
-    Points along one line, in whichever direction, are a profile.
+    The points come in any order; NaN where none lies. Points along one line, in whichever direction, are a profile.
     """
     column, dx, columns, notes_x = _places(x, "x")
     row, dy, rows, notes_y = _places(y, "y")
@@ -56,7 +57,7 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
 
 
 def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
-    """Place of each coordinate on its grid, the pitch (0 of a single line), the count, and what to say of it."""
+    """Return grid indices of the coordinates, the pitch (0 of a line), count, and remark."""
     if not np.isfinite(x).all():
         raise InputError("scan", f"missing {name}", "finite positions x y of all points")
     start, extent = float(x.min()), float(x.max() - x.min())
@@ -82,7 +83,10 @@ def _rounding(off: float, pitch: float) -> tuple[str, ...]:
 
 
 def _last_digit(x: np.ndarray) -> float:
-    """The largest power of ten that all positions are multiples of; 0 if none of ten digits is."""
+    """Return the largest power of ten that divides all positions.
+
+    0 if none of ten digits does.
+    """
     largest = int(np.floor(np.log10(np.abs(x).max())))
     for exponent in range(largest, largest - 10, -1):
         multiples = x / 10.0**exponent

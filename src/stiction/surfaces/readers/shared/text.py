@@ -1,5 +1,9 @@
 """Numbers in text: a matrix of heights, columns x y z, or columns x z of a profile.
 
+Column separators and decimal marks are detected. Tables with two or three columns are positions and heights: a map that narrow
+would be too small anyway. One line of words above the columns is skipped with a remark, not read for units. Lines that begin
+with # are skipped.
+
 How columns are parted and decimals are marked is found from the file. Tables with two or three columns are positions and
 heights: a map that narrow would be too small anyway. One line of words above the columns is passed over and told of, not
 read for units. Lines that begin with # are left out.
@@ -19,9 +23,10 @@ from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
 
 def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan | None:
-    """Positions and heights, by the number of columns; None of a file that begins with words, but for one line of them.
+    """Read positions and heights, by the number of columns.
 
-    otherwise(table, notes, name of the file): of any other number of columns. InputError for tables that cannot be read.
+    Returns None for a file that begins with more than one line of words. otherwise(table, notes, name of the file): for any
+    other number of columns. Raises InputError for tables that cannot be read.
     """
     layout = _layout(path)
     if layout is None:
@@ -49,13 +54,19 @@ _COLUMNS = {2: _profile, 3: _map}
 
 
 def matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    """A table of heights, rows along x; one column is a profile. InputError if it has numbers of its rows and columns."""
+    """Return a table of heights, rows along x; one column is a profile.
+
+    Raises InputError if it includes row and column numbers.
+    """
     _no_numbering(table, name)
     return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
 
 
 def _no_numbering(table: np.ndarray, name: str) -> None:
-    """InputError if the first row and column number the others, as spreadsheets and data frames are written."""
+    """Raise InputError if the first row and column number the others.
+
+    Spreadsheets and data frames are written so.
+    """
     rows, columns = table.shape
     if (
         np.isnan(table[0, 0])
@@ -70,8 +81,11 @@ def _no_numbering(table: np.ndarray, name: str) -> None:
 
 @dataclass(frozen=True)
 class _Layout:
-    """delimiter: None for blanks. commas: whether decimals are marked by them. ends_rows: whether the delimiter ends each row
-    too. heading: the line of words above the columns, if there is one."""
+    """How the numbers of a text file are written.
+
+    delimiter: None for blanks. commas: whether they mark decimals. ends_rows: whether the delimiter ends each row too. heading:
+    the line of words above the columns, if any.
+    """
 
     delimiter: str | None
     commas: bool
@@ -80,7 +94,10 @@ class _Layout:
 
 
 def _layout(path: Path) -> _Layout | None:
-    """How the numbers of a file are written; None if it does not begin with numbers, but for one line of words."""
+    """Detect how the numbers of a file are written.
+
+    Returns None if it does not begin with numbers after at most one line of words.
+    """
     first, second = [*islice(_lines(path), 2), "", ""][:2]
     if not first:
         raise InputError("scan", str(path), "a file with numbers")
@@ -97,7 +114,7 @@ def _layout(path: Path) -> _Layout | None:
 
 
 def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout:
-    """The layout, with what only all lines together show."""
+    """Refine the layout by a look at all lines together."""
     commas, points, ends_rows = False, False, delimiter is not None
     for line in islice(_lines(path), bool(heading), None):
         commas = commas or (delimiter != "," and "," in line)
@@ -126,7 +143,10 @@ def _is_number(text: str) -> bool:
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Lines that hold something and are no remark. Bytes that are no UTF-8 are replaced: numbers have none."""
+    """Yield lines that are neither empty nor remarks.
+
+    Bytes that are no UTF-8 are replaced: numbers have none.
+    """
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for line in file:
             line = line.strip(" \r\n")
@@ -138,7 +158,7 @@ def _lines(path: Path) -> Iterator[str]:
 
 
 def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
-    """(rows, columns), NaN for empty cells, and what to say of them."""
+    """Return the table (rows, columns), NaN for empty cells, and remarks."""
     try:
         table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
     except ValueError as error:
@@ -151,7 +171,7 @@ def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
 
 
 def _rows(path: Path, layout: _Layout) -> Iterator[str]:
-    """The lines with nan in empty cells and points for decimal commas."""
+    """Yield the lines with nan in empty cells and points for decimal commas."""
     mark = layout.delimiter
     empty = re.compile(f"(?:^|{mark}) *(?:{mark}|$)")
     for line in islice(_lines(path), bool(layout.heading), None):

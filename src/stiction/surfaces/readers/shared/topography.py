@@ -1,4 +1,4 @@
-"""What the library SurfaceTopography calls a topography, as an array."""
+"""A topography of the library SurfaceTopography as an array."""
 
 from typing import Any
 
@@ -8,7 +8,10 @@ from stiction.surfaces.readers.shared.positions import equally_spaced
 
 
 def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Heights (rows, columns), where the library has x first, size (y, x), and what was done."""
+    """Return heights (rows, columns), size (y, x), and remarks.
+
+    The library has x first.
+    """
     heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
     if topography.dim == 2:
         width, depth = (float(length) for length in topography.physical_sizes)
