@@ -86,8 +86,8 @@ def test_every_public_name_has_its_page():
 def test_page_of_a_name_says_what_its_docstring_says():
     page = "\n".join(name_pages.page("read_scan", st.read_scan))
     assert "stiction.read_scan(path, *, size=None, unit=None" in page
-    assert "- `path`: of the file." in page
-    assert "Missing points are NaN." in page
+    assert "- `path`: File of the scan (str or Path)." in page
+    assert "NaN where missing" in page
 
 
 def test_arguments_in_a_docstring_become_a_list():

@@ -24,10 +24,10 @@ _FARTHEST = 1e100
 
 @dataclass(frozen=True)
 class Weights:
-    """What of an asperity's response counts; arrays (n,) or numbers.
+    """Weights of an asperity's response; arrays (n,) or numbers.
 
-    It starts at the displacement `shift`. unit: what the forces of this body are multiplied by to be in the unit of the whole
-    contact. load, area, friction: weights of its load, contact area and tangential resistance, 1 or 0 as a rule.
+    The response starts at the displacement `shift`. unit: factor from the forces of this body to the unit of the whole contact.
+    load, area, friction: weights of its load, contact area and tangential resistance, usually 1 or 0.
     """
 
     shift: np.ndarray | float = 0.0
@@ -39,19 +39,22 @@ class Weights:
 
 @formula
 def none(u, w, load, area):
-    """No tangential law."""
+    """Return no tangential resistance."""
     return 0.0, 0.0
 
 
 @cache
 def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
-    """Formulas of the joined regime, of so many parameters of the asperity law and of the tangential law; the same objects
-    for the same laws, so that kernels are compiled once."""
+    """Return formulas of the joined regime.
+
+    They take so many parameters of the asperity law and of the tangential law. The same objects are returned for the same laws,
+    so that kernels are compiled once.
+    """
     joined = parameters + own
 
     @formula
     def along(u, *row):
-        """The normal law, the resistance that it leaves room for, and what of both counts."""
+        """Return the weighted normal law and the resistance that applies to it."""
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
         shift, unit, of_load, of_area, of_friction = row[joined:]
@@ -60,7 +63,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """The same for a resistance of the interface: it sees only the load and area that count."""
+        """Return the same for a resistance of the interface: it sees only weighted load and area."""
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
         load, area = of_load * load, of_area * area
@@ -76,7 +79,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
 @dataclass(frozen=True)
 class Law:
-    """How one asperity answers: an asperity law and a tangential law, or None for contact only, with their options."""
+    """An asperity law and a tangential law, or None for contact only, with their options."""
 
     asperity: AsperityLaw
     tangential: TangentialLaw | None = None
@@ -84,18 +87,21 @@ class Law:
 
     @property
     def interfacial(self) -> bool:
-        """Whether friction is of the interface, whichever body answers."""
+        """Return whether friction is of the interface, whichever body answers."""
         return self.tangential is not None and self.tangential.interfacial
 
     def pieces(self, groups: Groups) -> list[NormalPiece]:
         return self.asperity.pieces(groups, **select_options(self.asperity, self.options))
 
     def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
-        """Every piece of the asperity law, joined."""
+        """Join every piece of the asperity law."""
         return [self.join(piece, groups, weights, **labels) for piece in self.pieces(groups)]
 
     def join(self, piece: NormalPiece, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """One piece with the tangential law, counted as `weights` say. labels: body, touching, in_half_space of the Regime."""
+        """Join one piece with the tangential law, under these weights.
+
+        labels: body, touching, in_half_space of the Regime.
+        """
         tangential_resistance = None
         if self.tangential is not None:
             tangential_resistance = self.tangential.tangential_resistance(
@@ -132,7 +138,10 @@ class Law:
 
 
 def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
-    """Edges (n, m) with the kinks (n, k) that are inside between them; the others make pieces without length."""
+    """Return edges (n, m) with the kinks (n, k) that lie between them.
+
+    Other kinks make pieces without length.
+    """
     if kinks is None or kinks.shape[1] == 0:
         return edges
     out = np.empty((len(edges), edges.shape[1] + kinks.shape[1]))
@@ -156,7 +165,10 @@ Part = TypeVar("Part", NormalPiece, Regime)
 
 
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
-    """The part of a piece or regime between two coordinates (n,); nothing where high < low, or where they are outside."""
+    """Return the part of a piece or regime between two coordinates (n,).
+
+    It is empty where high < low, or where they are outside.
+    """
     low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
     high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])
     return replace(part, edges=np.minimum(np.maximum(part.edges, low), high))
@@ -211,7 +223,10 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
 
 
 def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
-    """u (n,) where the displacement is w (n,); the nearer end where the piece does not have it."""
+    """Return u (n,) where the displacement is w (n,).
+
+    It is the nearer end where the piece does not reach w.
+    """
     edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
     compiled = _coordinates(piece.normal, piece.coordinate, len(piece.parameters))
     compiled(_one_each(w, edges), columns(piece.parameters, len(edges)), edges, out)
@@ -219,7 +234,10 @@ def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
 
 
 def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndarray:
-    """u (n,) where the contact area, which grows along the piece, is this (n,); the nearer end where it nowhere is."""
+    """Return u (n,) where the contact area has this value (n,).
+
+    The area grows along the piece; it is the nearer end where the piece does not reach it.
+    """
     edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
     compiled = _coordinates_at_area(piece.normal, len(piece.parameters))
     compiled(_one_each(area, edges), columns(piece.parameters, len(edges)), edges, out)
@@ -227,7 +245,7 @@ def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndar
 
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
-    """The six values (n, 6) of `along` at the coordinates u (n,)."""
+    """Return the six values (n, 6) of `along` at the coordinates u (n,)."""
     return _values(regime.along, regime.parameters, u, 6)
 
 
@@ -247,7 +265,10 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
 def resistances(
     tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
 ) -> np.ndarray:
-    """Tangential force (n, m) of a law of the interface under whole loads and contact areas (n, m), elastic or plastic ones."""
+    """Return the tangential force (n, m) of a law of the interface.
+
+    The loads and contact areas (n, m) are those of whole contacts, elastic or plastic.
+    """
     anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)
     out = np.empty(load.shape)

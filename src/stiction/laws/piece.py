@@ -36,12 +36,13 @@ class NormalPiece:
 
 @dataclass(frozen=True)
 class TangentialResistance:
-    """What a tangential law adds to a piece: the force at which one asperity is sheared off.
+    """Tangential resistance of a piece: the force at which one asperity is sheared off.
 
-    resistance(u, displacement, load, area, *parameters) -> (slip-limited, yield-limited) tangential force, one of which is
-    zero wherever the other is not; in the unit of the load. parameters: arrays (n,).
-    kinks: array (n, k), coordinates of the piece at which the resistance is not smooth, in any order (those outside the
-    piece do not matter), or None. branch: as in Regime, coordinates at which it starts like a broken power; or None.
+    resistance(u, displacement, load, area, *parameters) -> (slip-limited, yield-limited) tangential force, one of which is zero
+    wherever the other is not; in the unit of the load. parameters: arrays (n,).
+
+    kinks: array (n, k), coordinates of the piece at which the resistance is not smooth, in any order (those outside the piece
+    do not matter), or None. branch: as in Regime, coordinates at which it starts like a broken power; or None.
     """
 
     resistance: Callable
@@ -101,7 +102,10 @@ def from_curve(
 
 @cache
 def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
-    """Formulas for two functions of the displacement; the same objects for the same functions, so that kernels compile once."""
+    """Return formulas for two functions of the displacement.
+
+    The same objects are returned for the same functions, so that kernels compile once.
+    """
     load, area = formula(load), formula(area)
 
     @formula

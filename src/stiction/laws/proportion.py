@@ -1,4 +1,4 @@
-"""Numbers that are no rough surface, whichever law takes them."""
+"""Inputs of implausible size for a rough surface, whichever law takes them."""
 
 from math import inf
 
@@ -15,5 +15,5 @@ OUT_OF_PROPORTION = (
 
 
 def input_warnings(subject: Subject) -> list[str]:
-    """What is out of all proportion in what was given, in words; before any model is asked."""
+    """Describe implausible inputs in words, before any model runs."""
     return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

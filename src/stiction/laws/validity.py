@@ -15,10 +15,9 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return a warning for each range that is left.
+    """Return a warning for each range of validity that the contact leaves.
 
-    results: normalised, by name, the mean separation over sigma; None for what is not known. What is not among them the contact
-    is asked for.
+    results: normalised, by name, the mean separation over sigma; None if missing. Other values come from the contact.
     """
     found = []
     for rule, values, outside in ranges_left(subject, rules, results):
@@ -31,8 +30,10 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def ranges_left(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """The same, rule by rule: the rule, the values of its quantity as an array, and which of them are outside. What is not a
-    number is not."""
+    """Return each rule, the values of its quantity, and a mask of those outside.
+
+    NaN counts as inside.
+    """
     for rule in dict.fromkeys(rules):
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
         if value is None:

@@ -9,7 +9,7 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Ageing(Addition):
-    """How an interface strengthens at rest.
+    """Ageing law: the strength of an interface grows with its time at rest.
 
     aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
     over the area that it had at first.

@@ -71,7 +71,10 @@ def critical_values(eta, nu, k):
 
 @formula
 def elastic(u, stiffness):
-    """P = L_c (delta/delta_c)^(3/2), A = pi R delta; stiffness: L_c/delta_c^(3/2), over that of Hertz."""
+    """Return P = L_c (delta/delta_c)^(3/2) and A = pi R delta.
+
+    stiffness: L_c/delta_c^(3/2), over Hertz's.
+    """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, w
 

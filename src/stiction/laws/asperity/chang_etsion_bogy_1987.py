@@ -27,8 +27,10 @@ from stiction.records.sources import Source
 
 
 def hardness_coefficient(nu):
-    """K_H = 0.454 + 0.41 nu: the largest pressure at first yield over the hardness. Arrays. The 1987 paper takes the
-    constant 0.6; this form is the authors' of 1988."""
+    """Return K_H = 0.454 + 0.41 nu: largest pressure at first yield over hardness.
+
+    Arrays. The 1987 paper uses the constant 0.6; the authors gave this form in 1988.
+    """
     return 0.454 + 0.41 * nu
 
 
@@ -39,7 +41,7 @@ def critical_interference(eta, K_H):
 
 @formula
 def plastic(w, w_c, eta, K_H):
-    """A = pi R w (2 - w_c/w), P = A K_H H."""
+    """Return A = pi R w (2 - w_c/w), P = A K_H H."""
     area = 2.0 * w - w_c
     return w, 1.0, K_H * eta * area, area
 

@@ -70,11 +70,12 @@ def elastic_share(hardening):
 
 
 def stiffening(hardening, modulus_over_yield):
-    """What eq 26 is made of, Upsilon = -front exp(rate (omega - omega_c)/R): front and rate, arrays.
+    """Return front and rate of eq 26, Upsilon = -front exp(rate (omega - omega_c)/R).
 
-    Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), e = E_t/E and s = (E/S_y)^(1/2): as computed by
-    that code. The printed one, which it quotes and calls wrong, has the other sign, and omega in place of omega - omega_c; with
-    that sign the area would grow beyond all bounds for e -> 1 and not become Hertz's. Upsilon = 0 for e = 0, at any omega.
+    Arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), e = E_t/E and s = (E/S_y)^(1/2), as the
+    code computes it. The printed equation, which the code quotes and calls wrong, has the other sign, and omega in place of
+    omega - omega_c; with that sign the area would grow without bound for e -> 1 and not approach Hertz's. Upsilon = 0 for e =
+    0, at any omega.
     """
     s = np.sqrt(modulus_over_yield)
     front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
@@ -84,8 +85,10 @@ def stiffening(hardening, modulus_over_yield):
 
 @formula
 def radius(w, w_c, B, sharpness, front, rate):
-    """a over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25), a_e after Hertz (eq 1), a_p of Jackson and Green
-    (eqs 23, 24). Upsilon is kept finite beyond omega = R."""
+    """Return a over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
+
+    a_e after Hertz (eq 1), a_p of Jackson and Green (eqs 23, 24). Upsilon is kept finite beyond omega = R.
+    """
     elastic = math.sqrt(w)
     upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))
     return elastic + elastic * (math.sqrt(_area_ratio(w / w_c, B)) - 1.0) * math.exp(upsilon)
@@ -93,8 +96,10 @@ def radius(w, w_c, B, sharpness, front, rate):
 
 @formula
 def hardness(radius):
-    """H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28), which falls from 2.84 to 1 at a = R and is held there: more has no
-    meaning."""
+    """Return H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28).
+
+    It falls from 2.84 to 1 at a = R and stays 1 beyond, where the formula has no meaning.
+    """
     return 2.84 - 0.92 * (1.0 - math.cos(math.pi * min(radius, 1.0)))
 
 
@@ -103,11 +108,11 @@ _radius, _hardness = radius, hardness
 
 @formula
 def yielding(u, *row):
-    """Beyond 1.9 omega_c. row: w_c, C, B, sharpness; front, rate, as of `stiffening`; share, as of `elastic_share`; wide: from
-    this displacement on the hardness stays at S_y.
+    """Return the response beyond 1.9 omega_c.
 
-    The load is F_p + (F_e - F_p) share (eq 30), F_p that of Jackson and Green (eqs 27, 29), F_e Hertz's (eq 31, which is
-    printed with a factor pi that Hertz's force does not have).
+    row: w_c, C, B, sharpness; front, rate, as of `stiffening`; share, as of `elastic_share`; wide: the displacement beyond
+    which the hardness stays at S_y. The load is F_p + (F_e - F_p) share (eq 30), F_p by Jackson and Green (eqs 27, 29), F_e by
+    Hertz (eq 31, which is printed with a factor pi that Hertz's force does not have).
     """
     w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
@@ -144,8 +149,10 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
 
 
 def _edges(w_c, sharpness, front, rate, wide):
-    """Displacements at which the second piece begins, is split, and ends: where a = R, and where Upsilon = -1, which may be a
-    narrow place."""
+    """Return the displacements at which the second piece begins, is split, and ends.
+
+    It is split where a = R, and where Upsilon = -1, which may be a narrow feature.
+    """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)
     turn = np.log(np.divide(1.0, front, where=hardens, out=np.ones_like(front)))

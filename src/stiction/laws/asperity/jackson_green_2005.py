@@ -74,7 +74,10 @@ def area_power(yield_strain):
 
 @formula
 def area_ratio(ratio, B):
-    """A/(pi R omega) = (omega/(1.9 omega_c))^B. Rounding may put the first point a little before 1.9 omega_c."""
+    """Return A/(pi R omega) = (omega/(1.9 omega_c))^B.
+
+    Rounding may put the first point slightly before 1.9 omega_c.
+    """
     return math.exp(min(B * max(math.log(ratio / ELASTIC_TO), 0.0), 600.0))
 
 

@@ -90,7 +90,7 @@ def coordinate(w, S):
 
 @formula
 def normal(u, theta):
-    """The same four at once: displacement, its slope, load, area."""
+    """Return displacement, its slope, load and area together."""
     S = adhesion(theta)
     return displacement(u, S), stretch(u, S), load(u, S), area(u)
 

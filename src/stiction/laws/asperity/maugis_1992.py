@@ -164,7 +164,10 @@ def _fill_displacement(s, g, lam, out):
 
 
 def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
-    """Loading from w = 0, unloading from dw/ds = 0. The edge between is where the functions of the ring change their scale."""
+    """Return loading from w = 0, or unloading from dw/ds = 0.
+
+    At the edge between them the functions of the ring change their scale.
+    """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)
     first, lowest = np.empty(len(groups)), np.zeros(len(groups))

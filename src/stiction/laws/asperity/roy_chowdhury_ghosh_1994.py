@@ -32,8 +32,10 @@ _STEPS = 7  # Newton's, from at most half above the root to the last digit
 
 @formula
 def unit_root(a):
-    """The largest real root of v^3 + a v - 1 = 0: Newton from above, so often that it is enough for every a, because a loop
-    over many that all take the same steps is one of vectors."""
+    """Return the largest real root of v^3 + a v - 1 = 0, by Newton's method from above.
+
+    The number of steps is fixed and enough for every a, because a loop whose elements all take the same steps is vectorised.
+    """
     # With s^2 = -a > 0 the root is s + d, 2 s^2 d + 3 s d^2 + d^3 = 1. It is below each of these, and near one of them.
     s = math.sqrt(max(-a, 0.0))
     v = s + 0.5 / max(s * s, 0.5) if a < 0.0 else 1.0 / max(a, 1.0)
@@ -44,7 +46,7 @@ def unit_root(a):
 
 @formula
 def largest_root(a, c):
-    """The largest real root of v^3 + a v - c = 0, c > 0."""
+    """Return the largest real root of v^3 + a v - c = 0, c > 0."""
     scale = c ** (1.0 / 3.0)
     return scale * unit_root(a / (scale * scale))
 
@@ -56,7 +58,7 @@ def _fill_unit_roots(a, out):
 
 
 def unit_roots(a: np.ndarray) -> np.ndarray:
-    """The same of an array (n,)."""
+    """Return `unit_root` of an array (n,)."""
     out = np.empty_like(a)
     _fill_unit_roots(a, out)
     return out
@@ -77,7 +79,7 @@ def plastic(w, theta, eta):
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
-    """The plastic asperity from the displacements `first` (n,) on."""
+    """Return the plastic asperity from the displacements `first` (n,) on."""
     edges = edges_at(first, np.inf)
     return NormalPiece(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

@@ -77,7 +77,10 @@ def loading(u, S, eta_y, u_y):
 
 @formula
 def normal(u, theta, eta_y, u_y):
-    """The yielded asperity: displacement, its slope, load, area. Displacement and contact radius are related as in JKR."""
+    """Return displacement, its slope, load and area of the yielded asperity.
+
+    Displacement and contact radius are related as in JKR.
+    """
     S = _adhesion(theta)
     return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
 
@@ -96,7 +99,10 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """The displacement that unloading starts from: with it JKR's displacement at the turning point is that of loading."""
+    """Return the displacement at which unloading starts.
+
+    With it JKR's displacement at the turning point equals the displacement in loading.
+    """
     return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
 
 
@@ -119,13 +125,16 @@ def unloading_coordinate(w, u_max, P_max, S):
 
 @formula
 def pull_off(u_max, P_max, S):
-    """The largest tension in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
+    """Return the largest tension in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
     return 0.25 * S * S * unloading_radius(u_max, P_max, S)
 
 
 @formula
 def lost_displacement(u_max, P_max, S):
-    """The displacement at which the contact is lost in unloading, where dw/du = 0: u^3 = (S/6) R_p/R."""
+    """Return the displacement at which contact is lost in unloading.
+
+    There dw/du = 0: u^3 = (S/6) R_p/R.
+    """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
     return residual(u_max, radius) - 0.5 * S * u
@@ -133,15 +142,19 @@ def lost_displacement(u_max, P_max, S):
 
 @formula
 def recovery(U, S, eta_y, u_y):
-    """How far the surfaces are drawn apart when an asperity that was pressed to U >= u_y is lost; it grows with U."""
+    """Return the increase in separation at which an asperity loses contact.
+
+    It was loaded to U >= u_y; the increase grows with U.
+    """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 
 
 @formula
 def released_normal(v, theta, eta_y, u_y, distance, origin):
-    """The yielded asperity after it was pressed to U = origin + v^2 and drawn apart: displacement, its slope, load, area.
+    """Return displacement, its slope, load and area of a yielded asperity in unloading.
 
-    Where the contact is just lost, at U = origin, its radius begins like the square root of U - origin.
+    It was loaded to U = origin + v^2, then the separation increased. Where the contact is just lost, at U = origin, its radius
+    begins like the square root of U - origin.
     """
     S = _adhesion(theta)
     U = origin + v * v
@@ -167,8 +180,11 @@ _halve = halving(_is_lost)
 
 @kernel
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
-    """U from which on asperities still hold. Where all that have yielded do, it is continued below the first of them, that the
-    square root of the distance to it stays smooth, but no further than to 0.9 of it: the law has no meaning there."""
+    """Fill U from which on asperities are still in contact.
+
+    Where all yielded asperities are, it is continued below the first of them, so that the square root of the distance to it
+    stays smooth, but no further than to 0.9 of it: the law has no meaning there.
+    """
     for i in range(out.size):
         given = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
         low = high = first[i]
@@ -215,9 +231,10 @@ def pieces(groups: Groups, limiting_pressure: str) -> list[NormalPiece]:
 
 
 def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalPiece]:
-    """The asperities after the surfaces were pressed and then drawn apart by the distance (n,) over sigma.
+    """Return the asperities after loading and an increase (n,) of the separation.
 
-    Those that had not yielded are JKR's in unloading: of them, what had touched, w + distance >= 0, still holds.
+    The increase is over sigma. Asperities that did not yield follow JKR in unloading: those that touched, w + increase >= 0,
+    are still in contact.
     """
     elastic, yielded = pieces(groups, limiting_pressure)
     first, last = elastic.edges.T

@@ -38,8 +38,11 @@ def first_yield(eta):
 
 @formula
 def passing(u, w_1, eta):
-    """Between: A = pi R omega (1 + 3 xi^2 - 2 xi^3), xi = (omega - omega_1)/(omega_2 - omega_1), and mean pressure
-    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1))."""
+    """Return area and load between first yield and full plasticity.
+
+    A = pi R omega (1 + 3 xi^2 - 2 xi^3), xi = (omega - omega_1)/(omega_2 - omega_1), and mean pressure
+    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)).
+    """
     w = u * u
     ratio = w / w_1
     done = (ratio - 1.0) / (SPAN - 1.0)

@@ -32,7 +32,7 @@ _LARGEST = 1e150
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """The variance of the force of one asperity, in the place of a force."""
+    """Return the variance of the force of one asperity, in the slot of a force."""
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
     return deviation * deviation, 0.0
 

@@ -12,8 +12,10 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Contamination(Addition, TangentialLaw):
-    """How the strength of an interface that differs from junction to junction spreads friction: a tangential law whose
-    resistance is the variance of the force of one asperity, in the square of the unit of the load."""
+    """Scatter of friction from scatter of the junctions' strength.
+
+    A tangential law whose resistance is the variance of the force of one asperity, in the square of the unit of the load.
+    """
 
     kind = keyword = "contamination"
     order = 4

@@ -30,9 +30,10 @@ _CURVATURE = math.sqrt(3.0 * math.pi / 32.0)  # h'' sigma over sigma/R
 
 
 def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_length):
-    """The left-hand side: the surface sticks where it is below 1. Source: Pastewka & Robbins 2014, eq. (10).
+    """Return the left-hand side: the surface sticks where it is below 1.
 
-    rms_slope: h' [1]; rms_curvature: h'' of half the Laplacian [1/m]; interaction_range: rho [m]; adhesion_length: w/E* [m].
+    Source: Pastewka & Robbins 2014, eq. (10). rms_slope: h' [1]; rms_curvature: h'' of half the Laplacian [1/m];
+    interaction_range: rho [m]; adhesion_length: w/E* [m].
     """
     spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
     return rms_slope * interaction_range / (KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
@@ -44,7 +45,9 @@ def interaction_range(groups: Groups) -> np.ndarray:
 
 
 def range_over_gap(groups: Groups) -> np.ndarray:
-    """rho over (16/3) h'^2/h'', the scale of the gap beside a contact spot (n,): the theory is for short ranges.
+    """Return rho over (16/3) h'^2/h'', the scale of the gap next to a contact spot (n,).
+
+    The theory holds for short ranges.
 
     Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it. In units of sigma; sqrt(sigma/R) drops out.
     """
@@ -53,10 +56,10 @@ def range_over_gap(groups: Groups) -> np.ndarray:
 
 
 def stickiness(groups: Groups) -> np.ndarray:
-    """The same of n contacts (n,): isotropic Gaussian surfaces with these summits; rho is the equilibrium distance.
+    """Return the stickiness ratio of n contacts (n,).
 
-    In units of sigma, with s = sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, h'' = sqrt(3 pi/32) s^2. s
-    drops out.
+    The surfaces are isotropic and Gaussian, with these summits; rho is the equilibrium distance. In units of sigma, with s =
+    sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, h'' = sqrt(3 pi/32) s^2; s cancels.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))

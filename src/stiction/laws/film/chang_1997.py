@@ -46,7 +46,7 @@ def film_alone(w, hardness, pull):
 def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     @formula
     def rim(u, *row):
-        """The film around the substrate's contact: all of 2 pi R omega that is not the substrate's."""
+        """Return the film around the substrate's contact: the rest of 2 pi R omega."""
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]
         area = max(2.0 * (w + tau) - inner, 0.0)

@@ -49,7 +49,10 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 
 @formula
 def rim(w, pressure, tau):
-    """The film around the penetrated middle: as much as was touched when it was pressed through."""
+    """Return the film around the penetrated middle.
+
+    Its area is that touched at penetration.
+    """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 
 

@@ -35,8 +35,11 @@ from stiction.records.sources import Source
 def fading_rates(
     n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray, tau: np.ndarray, m_soft: int = 2, m_hard: int = 1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """c/tau where m = 1 and c/tau^2 where m = 2, else 0 (S5.13, S5.14); arrays (n,). n_Y: yield stress of the film over the
-    substrate's. m_soft, m_hard: exponent m for n_H < 1 and n_H > 1, each 1 or 2; sources disagree. Raises InputError."""
+    """Return c/tau where m = 1 and c/tau^2 where m = 2, else 0 (S5.13, S5.14).
+
+    Arrays (n,). n_Y: yield stress of the film over the substrate's. m_soft, m_hard: exponent m for n_H < 1 and n_H > 1, each 1
+    or 2; sources disagree. Raises InputError.
+    """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
             raise InputError(name, exponent, "1 or 2")
@@ -86,7 +89,7 @@ def _film_regimes(
     n_g: np.ndarray,
     exponents: tuple[int, int],
 ) -> list[Regime]:
-    """The same of two bodies as they are."""
+    """Return the regimes of a film on either body or both."""
     bodies = bodies.without_film(film_aspect > 0.0)  # no thickness, no film
     n_E = bodies.film_over_bodies
     n_H = np.where(tau > 0.0, n_H, 1.0)
@@ -106,9 +109,11 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 
 
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
-    """Parameters (n, PARAMETERS) of the law, in the order that `along` takes them. film_k: the film's hardness over yield
-    stress; rates: at which its hardness fades, as `fading_rates` gives them. Each body that is coated has its part of the
-    thickness."""
+    """Return parameters (n, PARAMETERS) of the law, in the order of `along`.
+
+    film_k: the film's hardness over yield stress; rates: of its fading hardness, as from `fading_rates`. Each coated body has
+    its part of the thickness.
+    """
     first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
         math.pi * n_g / substrate.theta,

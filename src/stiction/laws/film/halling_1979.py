@@ -48,13 +48,15 @@ BODIES = 8  # of these, the place of the two bodies
 
 @cache
 def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
-    """Formulas of the elastic and the plastic asperity, and of whether the elastic one flows. row: the ELASTIC parameters, as
-    `pieces` gives them, and the displacement at which the asperity flows, which the last does without."""
+    """Return formulas of the elastic and the plastic asperity, and of the transition.
+
+    row: the ELASTIC parameters, as in `pieces`, and the displacement of the transition, which the last formula does not need.
+    """
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 
     @formula
     def stiffened(u, row):
-        """Load over that of the Hertz contact of the bodies without film."""
+        """Return the load over Hertz's for the bodies without film."""
         xi = row[4] / u
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
         g = modulus(first, xi, nu, nu_first)
@@ -63,7 +65,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def hardened(w, row):
-        """The hardness at the depth w, in the unit of the mean pressure."""
+        """Return the hardness at the depth w, in the unit of the mean pressure."""
         n_H, eta, tau, constant, exponent = row[2], row[3], row[5], row[6], row[7]
         return eta * hardness(n_H, w / tau, constant, exponent)
 
@@ -88,7 +90,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
 @cache
 def _onset(flows: Any) -> Any:
-    """The kernel that finds where the elastic asperity gives way to the plastic one."""
+    """Return the kernel that finds the transition from elastic to plastic."""
 
     @formula
     def holds(u, row):
@@ -98,8 +100,11 @@ def _onset(flows: Any) -> Any:
 
     @kernel
     def onset(table, out):
-        """The least u = sqrt(w) at which the mean pressure reaches the hardness: (E'/E'_s) u = eta H/H_s. It lies between the
-        values for the softer of both on the stiffer, and the harder on the less stiff; scanned, then halved."""
+        """Find the least u = sqrt(w) at which the mean pressure reaches the hardness.
+
+        There (E'/E'_s) u = eta H/H_s. It lies between the values for the softer of both on the stiffer, and the harder on the
+        less stiff; scanned, then halved.
+        """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
             least, greatest, n_H, eta = row[:4]

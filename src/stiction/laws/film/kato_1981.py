@@ -79,8 +79,11 @@ def tan_excess(x):
 
 @formula
 def squeezed(u, *row):
-    """The film alone, at w = tau sin(u)^2: a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill, bound, edge, more:
-    4 k_f sqrt(R/sigma), m, H_f and H - H_f, in the unit of the load over the area."""
+    """Return the response of the film alone, at w = tau sin(u)^2.
+
+    a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill, bound, edge, more: 4 k_f sqrt(R/sigma), m, H_f and H - H_f,
+    in the unit of the load over the area.
+    """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
     w = tau * sine * sine
@@ -89,7 +92,7 @@ def squeezed(u, *row):
 
 @formula
 def bounded(u, *row):
-    """The same with the pressure bounded within c = b tan(u - m b)."""
+    """Return the response with the pressure bounded within c = b tan(u - m b)."""
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
     w, a, b = tau * sine * sine, width * sine, width * cosine
@@ -137,8 +140,10 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
-    """The angle u (n,) from which on the pressure is bounded: u = m b(u). Newton's steps from above, where the difference is
-    convex, do not pass the root."""
+    """Return the angle u (n,) above which the pressure is bounded: u = m b(u).
+
+    Newton's steps from above, where the difference is convex, do not pass the root.
+    """
     steep = bound * np.sqrt(2.0 * tau)
     u = np.minimum(steep, 0.5 * math.pi)
     for _ in range(40):
@@ -147,7 +152,10 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 
 def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
-    """The film squeezed, then bounded by the substrate, then pressed through; with the body that decides."""
+    """Return the pieces, each with the body that decides.
+
+    The film is first squeezed, then bounded by the substrate, then penetrated.
+    """
     row = parameters(groups)
     tau, _, bound, _, _ = row
     u_c = onset(tau, bound)

@@ -75,7 +75,7 @@ def _first(unloading: bool) -> Any:
 
 
 def elastic(groups: Groups, law: Law) -> NormalPiece:
-    """The elastic asperity at every displacement, with the adhesion of the asperity law; groups: complete."""
+    """Return the elastic asperity, with the adhesion of the asperity law; groups: complete."""
     laws, traits = len(groups), law.asperity.traits
     lowest = 0.0
     if "JKR" in traits:

@@ -72,13 +72,19 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
 
 def _film_weights(piece: NormalPiece) -> tuple[Weights, Weights]:
-    """What of the film counts before and after x = tau: its elastic load goes on, its plastic load does not (D5, D9)."""
+    """Return the weights of the film before and after x = tau.
+
+    Its elastic load continues, its plastic load does not (D5, D9).
+    """
     return Weights(friction=_GRIP), Weights(friction=0.0) if piece.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Regimes of a coated surface; `law`, the corrected one, is not used. Limits that cross make an empty integral (D9); of
-    the film, only asperities with x < tau resist (D10). The area, which is not printed, is the film's own."""
+    """Return the regimes of a coated surface; `law`, the corrected one, is not used.
+
+    Limits that cross make an empty integral (D9). In the film, only asperities with x < tau resist (D10). The area, which is
+    not printed, is the film's own.
+    """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)
     substrate = groups.substrate()

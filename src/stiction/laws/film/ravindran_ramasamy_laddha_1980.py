@@ -58,8 +58,10 @@ def shared(u, stiffness):
 
 
 def rise(groups: Groups) -> np.ndarray:
-    """q (n,): the pressure is q n_H sqrt(w/tau) eta where film and substrate share it. C over K sqrt(R sigma) is
-    2 eta (tau_0/H)^3/(q n_H)^2."""
+    """Return q (n,): the shared pressure is q n_H sqrt(w/tau) eta.
+
+    Film and substrate share it. C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2.
+    """
     given = groups.film_friction_constant
     if given is None:
         return np.ones(len(groups))

@@ -40,15 +40,15 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """A film that no longer deforms: the same load and resistance at any displacement."""
+    """Return a film that no longer deforms: constant load and resistance."""
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
 
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
-    """Regimes of a coated surface, loads and resistances in units of the substrate.
+    """Return regimes of a coated surface, loads and resistances in substrate units.
 
-    The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface goes with
-    that area and the whole load; any other is that of the film, kept, and of the substrate.
+    The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface is
+    computed from this area and the whole load; any other is the film's, kept constant, plus the substrate's.
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -65,8 +65,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 
 
 def _kept(law: Law, groups: Groups) -> np.ndarray:
-    """Load, slip- and yield-limited resistance (3, n) of the film at the displacement tau. Of a resistance of the interface,
-    what goes with the area is counted where the area is."""
+    """Return load, slip- and yield-limited resistance (3, n) of the film at w = tau.
+
+    For a resistance of the interface, the part proportional to the area is counted with the area.
+    """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     kept = np.zeros((3, len(groups)))
     for piece in law.pieces(film):

@@ -69,7 +69,10 @@ def along(s, pull, height):
 
 @formula
 def coordinate(w, pull, height):
-    """s at the displacement w: Newton on s^2/F from above, as F is at most pi/2 and at most 4/(3 s)."""
+    """Return s at the displacement w, by Newton's method on s^2/F from above.
+
+    F is at most pi/2 and at most 4/(3 s).
+    """
     if w == math.inf:
         return math.inf
     y = max(w, 0.0) / (math.pi * height)

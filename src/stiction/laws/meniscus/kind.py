@@ -10,7 +10,7 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Meniscus(Addition):
-    """How a liquid that condenses around an asperity pulls, whatever carries the load of that.
+    """Capillary force of a liquid around an asperity, independent of the contact law.
 
     pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
     no area, no resistance, and loads below zero.

@@ -10,8 +10,11 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Presliding(Addition, TangentialLaw):
-    """How a contact yields elastically to a tangential force before it slides: a tangential law whose resistance is the
-    tangential stiffness of one asperity at no force, times sigma and in the unit of the load."""
+    """Elastic tangential displacement of a contact before it slides.
+
+    A tangential law whose resistance is the tangential stiffness of one asperity at zero force, times sigma and in the unit of
+    the load.
+    """
 
     kind = keyword = "presliding"
     order = 1

@@ -60,44 +60,59 @@ from stiction.records.sources import Source
 
 @formula
 def stiffness(area, K_beta):
-    """dT/d(displacement) at T = 0, when nothing slips: k_t = 8 a/beta for two bodies, 1/beta = G* of the pair.
+    """Return dT/d(displacement) at T = 0, where nothing slips.
 
-    With a = sqrt(x R sigma), k_t sigma/(K R^(1/2) sigma^(3/2)) = 8 sqrt(x)/(K beta).
+    k_t = 8 a/beta for two bodies, 1/beta = G* of the pair. With a = sqrt(x R sigma), k_t sigma/(K R^(1/2) sigma^(3/2)) = 8
+    sqrt(x)/(K beta).
     """
     return 8.0 * math.sqrt(area) / K_beta
 
 
 @formula
 def sliding_displacement(load, area, friction, K_beta):
-    """Displacement at which all of a Hertz contact slips, 3 mu P beta/(16 a): 3/2 of what the first stiffness would need."""
+    """Return the displacement at which all of a Hertz contact slips, 3 mu P beta/(16 a).
+
+    It is 3/2 of mu P over the initial stiffness.
+    """
     return 1.5 * friction * load / stiffness(area, K_beta)
 
 
 @formula
 def force(displacement, load, area, friction, K_beta):
-    """T = mu P (1 - (1 - s)^(3/2)), s = displacement/sliding displacement: slip spreads inwards from the rim, Coulomb's law
-    holding at each point, until all slips at T = mu P."""
+    """Return T = mu P (1 - (1 - s)^(3/2)), s = displacement/sliding displacement.
+
+    Slip spreads inwards from the rim under Coulomb's law at each point, until all slips at T = mu P.
+    """
     left = max(1.0 - displacement / sliding_displacement(load, area, friction, K_beta), 0.0)
     return friction * load * (1.0 - left * math.sqrt(left))
 
 
 @formula
 def displacement(force, load, area, friction, K_beta):
-    """The inverse, for 0 <= T <= mu P: the sliding displacement times 1 - (1 - T/(mu P))^(2/3)."""
+    """Invert `force` for 0 <= T <= mu P.
+
+    The result is the sliding displacement times 1 - (1 - T/(mu P))^(2/3).
+    """
     left = max(1.0 - force / (friction * load), 0.0)
     return sliding_displacement(load, area, friction, K_beta) * (1.0 - left ** (2.0 / 3.0))
 
 
 @formula
 def slip_share(s):
-    """1 - (1 - s)^(3/2) of an asperity that is moved by the share s < 1 of its sliding displacement; exact where s is small."""
+    """Return 1 - (1 - s)^(3/2) of an asperity at the share s < 1 of its sliding displacement.
+
+    It is exact where s is small.
+    """
     return -math.expm1(1.5 * math.log1p(-s))
 
 
 @formula
 def loss_share(s):
-    """Energy lost in a cycle of the amplitude s, over the strength and the sliding displacement: 8 times the integral of the
-    force less 4 s times it. For small s that cancels, and its Taylor series is taken: s^3/2 + s^4/8 + 9 s^5/160 + ..."""
+    """Return the energy lost in a cycle of amplitude s.
+
+    It is over the strength and the sliding displacement: 8 times the integral of the force less 4 s times it. For small s that
+    cancels, and its Taylor series is taken: s^3/2 + s^4/8 + 9 s^5/160 + ...
+    """
     if s < 0.1:
         tail = 0.006982421875 + s * (0.0053558349609375 + s * (0.004215240478515625 + s * 0.0033884048461914062))
         tail = 0.03125 + s * (0.01953125 + s * (0.01318359375 + s * (0.0093994140625 + s * tail)))
@@ -110,12 +125,12 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """The stiffness, in the place of a force."""
+    """Return the stiffness, in the slot of a force."""
     return stiffness(area, K_beta), 0.0
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """On every piece: a contact is stiff by its radius, whatever carries the load."""
+    """Return the stiffness of every piece, from its contact radius."""
     return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(piece.edges[:, 0]))
 
 

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 
 
 def bodies_of(contact: Contact) -> Bodies:
-    """Compliances and hardness of a contact of single numbers."""
+    """Return compliances and hardness of a contact of single numbers."""
     coating = contact.coating
     if coating is None:
         return Bodies(1.0 / (compliance_of(contact.first) + compliance_of(contact.second)),
@@ -73,7 +73,10 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str, adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """Contacts of the map at nominal pressures [Pa]. Raises InputError for a map or a pressure that cannot be solved."""
+    """Solve the contact of the map at nominal pressures [Pa].
+
+    Raises InputError for a map or a pressure that cannot be solved.
+    """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
 
     bodies = bodies_of(contact)
@@ -89,7 +92,7 @@ def of_map(
 def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """With the work of adhesion of the faces that meet, over the range that is asked for."""
+    """Add adhesion: the work of adhesion of the faces, over its range."""
     from stiction.solvers.boundary_elements.sticking import shortest_range, sticking_curve
 
     coating = contact.coating

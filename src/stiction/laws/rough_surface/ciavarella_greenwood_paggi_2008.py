@@ -33,9 +33,10 @@ _MOST_STEPS = 200
 
 
 def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
-    """The separation x = h + compliance F_3/2(x) at which lone asperities would carry the same. Arrays alike in shape.
+    """Return x = h + compliance F_3/2(x), where lone asperities carry the same load.
 
-    x - compliance F_3/2(x) grows with x and its slope falls, so that Newton's method from h climbs to the root, never past it.
+    Arrays of the same shape. x - compliance F_3/2(x) grows with x and its slope falls, so that Newton's method from h climbs to
+    the root, never past it.
     """
     x = h.astype(float)
     for _ in range(_MOST_STEPS):
@@ -54,7 +55,10 @@ def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Separations (n, H) where the loads (n, H) are carried: as far from that of lone asperities as the area sinks."""
+    """Return separations (n, H) where the loads (n, H) are carried.
+
+    They differ from those of lone asperities by the sinking of the area.
+    """
     return lone_separation(load) - _compliance(groups) * load
 
 

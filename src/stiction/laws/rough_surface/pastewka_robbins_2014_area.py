@@ -33,8 +33,10 @@ from stiction.surfaces.theory.moments import reduced_pressure
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H). Of several contacts those that stick have
-    none, not a number. Raises InputError where all do."""
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    NaN for sticking contacts among several; raises InputError where all stick.
+    """
     ratio = stickiness(groups)[:, None]
     if not (ratio > 1.0).any():
         of_ratio = f"{float(ratio[0, 0]):.3g}, and has to be above 1"

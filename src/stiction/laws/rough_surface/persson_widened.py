@@ -52,7 +52,10 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """The same, of the map itself: all contacts have its surface."""
+    """Return the area at loads from the map itself.
+
+    All contacts have its surface.
+    """
     density = groups.roughness_parameter[:, None]
     slope = groups.sharpness[:, None] * slope_of(density)
     pressure = reduced_pressure(np.maximum(load, 0.0), density) * slope  # over E*

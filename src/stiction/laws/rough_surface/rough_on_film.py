@@ -65,18 +65,21 @@ STIFF = 5.0  # over the modulus of the bodies: under such films, where they are 
 
 
 class Waves(NamedTuple):
-    """A spectrum as it counts here. wavevector: (n, m) or (m,), over 1/sqrt(R sigma) where the film's thickness is over
-    sqrt(R sigma), or both in SI; share: of the mean square gradient, alike in shape, of sum 1."""
+    """A spectrum: wavevectors, and their shares of the mean square gradient.
+
+    wavevector: (n, m) or (m,), over 1/sqrt(R sigma) where the film's thickness is over sqrt(R sigma), or both in SI; share: of
+    the same shape, of sum 1.
+    """
 
     wavevector: np.ndarray
     share: np.ndarray
 
 
 def waves_of_moments(density: np.ndarray) -> Waves:
-    """The self-affine surface that has the moments of N R sigma (n,), in units of sqrt(R sigma).
+    """Return the self-affine surface with the moments of N R sigma (n,).
 
-    Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha = (3/2) M_0 M_4/M_2^2, from
-    which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
+    In units of sqrt(R sigma). Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha =
+    (3/2) M_0 M_4/M_2^2, from which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     t, weight = np.polynomial.legendre.leggauss(_WAVES)
@@ -121,8 +124,11 @@ def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> 
 def area_of_waves(
     pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
 ) -> np.ndarray:
-    """Elastic area over the nominal one (n, H). pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; bare: the
-    area law, of arrays like it; thickness: of one film (n,), in the unit of the waves; groups: complete, of film and bodies."""
+    """Return the elastic area over the nominal one (n, H).
+
+    pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; bare: the area law, of arrays like it; thickness: of
+    one film (n,), in the unit of the waves; groups: complete, of film and bodies.
+    """
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
     share = np.broadcast_to(waves.share, k[:, 0].shape)[:, None, :]
@@ -153,8 +159,10 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area over the nominal one (n, H) where nothing flows. pressure: mean, over E* h' of the bodies without film,
-    (n, H), >= 0; groups: complete."""
+    """Return the area over the nominal one (n, H) where nothing flows.
+
+    pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; groups: complete.
+    """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
     alpha = bandwidth(groups.roughness_parameter[:, None])
@@ -163,9 +171,10 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the share of the area (n, H) where spots bear no more than the film, or the body below it, carries.
+    """Return the share of the area (n, H) at the bearing limit of the film or body.
 
-    The mean spot is that of as many asperities as touch where elastic ones have this area."""
+    The mean spot is computed for as many asperities as touch where elastic ones have this area.
+    """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
     density, unit = math.pi * groups.roughness_parameter[:, None], hardness_over_slope(groups)[:, None]
@@ -187,8 +196,11 @@ def _thickness(groups: Groups) -> np.ndarray:
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """As `area_at_load`, of the map itself: its elastic contact with the film solved at a few loads, between them and beyond by
-    its spectrum, with as the bare area law the solution of its own contact; all contacts have its surface."""
+    """Return the area at loads from the map itself.
+
+    Its elastic contact with the film is solved at a few loads. Between and beyond them its spectrum is used, with the solution
+    of its own contact as the bare area law. All contacts have its surface.
+    """
     whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
@@ -199,7 +211,10 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """The spectrum of a map, in units of the sqrt(R sigma) that its moments give; groups: of one contact."""
+    """Return the spectrum of a map, in units of sqrt(R sigma) from its moments.
+
+    groups: of one contact.
+    """
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -264,8 +279,10 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """The bare area of a map against the pressure over E* h', by a formula from its slopes, for all that films of this modulus
-    may make of the pressures."""
+    """Return the bare area of a map against the pressure over E* h'.
+
+    A formula from its slopes covers all pressures that films of this modulus may require.
+    """
     from scipy.interpolate import PchipInterpolator
 
     from stiction.solvers.boundary_elements.map_area import map_area  # slow to import

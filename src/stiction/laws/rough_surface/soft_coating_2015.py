@@ -49,7 +49,7 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transi
 
 
 def _adhesion_without_plasticity(theta: float, eta: float) -> dict[str, float]:
-    """Groups with a given hardness group: lambda = eta^4 theta^2 / (18 pi^2)."""
+    """Return groups with the hardness group set: lambda = eta^4 theta^2 / (18 pi^2)."""
     return {"theta": theta, "lam": eta**4 * theta**2 / (18.0 * np.pi**2)}
 
 

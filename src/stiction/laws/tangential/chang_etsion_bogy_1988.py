@@ -52,8 +52,11 @@ _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 @formula
 def axis_coefficient(nu):
-    """c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), tangential shear stress on the axis at the depth z a of first yield;
-    z = 0.48 is that depth for nu = 0.3, which the authors keep for all."""
+    """Return c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)).
+
+    It is the tangential shear stress on the axis at the depth z a of first yield; z = 0.48 is that depth for nu = 0.3, which
+    the authors use for all.
+    """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
 

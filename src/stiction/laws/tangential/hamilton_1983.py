@@ -81,24 +81,35 @@ def inside_reach(nu):
 
 
 def below_reach(nu):
-    """The series for a place below the surface is made from p0/Y = (1 - this) F on, which is up to 2 % of F too early."""
+    """Return the reach of the series for a place below the surface.
+
+    It starts at p0/Y = (1 - reach) F, which is up to 2 % of F too early.
+    """
     return 0.012 + 0.22 * nu
 
 
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
-    """q0/Y at which the place (x, z) over a yields at p0/Y = s (infinite if never): the square of the von Mises stress is a
-    square form in s and q."""
+    """Return q0/Y at which the place (x, z) over a yields at p0/Y = s.
+
+    Infinite if it never does. The square of the von Mises stress is a square form in s and q.
+    """
     return _root(s, *_forms(nu, x, z))
 
 
 def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """What s^2, 2 s q and q^2 are multiplied by in the square of the von Mises stress at a place, over Y^2."""
+    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress.
+
+    At a place, over Y^2.
+    """
     normal, tangential = pressed(x, 0.0, z, nu), dragged(x, 0.0, z, nu)
     return _product(normal, normal), _product(normal, tangential), _product(tangential, tangential)
 
 
 def _root(s, of_s, of_both, C) -> np.ndarray:
-    """The larger root q of C q^2 + 2 B q + A = 0, in whichever way does not cancel."""
+    """Return the larger root q of C q^2 + 2 B q + A = 0.
+
+    The form that does not cancel is used.
+    """
     A, B = s * s * of_s - 1.0, s * of_both
     root = np.sqrt(np.maximum(B * B - A * C, 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -122,8 +133,10 @@ def first_yield_of_load() -> np.ndarray:
 
 @cache
 def series_inside() -> np.ndarray:
-    """q/Y where the place is inside the contact: Chebyshev coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with
-    y = (1 - 2 nu) s / inside_reach(nu)."""
+    """Return the series of q/Y where the place is inside the contact.
+
+    Chebyshev coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu).
+    """
     y, nu = _nodes(INSIDE)
     # At nu = 0.5 every y but 0 is beyond reach, yet the stresses on the surface know s only as (1 - 2 nu) s.
     s = y * inside_reach(nu) / (1.0 - 2.0 * nu)
@@ -132,8 +145,10 @@ def series_inside() -> np.ndarray:
 
 @cache
 def series_below() -> np.ndarray:
-    """(q/Y)^2/y where the place is below the surface: Chebyshev coefficients (BELOW, IN_NU) in 2 y - 1 and 4 nu - 1, with
-    y = (1 - s/F) / below_reach(nu)."""
+    """Return the series of (q/Y)^2/y where the place is below the surface.
+
+    Chebyshev coefficients (BELOW, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - s/F) / below_reach(nu).
+    """
     y, nu = _nodes(BELOW)
     s = chebyshev.chebval(4.0 * nu - 1.0, first_yield_of_load()) * (1.0 - y * below_reach(nu))
 
@@ -141,7 +156,10 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """The least shear at which any place yields, of those near the best of x, z: an array like s and nu."""
+    """Return the least shear at which any place yields.
+
+    The places are near the best of x, z; an array like s and nu.
+    """
 
     def shear(x, z):
         return shear_at_yield(s[..., None], nu[..., None], x, z)
@@ -198,8 +216,10 @@ def resistance(u, w, load, area, *row):
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """What `resistance` wants for each Poisson's ratio (n,): inside_until, below_from, end, to_inside and to_below (5, n), and
-    the series (INSIDE + BELOW, n)."""
+    """Return the parameters of `resistance` for each Poisson's ratio (n,).
+
+    inside_until, below_from, end, to_inside and to_below (5, n), and the series (INSIDE + BELOW, n).
+    """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())
     return steps[:, which], series[:, which]
@@ -235,8 +255,10 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Where `passed` turns true between low and high, or high if it does not: bisection of arrays. To 1e-10 of the
-    range: the resistance is continuous, so a kink put wrong by that much is felt in the square of it only."""
+    """Find where `passed` turns true between low and high, or return high.
+
+    Bisection of arrays to 1e-10 of the range: the resistance is continuous, so the effect of an error in a kink is its square.
+    """
     for _ in range(34):
         middle = 0.5 * (low + high)
         beyond = passed(middle)
@@ -245,7 +267,10 @@ def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """The force at which an elastic asperity first yields; one that has yielded resists nothing."""
+    """Return the force at which an elastic asperity first yields.
+
+    After yield there is no resistance.
+    """
     if piece.state != "elastic":
         return None
     eta, k = groups.eta, groups.hardness_to_yield

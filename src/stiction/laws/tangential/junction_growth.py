@@ -58,7 +58,7 @@ def together(of_interface, of_full_stick, share):
 
 @formula
 def resistance(u, w, load, area, L_c, eta, shear_strength, share):
-    """What gives way is the interface, up to full stick, where it is the bulk."""
+    """Return the resistance of the interface, up to full stick, where the bulk fails."""
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = together(shear_force(area, eta, shear_strength), of_full_stick, share)
     return (force, 0.0) if share < 1.0 else (0.0, force)

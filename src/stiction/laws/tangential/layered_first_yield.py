@@ -54,7 +54,10 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """The force at which an elastic asperity first yields; one that has yielded resists nothing."""
+    """Return the force at which an elastic asperity first yields.
+
+    After yield there is no resistance.
+    """
     if groups.n_E is None:
         return of_a_half_space(piece, groups)
     if piece.state != "elastic":

@@ -55,7 +55,7 @@ def resistance(u, w, load, area, *row):
 
 @formula
 def resistance_printed(u, w, load, area, *row):
-    """The same, of the same row, with eq (10) to the letter."""
+    """Return the resistance with eq (10) as printed, for the same row."""
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
     return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
@@ -64,8 +64,10 @@ def resistance_printed(u, w, load, area, *row):
 def tangential_resistance(
     piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """On a JKR asperity in the coordinate u = x^(1/4); with a film and its body as one, by the stiffness and the stresses of
-    the two."""
+    """Return the resistance on a JKR asperity in the coordinate u = x^(1/4).
+
+    With a film and its body solved together, it uses the stiffness and the stresses of both.
+    """
     if piece.state != "elastic":
         return of_whole_piece(plastic_junctions, piece, groups)
     if groups.n_E is not None:

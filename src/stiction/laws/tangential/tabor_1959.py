@@ -48,9 +48,11 @@ _ROUNDING = 1e-12
 
 @formula
 def grown_area(load, area, eta, share):
-    """The area at which the interface gives way: W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha), and no growth before.
+    """Return the area at which the interface gives way, or the area without growth.
 
-    A pressure H on the area x is the load eta x; a junction that bears more than that counts as if it bore that."""
+    W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha). A pressure H on the area x is the load eta x; a junction with a larger
+    load counts as if it carried this load.
+    """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
 

@@ -64,7 +64,10 @@ def _grows(psi, p, kappa):
 
 @formula
 def _phase(p, kappa):
-    """The phase angle at which the force is largest: regula falsi (Illinois), or pi/2."""
+    """Return the phase angle at which the force is largest, or pi/2.
+
+    By regula falsi (Illinois).
+    """
     low, high = 0.0, 0.5 * math.pi
     at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
     if at_high >= 0.0:
@@ -116,7 +119,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
 
 
 def _to_hertz(piece: NormalPiece, groups: Groups, kappa: np.ndarray) -> np.ndarray:
-    """Where the force begins to be that of Hertz's contact, a coordinate (n,)."""
+    """Return the coordinate (n,) at which the force becomes Hertz's."""
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
     S = np.sqrt(6.0 * math.pi / groups.theta)

@@ -1,4 +1,4 @@
-r"""What an asperity that was pressed beyond yield carries while it is let go, without adhesion.
+r"""Load of an asperity in unloading after yield, without adhesion.
 
 `st.unload` draws a pressed surface apart. JKR's asperities go back on their unloading branch and [Thornton and
 Ning's](#thornton_ning_1998) as their authors have it. Plastic asperities without adhesion have no published law of their own
@@ -36,10 +36,10 @@ from stiction.laws.piece import NormalPiece
 
 @formula
 def residual(w_max, load_max, area_max):
-    """Interference that stays: omega_max - 3 P/(4 E* a) at the turning point; not below zero.
+    """Return the residual interference, omega_max - 3 P/(4 E* a) at the turning point.
 
-    It would be below zero where a published law lets the load jump up, or the area down, at yield, as that of Kogut and
-    Etsion does up to 1.58 omega_c.
+    Clipped at zero: it would be negative where a published law lets the load jump up, or the area down, at yield, as Kogut and
+    Etsion's does up to 1.58 omega_c.
     """
     if not area_max > 0.0:
         return 0.0
@@ -76,8 +76,10 @@ def _overshoots(state):
 
 @cache
 def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
-    """`normal` and `coordinate` of a piece of so many parameters that is let go; two more follow: by which distance, and the
-    coordinate that is just free."""
+    """Return formulas `normal` and `coordinate` of an unloading piece.
+
+    The piece has so many parameters; two more follow: the increase in separation, and the coordinate that is just free.
+    """
 
     @formula
     def released(v, *row):
@@ -105,9 +107,11 @@ def _freeing(normal: Callable, parameters: int) -> Any:
 
     @kernel
     def fill_free(distance, table, edges, out):
-        """The coordinate at which the asperities are just free once they are let go by the distance: it grows along a piece.
-        Where the first of the piece is not free yet, the straight continuation to where it would be: the square root of the
-        distance to it is then smooth along the piece."""
+        """Fill the coordinates at which asperities are just free after unloading.
+
+        A coordinate grows along a piece. Where the first point of the piece is not free yet, the straight continuation to where
+        it would be: the square root of the distance to it is then smooth along the piece.
+        """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
             low, high = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -146,10 +150,11 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
 
 def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalPiece]:
-    """The asperities after the surfaces were drawn apart, without adhesion, by the distance (n,) over sigma, not negative.
+    """Return the asperities after the separation increased by (n,) over sigma.
 
-    pieces: of an asperity law without adhesion, as it is pressed. Summed over heights at the mean separation h, the returned
-    pieces give the load and contact area at h of a surface that was pressed to h - distance before.
+    The increase is not negative, without adhesion. pieces: of an asperity law without adhesion, in loading. Summed over heights
+    at the mean separation h, the returned pieces give the load and contact area at h of a surface that was loaded to h minus
+    the increase.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     found = []

@@ -1,4 +1,4 @@
-"""From elastic to fully plastic by degrees: how much of an asperity flows.
+"""Gradual transition from an elastic to a fully plastic asperity.
 
 Zhao, Maietta & Chang 2000: the contact area passes from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 by the
 step 3 xi^2 - 2 xi^3 in the displacement, omega_1 being where a mean pressure of 0.4 H first yields. Without adhesion the

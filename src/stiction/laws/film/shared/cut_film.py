@@ -14,12 +14,11 @@ from stiction.laws.piece import NormalPiece
 def film_regimes(
     law: Law, groups: Groups, through: np.ndarray, weights: Callable[[NormalPiece], tuple[Weights, Weights]]
 ) -> list[Regime]:
-    """The film's own law at every displacement.
+    """Return the film's own law at every displacement.
 
-    through: the displacement (n,) at which it is pressed through; weights(piece): what counts before and after
-    that.
-    film_aspect = t/sqrt(R sigma), (n,): to an asperity the film is a half-space while a < t, that is x < film_aspect^2; the
-    regimes beyond are marked.
+    through: the displacement (n,) at which it is penetrated; weights(piece): of the response before and after. film_aspect =
+    t/sqrt(R sigma), (n,): to an asperity the film is a half-space while a < t, that is x < film_aspect^2; the regimes beyond
+    are marked.
     """
     film = groups.film()
     # Where the film is a half-space to all, the stretches beyond are empty: left out.

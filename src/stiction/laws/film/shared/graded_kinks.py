@@ -111,7 +111,10 @@ def _summit(low, kink, high, at_high, law):
 
 @kernel
 def _descent(low, high, law):
-    """A place between low and high where the load falls, and its slope there; high if none is found."""
+    """Find a point between low and high where the load falls, and its slope there.
+
+    Returns high if there is none.
+    """
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
         slope = signal(NUMBERS[SLOPE], u, law, 0.0)
@@ -122,7 +125,7 @@ def _descent(low, high, law):
 
 @formula
 def _first_flowing(part, count):
-    """The first of the pieces between `count` edges where the asperity flows, or the last edge."""
+    """Find the first piece between `count` edges where the asperity flows, or the last edge."""
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
         first += 1
@@ -201,8 +204,10 @@ def _fixed_edges(law, tau, out):
 
 @kernel
 def _scan(start, top, law, places, values):
-    """Sample the signals from `start` to `top`, and return how many samples there are. A thin film has all its features close
-    to the start, where samples are as close as it fades soon."""
+    """Sample the signals from `start` to `top`, and return the number of samples.
+
+    Features of a thin film are all close to the start, where the samples are dense because it fades quickly.
+    """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
     soon = 1.0 / ((linear + math.sqrt(square)) * slope * start) if n_H != 1.0 and linear + square > 0.0 else _APART
@@ -277,8 +282,11 @@ def _fill(parameters, tau, edges, part, levels, branch):
 
 @kernel
 def _add_branches(start, at_start, law, out, first, count, branch):
-    """Fill `branch` with the branch points of the yield resistance: the first below the start, and out[first:count]. Between
-    of them there is to be an edge: a piece is rid of a square root at one of its ends only."""
+    """Fill `branch` with the branch points of the yield resistance.
+
+    The first is below the start, the others are out[first:count]. An edge separates two of them: the substitution that removes
+    a square root works at one end of a piece only.
+    """
     branch[:] = -math.inf
     found = out[first:count]
     sort_few(found)
@@ -340,8 +348,11 @@ def _gather(edges, part, wanted, out):
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
-    """Edges (n, m) of a regime that consists of the pieces of this part. They need not touch: the deepest piece comes first,
-    so that what lies between two of them is a pair of edges that does not increase, which the engine passes over."""
+    """Return edges (n, m) of a regime that consists of the pieces of this part.
+
+    The pieces need not touch. The deepest comes first, so that the gap between two of them is a pair of edges that does not
+    increase, which the engine skips.
+    """
     most = int((part == wanted).sum(axis=1).max(initial=1))
     out = np.empty((len(edges), 2 * most))
     _gather(edges, part, wanted, out)

@@ -55,18 +55,21 @@ def contact(u, S, bodies):
 
 @formula
 def fading(w, linear, square):
-    """exp(-c (w/tau)^m), the film's share in the hardness (S5.13): linear = c/tau, square = 0 for m = 1; 0, c/tau^2 for 2.
-    Continued a little to w < 0, where a branch point may be that is felt at first contact."""
+    """Return exp(-c (w/tau)^m), the film's share in the hardness (S5.13).
+
+    linear = c/tau, square = 0 for m = 1; 0, c/tau^2 for 2. Continued slightly to w < 0, where a branch point may lie that
+    affects first contact.
+    """
     return exponential(min(-w * (linear + square * w), 4.0))
 
 
 @formula
 def along(u, *row):
-    """The asperity at u, as a Regime asks for it.
+    """Return the response of the asperity at u, as a Regime requires it.
 
     row: pull = pi n_g/theta; eta, of the substrate; n_H; linear, square, as in `fading`; nu_s, nu_c, K_beta_s, K_beta_c, of
-    substrate and film; yield_s, yield_c, their yield stress over pi H_s; what `stiffness` takes; and three
-    plateaus: from u = start_i on the load is at least level_i.
+    substrate and film; yield_s, yield_c, their yield stress over pi H_s; the parameters of `stiffness`; and three plateaus:
+    from u = start_i on the load is at least level_i.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (
@@ -97,7 +100,10 @@ def along(u, *row):
 
 @formula
 def depth_coordinate(w, S, bodies):
-    """The u at which the displacement is w >= 0: Newton, kept between bounds. Displacement grows with u there."""
+    """Return the u at which the displacement is w >= 0.
+
+    By Newton's method within bounds; displacement grows with u there.
+    """
     s = 2.0 / 3.0 * S
     least, greatest = bodies[0], bodies[1]
     low = max(w**0.25, (s / math.sqrt(greatest)) ** (1.0 / 3.0))
@@ -120,7 +126,7 @@ def depth_coordinate(w, S, bodies):
 
 @formula
 def coordinate(w, *row):
-    """The inverse of `along`, of the same row; 0 where nothing touches."""
+    """Invert `along`, for the same row; return 0 where nothing touches."""
     if not w > 0.0:
         return 0.0
     return depth_coordinate(w, math.sqrt(6.0 * row[0]), row[ALONE:WHOLE]) if w < math.inf else math.inf

@@ -18,8 +18,11 @@ NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer
 
 @formula
 def signals(u, law):
-    """Functions of u whose zeros are kinks: first yield, full plasticity, the yield resistance ceases to be real in tension
-    (a branch point, S3.9), it reaches zero in compression (S3.10), and slip equals yield (S3.11, over the strength)."""
+    """Return functions of u whose zeros are kinks.
+
+    First yield; full plasticity; the yield resistance ceases to be real in tension (a branch point, S3.9); it reaches zero in
+    compression (S3.10); slip equals yield (S3.11, over the strength).
+    """
     pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
     w, _, Q, _, share = contact(u, S, law[ALONE:])
@@ -70,7 +73,7 @@ NUMBERS = np.arange(7)
 
 @kernel
 def signal(which, u, law, level):
-    """A signal, or the slope of the load, or the load less `level`."""
+    """Return a signal, the slope of the load, or the load less `level`."""
     if which < SLOPE:
         return signals(u, law)[which]
     load, slope, _ = load_before_plateaus(u, law)
@@ -79,9 +82,11 @@ def signal(which, u, law, level):
 
 @kernel
 def zero(which, low, at_low, high, at_high, law, level):
-    """A zero in a bracket: false position (Anderson & Bjorck 1973), halving now and then.
+    """Find a zero in a bracket by false position (Anderson & Bjorck 1973).
 
-    To all digits where the resistance jumps, or where pieces are so narrow that the signal, in size about 1, hardly changes."""
+    The bracket is sometimes halved. All digits are found where the resistance jumps, or where pieces are so narrow that the
+    signal, in size about 1, hardly changes.
+    """
     fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
     u = last = low
     for turn in range(90):
@@ -106,8 +111,11 @@ def zero(which, low, at_low, high, at_high, law, level):
 
 @kernel
 def beyond_zero(which, left, at_left, u, at, right, at_right, law):
-    """Whether a signal that comes near to zero at u, with the same sign on both sides, crosses it: the place and value of
-    opposite sign, or the least value found. Parabolas through three places."""
+    """Find where a signal crosses zero between two points of the same sign.
+
+    The signal nearly vanishes at u. Returns the place and value of opposite sign, or the least value found, by parabolas
+    through three points.
+    """
     for turn in range(25):
         p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
         if p == q:
@@ -138,8 +146,10 @@ def beyond_zero(which, left, at_left, u, at, right, at_right, law):
 
 @formula
 def comes_near(before, here, there, small):
-    """Whether three samples of one sign turn near zero: the middle one is below `small`, or a parabola through them comes well
-    nearer to zero."""
+    """Return whether three samples of one sign turn near zero.
+
+    The middle one is below `small`, or a parabola through them comes much closer to zero.
+    """
     rise, bend = there - before, there - 2.0 * here + before
     turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
     near = rise * rise > 8.0 * NEARER * bend * here or abs(here) < small

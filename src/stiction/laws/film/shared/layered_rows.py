@@ -1,4 +1,4 @@
-"""What the formulas of a sphere on a film are told of each contact: parameters from its groups."""
+"""Parameters of the formulas for a sphere on a film, from groups of each contact."""
 
 import math
 
@@ -12,8 +12,11 @@ from stiction.solvers.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The parameters (n,) that `solvers.layered.asperity` takes, for contacts with a film whose groups are complete
-    (`resolved`). pull: of adhesion, as the formulas take it. Raises InputError for bodies that cannot be."""
+    """Return the parameters (n,) of `solvers.layered.asperity`.
+
+    The contacts have a film, and their groups are complete (`resolved`). pull: of adhesion, as the formulas take it. Raises
+    InputError for impossible bodies.
+    """
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)
     return (
@@ -25,7 +28,10 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def coefficients(groups: Groups) -> np.ndarray:
-    """The curves (n, CURVES, TERMS) of all contacts: each pair of materials is looked up once."""
+    """Return the curves (n, CURVES, TERMS) of all contacts.
+
+    Each pair of materials is looked up once.
+    """
     given = columns_of(groups)
     if (given == given[:, :1]).all():
         return np.broadcast_to(_curves(given[:, :1]), (len(groups), *_curves(given[:, :1]).shape[1:]))
@@ -34,7 +40,7 @@ def coefficients(groups: Groups) -> np.ndarray:
 
 
 def _curves(given: np.ndarray) -> np.ndarray:
-    """The same of the rows of `columns_of` (6, n)."""
+    """Return the curves for the rows of `columns_of` (6, n)."""
     n_E, bodies, first, nu, nu_first, nu_second = given
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
     share, ratio = film_share(given)
@@ -49,10 +55,10 @@ def _curves(given: np.ndarray) -> np.ndarray:
 
 
 def edge_pull(groups: Groups) -> np.ndarray:
-    """s of JKR's adhesion."""
+    """Return s of JKR's adhesion."""
     return 2.0 / 3.0 * np.sqrt(6.0 * math.pi * groups.n_g / groups.theta)
 
 
 def outer_pull(groups: Groups) -> np.ndarray:
-    """DMT's, which is that of a plastic asperity too."""
+    """Return DMT's pull, which a plastic asperity has too."""
     return 2.0 * math.pi * groups.n_g / groups.theta

@@ -1,4 +1,4 @@
-"""Where an asperity on a film yields, and how it goes on: an asperity law with the modulus and hardness felt there.
+"""Yield of an asperity on a film, by the modulus and hardness at its depth.
 
 It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
 hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From
@@ -50,12 +50,15 @@ class Hardness:
 
 @cache
 def _onset(along: Any, hardness: Any, parameters: int) -> Any:
-    """The kernel that finds where the mean pressure first reaches a multiple of the hardness there."""
+    """Return the kernel that finds where the mean pressure first reaches the hardness.
+
+    The hardness there is multiplied by a constant.
+    """
     edge = along is edged
 
     @formula
     def excess(u, given):
-        """Load less that of yield on the same area."""
+        """Return the load less the yield load on the same area."""
         row, pressure, (n_H, tau, constant, exponent) = given
         _, _, load, area = along(u, *row)
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
@@ -89,8 +92,11 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
 
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
-    """The groups of a half-space of these (n,), over the bodies' without a film, with the film's work of adhesion. Poisson's
-    ratio, which some laws ask for where they yield, passes from the film's to the substrate's with the place z."""
+    """Return the groups of an equivalent half-space (n,), over the bare bodies'.
+
+    They use the film's work of adhesion. Poisson's ratio, which some laws need at yield, passes from the film's to the
+    substrate's with z, the position between film and substrate.
+    """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
         theta=None if theta is None else theta * modulus / groups.n_g,
@@ -104,7 +110,10 @@ def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.nd
 def cut_at_yield(
     elastic: NormalPiece, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
 ) -> tuple[NormalPiece, list[NormalPiece]]:
-    """The elastic piece up to where it yields, and the pieces that follow. pull (n,): of the adhesion of a plastic asperity."""
+    """Return the elastic piece up to yield, and the pieces that follow.
+
+    pull (n,): of the adhesion of a plastic asperity.
+    """
     ones = np.ones(len(groups))
     pieces = law.pieces(felt(groups, groups.n_E, hardness.n_H, -ones))
     if all(piece.state == "elastic" for piece in pieces):
@@ -136,7 +145,7 @@ def _last_elastic(pieces: list[NormalPiece]) -> NormalPiece:
 
 
 def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalPiece]:
-    """The pieces after the elastic ones, moved to where the layered contact yields."""
+    """Return the pieces after the elastic ones, moved to where the layered contact yields."""
     first, last = _last_elastic(pieces), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
@@ -181,7 +190,7 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 @cache
 def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """The formulas of a piece of so many parameters, moved.
+    """Return the moved formulas of a piece of so many parameters.
 
     After them: what is added to displacement and load, the modulus, what is added to the area, the pull, 1 over the hardness at
     yield, what depth is more than displacement, and the parameters of the hardness.

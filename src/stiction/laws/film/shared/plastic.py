@@ -8,7 +8,7 @@ from stiction.laws.piece import NormalPiece, displaced, edges_at
 
 @formula
 def normal(w, pressure):
-    """A = 2 w, P = p A; pressure: over the hardness of the substrate, times eta."""
+    """Return A = 2 w, P = p A; pressure: over the hardness of the substrate, times eta."""
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
 

@@ -1,4 +1,4 @@
-"""A coated contact of two bodies: what film and substrate make of each, and both together.
+"""A coated contact of two bodies: the effect of film and substrate on each and both.
 
 A composite gives the modulus of one half-space and its film. In contact the two half-spaces are in series: with one of them
 coated the other stays as it is, with both each has half of the thickness. E*/E*_bare is then
@@ -18,8 +18,11 @@ from stiction.engine.compiled import formula
 
 @dataclass(frozen=True)
 class TwoBodies:
-    """Arrays (n,) of n coated contacts. first, second: E'_f/E'_i, second without meaning where the other body is bare; share: s
-    of the coated body; films: 1 or 2; nu, nu_first, nu_second: of the film itself and of the bodies."""
+    """Arrays (n,) that describe n coated contacts of two bodies.
+
+    first, second: E'_f/E'_i, second without meaning where the other body is bare; share: s of the coated body; films: 1 or 2;
+    nu, nu_first, nu_second: of the film itself and of the bodies.
+    """
 
     first: np.ndarray
     second: np.ndarray
@@ -52,7 +55,10 @@ class TwoBodies:
         return cls(film_over_substrate, 0.0 * one, one, one, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """The same, with the bodies' own modulus in place of the film's where there is none."""
+        """Return the same bodies with their own modulus in place of the film's.
+
+        Only where there is no film.
+        """
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
@@ -69,7 +75,7 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Film's modulus over that of the bodies under it (n,): of two in series as they are."""
+        """Return the film's modulus over the bodies' in series (n,)."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 

@@ -52,8 +52,11 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
 
 
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
-    """What resists beyond the displacement tau, without load and area: of the film at all of the displacement and the substrate
-    at what is left of it, the weaker; in units of the substrate. law: with a tangential law that is not of the interface."""
+    """Return the weaker resistance beyond the displacement tau, without load and area.
+
+    It is the smaller of the film's at the whole displacement and the substrate's at the rest, in substrate units. law: with a
+    tangential law that is not of the interface.
+    """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
     film = [law.join(piece, film_groups, Weights(unit=groups.n_E)) for piece in law.pieces(film_groups)]
@@ -105,7 +108,7 @@ def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray)
 
 
 def _mapped(above: Regime, at: int, piece, tau: np.ndarray) -> np.ndarray:
-    """An edge of the film's regime as a coordinate of the substrate's piece."""
+    """Convert an edge of the film's regime to a coordinate of the substrate's piece."""
     edge = above.edges[:, at]
     finite = np.isfinite(edge)
     w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]

@@ -25,7 +25,7 @@ _MOST = 4  # places on a piece where an asperity begins to slide, or no longer d
 
 @cache
 def _slipping(resistance: Callable, own: int) -> Any:
-    """The formula of force and energy lost in a cycle, of a strength with so many parameters."""
+    """Return the formula of force and energy lost in a cycle, of so many parameters."""
     compliance, moved, left = own, own + 1, own + 2
 
     @formula
@@ -48,7 +48,7 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
     @formula
     def not_yet(u, row):
-        """Positive where the displacement at which the asperity slides is still to come."""
+        """Return a positive number until the asperity slides."""
         w, _, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:whole])
         return 1.5 * (slip_limited + yield_limited) - row[whole + 1] * stiffness(max(area, 0.0), row[whole])
@@ -57,10 +57,10 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: float) -> TangentialLaw:
-    """The tangential law of contacts that are moved by the displacements (n,) over sigma: its slip-limited part is the force
-    that they carry, its yield-limited part the energy lost in a cycle of that amplitude, in the unit of force times sigma.
+    """Return the tangential law of contacts displaced by (n,) over sigma.
 
-    kept: the share of its strength that an asperity keeps once it slides.
+    Its slip-limited part is the force that they carry, its yield-limited part the energy lost in a cycle of that amplitude, in
+    the unit of force times sigma. kept: the share of its strength that an asperity keeps once it slides.
     """
 
     def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
@@ -94,7 +94,10 @@ def _sticking(resistance: Callable, own: int) -> Any:
 
 
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
-    """The slope of that force at rest: the stiffness of the contacts that have a strength."""
+    """Return the slope of that force at rest.
+
+    It is the stiffness of the contacts that have a strength.
+    """
 
     def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
         strength = tangential.tangential_resistance(piece, groups, **options)
@@ -111,7 +114,10 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
 
 
 def _begins(piece: NormalPiece, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
-    """Coordinates (n, 4) at which an asperity is just about to slide; the first of the piece for none."""
+    """Return coordinates (n, 4) at which an asperity is about to slide.
+
+    The first of the piece for none.
+    """
     edges = with_kinks(piece.edges, strength.kinks)
     edges = np.ascontiguousarray(np.minimum(edges, coordinates(piece, _DEEPEST)[:, None]))
     excess = _not_yet(piece.normal, len(piece.parameters), strength.resistance, len(strength.parameters))

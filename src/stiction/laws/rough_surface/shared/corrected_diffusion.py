@@ -44,8 +44,10 @@ class _Table:
 
 
 def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
-    """A/A0 at the reduced pressures p / (E* h') >= 0, any shape. rate: S, of arrays of A/A0, positive and 1 at 1; the same
-    function each time, since its table is kept."""
+    """Return A/A0 at the reduced pressures p / (E* h') >= 0, any shape.
+
+    rate: S, of arrays of A/A0, positive and 1 at 1; the same function each time, since its table is stored.
+    """
     table = _table(rate)
     goal = np.asarray(pressure, dtype=float)
     x = np.clip(goal, 1e-150, _FULL)
@@ -85,7 +87,9 @@ def _table(rate: Rate) -> _Table:
 
 
 def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension. share: A/A0 at reduced
-    pressures p / (E* h')."""
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    No contact under tension. share: A/A0 at reduced pressures p / (E* h').
+    """
     density = groups.roughness_parameter[:, None]
     return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)

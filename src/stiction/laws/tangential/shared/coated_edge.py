@@ -25,8 +25,10 @@ def _curve(z, row):
 
 @formula
 def edge_root(u, load, area, row):
-    """The discriminant of D (A P^2 + 2 B P T + T^2) = S^2, S the yield stress times the area, and its larger root, which counts
-    where both are above 0; as `Force` has them. row: of `edge_columns`."""
+    """Return the discriminant and larger root of D (A P^2 + 2 B P T + T^2) = S^2.
+
+    S is the yield stress times the area. The root counts where both are above 0, as `Force` requires. row: of `edge_columns`.
+    """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
     strength = row[0] * area
@@ -36,8 +38,10 @@ def edge_root(u, load, area, row):
 
 
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
-    """What `edge_root` is told of contacts with a film, columns (n,). groups: complete. Without a film it is
-    the body that yields."""
+    """Return the parameters of `edge_root` for contacts with a film, columns (n,).
+
+    groups: complete. Without a film the body yields.
+    """
     laws = len(groups)
     different, which = bodies_of(groups)
     curves = np.array([edge_curves(one) for one in different])[which]
@@ -48,7 +52,7 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
-    """The curves (n, FORMS, ...) of half-spaces of these Poisson's ratios (n,)."""
+    """Return the curves (n, FORMS, ...) of half-spaces of these Poisson's ratios (n,)."""
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
     curves = np.zeros((len(nu), FORMS, _WIDTH))

@@ -47,8 +47,10 @@ def _softness(u, root, curve):
 
 @formula
 def _narrower(start, c, load, row):
-    """The largest u at which P_H - c L is the load, from a wider one, by the secant method; less than nothing where it nowhere
-    is."""
+    """Return the largest u at which P_H - c L is the load.
+
+    By the secant method from a wider one; negative where it never is.
+    """
     u = start
     before = before_u = slope = 0.0
     for step in range(_MOST_STEPS):
@@ -68,7 +70,10 @@ def _narrower(start, c, load, row):
 
 @formula
 def _largest(start, load, row, root, curve):
-    """The largest T^2 theta zeta/(32 pi n_g) over c, by golden sections: it rises to it from either side."""
+    """Return the largest T^2 theta zeta/(32 pi n_g) over c, by golden sections.
+
+    It rises to its maximum from either side.
+    """
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
     for _ in range(_NARROWING):
@@ -94,8 +99,10 @@ def _largest(start, load, row, root, curve):
 
 @kernel
 def _fill(rows, root, curves, first, out):
-    """out[i]: sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on; negative on contacts that a given load would
-    tear off, whose wider likes carry the same."""
+    """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on.
+
+    Negative on contacts that a constant load would tear off: wider ones carry the same load.
+    """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
         for at in range(PIECES):
@@ -114,9 +121,11 @@ def _fill(rows, root, curves, first, out):
 
 
 def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
-    """What `peeling_force` is told, columns (n,), on the JKR asperity of a film law that solves film and body as
-    one; and the coordinates (n, 1) at which the force of a contact that is drawn apart vanishes. groups: complete, of contacts
-    with a film. What never peels (`peeling` 0) has a force without end."""
+    """Return the parameters of `peeling_force`, columns (n,), and a coordinate (n, 1).
+
+    The asperity is JKR's, in a film law that solves film and body together. At the coordinate the force of a contact vanishes
+    in unloading. groups: complete, of contacts with a film. Without peeling (`peeling` 0) the force is infinite.
+    """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
     curve, vanishes = _curves(piece, groups)
@@ -124,8 +133,10 @@ def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarra
 
 
 def _curves(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Where the curve starts, and its coefficients, columns (n,); and the coordinate (n,) at which the force vanishes, or the
-    first."""
+    """Return the start of the curve and its coefficients, columns (n,), and a coordinate (n,).
+
+    At the coordinate the force vanishes; otherwise it is the first.
+    """
     laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
     different, which = bodies_of(groups)
     shapes = np.array([shear_curve(one) for one in different])[which]

@@ -31,8 +31,10 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """N over the yield stress of the body at p = (a/t)^(1/2), in a direction of ANGLES: of film or body, whichever is
-    larger."""
+    """Return N over the yield stress of the body at p = (a/t)^(1/2).
+
+    In a direction of ANGLES; of film or body, whichever is larger.
+    """
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
     at = int(place)
     share = place - at
@@ -43,7 +45,10 @@ def _norms_at(p, table, angle, film_strength, film):
 
 @formula
 def _traction(p, s, table, film_strength, film):
-    """The square of the mean traction at which it yields under the mean pressure s, both over the body's yield stress."""
+    """Return the squared mean traction at yield under the mean pressure s.
+
+    Both are over the body's yield stress.
+    """
     before_s = before_q = 0.0
     for angle in range(_ANGLES):
         norm = _norms_at(p, table, angle, film_strength, film)
@@ -69,8 +74,10 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     @kernel
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
-        """place[i]: the coordinate where the load alone yields, what ln(1 + p) counts p in, and 1 over ln(1 + p) there;
-        out[i]: the square of the traction at the knots."""
+        """Fill place[i] and out[i], the squared traction at the knots.
+
+        place[i]: the coordinate where the load alone yields, the unit of p in ln(1 + p), and 1 over ln(1 + p) there.
+        """
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
             given = row, scale[i], root[i], table, film_strength[i], film[i]
@@ -101,9 +108,12 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """For the elastic piece of a film law that solves film and body as one: where the load alone yields, what `strength_at`
-    counts the coordinate in, 1 over its ln(1 + p) there, and the coefficients, columns (n,); and the
-    coordinates (n, k) of its bends. groups: complete, of contacts with a film."""
+    """Tabulate the strength of the elastic piece of a film law, columns (n,).
+
+    The law solves film and body together. The columns are: where the load alone yields, the unit of the coordinate in
+    `strength_at`, 1 over its ln(1 + p) there, and the coefficients. Also returns the coordinates (n, k) of its bends. groups:
+    complete, of contacts with a film.
+    """
     laws = len(groups)
     different, which = bodies_of(groups)
     tables = np.exp(np.stack([_table(one) for one in different]))
@@ -122,6 +132,6 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 @formula
 def strength_at(u, unit, scale, coefficients):
-    """The square of the traction; nothing where the spline, next to its end, is below it."""
+    """Return the squared traction; 0 where the spline, next to its end, is negative."""
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)

@@ -11,8 +11,10 @@ PIECES = 56
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """From values at the PIECES + 1 knots to the PIECES + 3 coefficients of the B-splines (a matrix): not-a-knot at both
-    ends."""
+    """Return the matrix from PIECES + 1 values at knots to PIECES + 3 coefficients.
+
+    The coefficients are of B-splines, not-a-knot at both ends.
+    """
     from scipy.interpolate import BSpline  # slow to import
 
     knots = np.arange(-3.0, PIECES + 4.0)
@@ -24,7 +26,7 @@ def to_coefficients() -> np.ndarray:
 
 @formula
 def spline(y, coefficients):
-    """The value at y, 0 to 1."""
+    """Return the value at y, 0 to 1."""
     place = min(y * PIECES, PIECES - 1e-9)
     at = int(place)
     t = place - at

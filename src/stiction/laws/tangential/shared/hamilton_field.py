@@ -16,11 +16,11 @@ Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.nd
 
 
 def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
-    """The six stresses (x, y, z, xy, yz, xz) over p0 below a contact that carries the pressure p0 sqrt(1 - r^2) and is dragged
-    in the direction +x by mu times that.
+    """Return the six stresses (x, y, z, xy, yz, xz) over p0 below a dragged contact.
 
-    x, y, z: place over a, z >= 0 into the half-space; mu: tangential over normal force, any sign; nu: Poisson's ratio, 0 to
-    0.5. Arrays that broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
+    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times that as traction. x, y, z: place over
+    a, z >= 0 into the half-space; mu: tangential over normal force, any sign; nu: Poisson's ratio, 0 to 0.5. Arrays that
+    broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
     xx, yy, zz, xy, yz, xz = (one + mu * other for one, other in zip(normal, tangential, strict=True))
@@ -80,13 +80,16 @@ def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def von_mises(stress: Stress) -> np.ndarray:
-    """The von Mises stress of six stresses in the order of `stress`: the yield stress of a test in tension where it yields."""
+    """Return the von Mises stress of six stresses in the order of `stress`.
+
+    At yield it equals the yield stress of a tensile test.
+    """
     x, y, z, xy, yz, xz = stress
     return np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * (xy * xy + yz * yz + xz * xz))
 
 
 def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
-    """The load at which a dragged contact first yields anywhere, after von Mises, and where.
+    """Return the load at which a dragged contact first yields (von Mises), and where.
 
     mu: tangential over normal force, 0 or more; nu: Poisson's ratio, 0 to 0.5. Returns p0/Y and the place (x, z) over a, in the
     plane y = 0, where the largest stress always is; x < 0 is behind. p0/Y is good to 1e-12.
@@ -104,8 +107,11 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
 def least_over(
     function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The least of function(x, z) near each of the places x, z (arrays that broadcast), by ever finer grids around the best
-    place so far; z >= 0. Returns x, z, good to 1e-7 at best, and the value there, good to the square of that."""
+    """Return the least of function(x, z) near each of the places x, z.
+
+    Arrays that broadcast; z >= 0. Ever finer grids surround the best place so far. Returns x, z, good to 1e-7 at best, and the
+    value there, good to the square of that.
+    """
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
     step_x, step_z = (one.ravel() for one in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
     while max(reach_x, reach_z) > 1e-7:

@@ -38,8 +38,10 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """A formula of numbers that change their sign where the forces cross or yield leaves nothing, and where its force is real
-    no more."""
+    """Return a formula of numbers that change sign at the kinks.
+
+    The kinks are where the forces cross, where yield leaves no force, and where its force ceases to be real.
+    """
     of_yield = parameters + width
 
     @formula
@@ -54,7 +56,7 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
 
 
 def lesser_of(piece: NormalPiece, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
-    """Of the elastic piece of an adhesive asperity. kinks (n, k): of either force, known beforehand."""
+    """Return the smaller force on the elastic piece of an adhesive asperity."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
     found = turns(signed, piece, own, 2, _MOST)

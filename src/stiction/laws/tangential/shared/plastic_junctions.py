@@ -20,7 +20,7 @@ LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman
 
 
 def of_whole_piece(plastic_junctions: str, piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """The resistance of a piece to which the law that has the option gives none."""
+    """Return the resistance of a whole piece by the option plastic_junctions."""
     if plastic_junctions == NO_JUNCTIONS:
         return None
     law = find(plastic_junctions, TangentialLaw)
@@ -43,7 +43,10 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, piece: NormalPiece, groups: Groups
 ) -> TangentialResistance:
-    """The published resistance, and from the displacement `start` (n,) on, which is one of its kinks, that of the option."""
+    """Return the published resistance, followed by the option's from `start` (n,) on.
+
+    `start` is a displacement, one of the kinks of the published resistance.
+    """
     other = of_whole_piece(plastic_junctions, piece, groups)
     if other is None:
         return published

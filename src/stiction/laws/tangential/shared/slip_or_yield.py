@@ -24,7 +24,10 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 
 @formula
 def _shape(nu, K_beta):
-    """What of G depends on the material: coefficients of r^2, r y (y-1) and y^2 (y-1)^2, s = g r."""
+    """Return the coefficients of G that depend on the material.
+
+    They multiply r^2, r y (y-1) and y^2 (y-1)^2, s = g r.
+    """
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
     return (p * p + q * q - p * q) * g * g, 3.0 * n * (p - q) * g, 3.0 * n * n
@@ -53,9 +56,11 @@ def _steepness(y, shape, printed):
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """A zero of the steepness between two places (the second of them, if its sign is the same at both): regula falsi, Illinois
-    variant. To 1e-8, which is enough: G is flat there, so a crossing between this and the true turning point is within
-    1e-16 of touching."""
+    """Find a zero of the steepness between two places by regula falsi (Illinois).
+
+    Returns the second of them if its sign is the same at both. To 1e-8, which is enough: G is flat there, so a crossing between
+    this and the true turning point is within 1e-16 of touching.
+    """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
         return high
@@ -106,8 +111,10 @@ def _dip(nu, shape, printed):
 
 @formula
 def _crossing(low, high, level, shape, printed):
-    """The v in (low, high), where G is monotonic, with G(v^3) = level; `high` if there is none. Newton on the fourth root of G,
-    which is nearly straight where v is large, bracketed."""
+    """Find the v in (low, high), where G is monotonic, with G(v^3) = level.
+
+    Returns `high` if there is none. Bracketed Newton on the fourth root of G, which is nearly straight where v is large.
+    """
     if not high > low:
         return high
     above = _numerator(low**3, shape, printed)[0] > level * low**8
@@ -131,8 +138,10 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks below the touching point: the slip resistance vanishes at y = 1/2, and G turns once on
-    either side of that."""
+    """Fill out[0:6] with the kinks below the touching point.
+
+    The slip resistance vanishes at y = 1/2, and G turns once on either side.
+    """
     lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
     left = _turning_point(_LOST, _NO_SLIP - 1e-9, shape, False) ** (1.0 / 3.0)
     right = _turning_point(_NO_SLIP + 1e-9, _TOUCH, shape, False) ** (1.0 / 3.0)

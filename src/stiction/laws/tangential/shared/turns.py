@@ -49,8 +49,11 @@ def _finding(signed: Callable, parameters: int) -> Any:
 
 
 def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
-    """Coordinates (n, numbers, most) of the piece at which each of the numbers that signed(u, row) gives changes its sign, the
-    first coordinate for none. signed: a formula; row: the parameters of the piece, and these (n,)."""
+    """Return coordinates (n, numbers, most) at which numbers change their sign.
+
+    The numbers are those from signed(u, row) along the piece; the first coordinate for none. signed: a formula; row: the
+    parameters of the piece, and these (n,).
+    """
     laws = len(piece.edges)
     whole, out = (*piece.parameters, *parameters), np.empty((laws, numbers, most))
     _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(piece.edges), out)

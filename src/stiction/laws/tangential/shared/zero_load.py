@@ -24,8 +24,11 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
     @kernel
     def fill_zeros(table, edges, out):
-        """out[i]: the coordinate at which the load of law i becomes positive; the first where it is not in tension there, the
-        last where it stays in tension. Steps that double, then bisection: right if the load changes its sign once."""
+        """Fill out[i] with the coordinate at which the load of law i becomes positive.
+
+        The first where it is not in tension there, the last where it stays in tension. Steps that double, then bisection: right
+        if the load changes its sign once.
+        """
         for i in range(out.size):
             row = unpack(table[i], parameters)
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -46,8 +49,10 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
 
 def zero_load(piece: NormalPiece) -> np.ndarray | None:
-    """Coordinates (n,) at which the load of a piece turns from tension to compression; the nearer end where it does not; None
-    for a piece without length."""
+    """Return coordinates (n,) at which the load turns from tension to compression.
+
+    The nearer end where it does not; None for a piece without length.
+    """
     laws, count = piece.edges.shape
     if count < 2:
         return None
