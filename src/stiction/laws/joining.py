@@ -250,7 +250,10 @@ def states(regime: Regime, u: np.ndarray) -> np.ndarray:
 
 
 def normal_states(piece: NormalPiece, u: np.ndarray) -> np.ndarray:
-    """Displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
+    """Return displacement, its derivative, load and contact area (n, 4).
+
+    At the coordinates u (n,).
+    """
     return _values(piece.normal, piece.parameters, u, 4)
 
 

@@ -39,7 +39,7 @@ from stiction.records.sources import Source
 
 
 def factor(groups: Groups) -> np.ndarray:
-    """Strength (n,) over that at first, 1 + m ln(1 + t_w/t_c)."""
+    """Return the strength (n,) over its initial value, 1 + m ln(1 + t_w/t_c)."""
     return 1.0 + groups.strengthening * np.log1p(groups.waiting)
 
 

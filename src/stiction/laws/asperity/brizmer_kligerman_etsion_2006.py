@@ -43,24 +43,33 @@ _SPLITS = (4.0,)
 
 
 def yield_coefficient(nu):
-    """C_nu = 1.234 + 1.256 nu: largest pressure over yield stress at first yield of a frictionless contact. Arrays."""
+    """Return C_nu = 1.234 + 1.256 nu.
+
+    It is the largest pressure over yield stress at first yield of a frictionless contact. Arrays.
+    """
     return 1.234 + 1.256 * nu
 
 
 def load_of_stick(nu):
-    """Critical load in full stick over that in slip: 8.88 nu - 10.13 (nu^2 + 0.089), held below nu = 0.2. Arrays."""
+    """Return the critical load in full stick over its value in slip.
+
+    It is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. Arrays.
+    """
     nu = np.maximum(nu, LEAST_NU)
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
 def interference_of_stick(nu):
-    """Critical interference in full stick over that in slip: 6.82 nu - 7.83 (nu^2 + 0.0586), held below nu = 0.2. Arrays."""
+    """Return the critical interference in full stick over its value in slip.
+
+    It is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. Arrays.
+    """
     nu = np.maximum(nu, LEAST_NU)
     return 6.82 * nu - 7.83 * (nu * nu + 0.0586)
 
 
 def critical_values(eta, nu, k):
-    """Interference delta_c and load L_c at first yield in full stick. Arrays.
+    """Return interference delta_c and load L_c at first yield in full stick. Arrays.
 
     In slip delta_c = (pi C_nu (1 - nu^2) Y/(2 E))^2 R, Hertz's with the largest pressure C_nu Y; here with E/(1 - nu^2) = E* of
     any pair and Y = H/k, which is ((2/3) C_nu eta/k)^2, and L_c its load.
@@ -84,7 +93,10 @@ _LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
 
 @formula
 def yielding(u, w_c, stiffness, load_power, area_power):
-    """P/L_c = ratio^1.5 (1 - exp(1/(1 - ratio^beta))), A/A_c = ratio (1 + exp(1/(1 - ratio^alpha))), ratio = delta/delta_c."""
+    """Return load and area beyond first yield, with ratio = delta/delta_c.
+
+    P/L_c = ratio^1.5 (1 - exp(1/(1 - ratio^beta))), A/A_c = ratio (1 + exp(1/(1 - ratio^alpha))).
+    """
     w = u * u
     growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little before delta_c
     load = -math.expm1(-1.0 / math.expm1(load_power * growth))

@@ -35,7 +35,10 @@ def hardness_coefficient(nu):
 
 
 def critical_interference(eta, K_H):
-    """omega_c / sigma = ((2/3) K_H eta)^2, from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K. Arrays."""
+    """Return omega_c / sigma = ((2/3) K_H eta)^2. Arrays.
+
+    From omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
+    """
     return (2.0 / 3.0 * K_H * eta) ** 2
 
 

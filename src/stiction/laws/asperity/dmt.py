@@ -26,7 +26,10 @@ from stiction.records.sources import Source
 
 @formula
 def normal(u, theta):
-    """Displacement w = u^2, its slope, load w^(3/2) - 2 pi/theta, area w (over pi R sigma)."""
+    """Return displacement w = u^2, its slope, load and area.
+
+    The load is w^(3/2) - 2 pi/theta, the area w (over pi R sigma).
+    """
     w = u * u
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w
 

@@ -65,7 +65,7 @@ _STEPS = 64
 
 
 def elastic_share(hardening):
-    """1 - exp(-3.3 E_t/E): how far the load is on its way to Hertz's (eq 30). Arrays."""
+    """Return 1 - exp(-3.3 E_t/E), the weight of Hertz's load (eq 30). Arrays."""
     return -np.expm1(-3.3 * hardening)
 
 
@@ -124,7 +124,7 @@ def yielding(u, *row):
 
 @formula
 def _is_narrow(w, given):
-    """Whether the contact radius is below R."""
+    """Return whether the contact radius is below R."""
     w_c, B, sharpness, front, rate = given
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
 
@@ -134,9 +134,9 @@ _halve = halving(_is_narrow)
 
 @kernel
 def _wide_as_high(w_c, B, sharpness, front, rate, out):
-    """Displacement beyond 1.9 omega_c at which a = R for the first time; 1.9 omega_c if a >= R already.
+    """Return the first displacement beyond 1.9 omega_c at which a = R.
 
-    With little hardening a may fall below R again, before omega = R: hence the steps.
+    It is 1.9 omega_c if a >= R already. With little hardening a may fall below R again, before omega = R: hence the steps.
     """
     for i in range(out.size):
         given = w_c[i], B[i], sharpness[i], front[i], rate[i]

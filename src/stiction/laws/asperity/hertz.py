@@ -44,19 +44,25 @@ from stiction.records.sources import Source
 
 @formula
 def load(w):
-    """P = w^(3/2), over K R^(1/2) sigma^(3/2), K = (4/3) E*."""
+    """Return P = w^(3/2), over K R^(1/2) sigma^(3/2), K = (4/3) E*."""
     return w * math.sqrt(w)
 
 
 @formula
 def normal(u):
-    """Displacement w = u^2, its slope, load w^(3/2), area w (over pi R sigma)."""
+    """Return displacement w = u^2, its slope, load w^(3/2) and area w.
+
+    The area is over pi R sigma.
+    """
     w = u * u
     return w, 2.0 * u, w * u, w
 
 
 def elastic(last: np.ndarray) -> NormalPiece:
-    """Hertz's piece from first touch to the displacements `last` (n,), where some law takes over."""
+    """Return Hertz's piece from first touch to the displacements `last` (n,).
+
+    Another law continues there.
+    """
     return NormalPiece(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
 
@@ -74,7 +80,10 @@ def first_yield(nu: float) -> tuple[float, float]:
     from scipy.optimize import brentq
 
     def slope(z):
-        """d(sigma_r - sigma_z)/dz: falls from (1 + nu) pi/2 at the surface to below zero at z = 1."""
+        """Return d(sigma_r - sigma_z)/dz.
+
+        It falls from (1 + nu) pi/2 at the surface to below zero at z = 1.
+        """
         return (1.0 + nu) * (math.atan2(1.0, z) - z / (1.0 + z * z)) - 3.0 * z / (1.0 + z * z) ** 2
 
     z = brentq(slope, 0.0, 1.0, xtol=1e-14)

@@ -58,12 +58,18 @@ _SPLITS = (1e3, 1e5)
 
 
 def yield_coefficient(nu):
-    """C = 1.295 exp(0.736 nu): largest pressure over yield stress at first yield. Arrays."""
+    """Return C = 1.295 exp(0.736 nu), largest pressure over yield stress at first yield.
+
+    Arrays.
+    """
     return 1.295 * np.exp(0.736 * nu)
 
 
 def critical_interference(eta, C, k):
-    """omega_c / sigma = ((2/3) C eta/k)^2, from omega_c = (pi C S_y/(2 E*))^2 R with S_y = H/k. Arrays."""
+    """Return omega_c / sigma = ((2/3) C eta/k)^2. Arrays.
+
+    From omega_c = (pi C S_y/(2 E*))^2 R with S_y = H/k.
+    """
     return (2.0 / 3.0 * C * eta / k) ** 2
 
 
@@ -83,20 +89,26 @@ def area_ratio(ratio, B):
 
 @formula
 def hardness(radius):
-    """H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7)))."""
+    """Return H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7)))."""
     return -2.84 * math.expm1(-0.82 * radius**-0.7)
 
 
 @formula
 def load_ratio(ratio, C, H):
-    """P/P_c, with H = H_G/S_y: exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio."""
+    """Return P/P_c, with H = H_G/S_y.
+
+    exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio.
+    """
     elastic = math.exp(-0.25 * ratio ** (5.0 / 12.0)) * math.sqrt(ratio)
     return ratio * (elastic - 4.0 * H / C * math.expm1(-(ratio ** (5.0 / 9.0)) / 25.0))
 
 
 @formula
 def yielding(u, w_c, C, B, sharpness):
-    """Beyond 1.9 omega_c; P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3 is Hertz's load at omega_c, and a/R = sqrt(x sigma/R)."""
+    """Return the response beyond 1.9 omega_c.
+
+    P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3 is Hertz's load at omega_c, and a/R = sqrt(x sigma/R).
+    """
     w = u * u
     ratio = w / w_c
     area = w * area_ratio(ratio, B)

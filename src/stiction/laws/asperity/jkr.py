@@ -41,38 +41,50 @@ from stiction.records.sources import Source
 
 @formula
 def adhesion(theta):
-    """S = sqrt(6 pi / theta), the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper."""
+    """Return S = sqrt(6 pi / theta).
+
+    It is the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper.
+    """
     return math.sqrt(6.0 * math.pi / theta)
 
 
 @formula
 def displacement(u, S):
-    """Real displacement w = x - (2/3) S x^(1/4) (eq 4 of the 2015 paper), over sigma."""
+    """Return the real displacement w = x - (2/3) S x^(1/4), over sigma.
+
+    Eq 4 of the 2015 paper.
+    """
     return u * (u * u * u - 2.0 / 3.0 * S)
 
 
 @formula
 def stretch(u, S):
-    """dw/du."""
+    """Return dw/du."""
     return 4.0 * u * u * u - 2.0 / 3.0 * S
 
 
 @formula
 def load(u, S):
-    """P = x^(3/2) - S x^(3/4) (integrand of eq 1 of the 2015 paper), over K R^(1/2) sigma^(3/2)."""
+    """Return P = x^(3/2) - S x^(3/4), over K R^(1/2) sigma^(3/2).
+
+    Integrand of eq 1 of the 2015 paper.
+    """
     u3 = u * u * u
     return u3 * (u3 - S)
 
 
 @formula
 def area(u):
-    """x = a^2 / (R sigma): contact area over pi R sigma."""
+    """Return x = a^2 / (R sigma), the contact area over pi R sigma."""
     return u * u * u * u
 
 
 @formula
 def coordinate(w, S):
-    """u >= 0 with displacement w, on the stable side dw/du >= 0: Newton from above on a convex polynomial."""
+    """Return u >= 0 with displacement w, on the stable side dw/du >= 0.
+
+    By Newton's method from above on a convex polynomial.
+    """
     if w == math.inf:
         return math.inf
     s = 2.0 / 3.0 * S
@@ -101,13 +113,19 @@ def normal_coordinate(w, theta):
 
 
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
-    """u (n,) at which an asperity first holds: loading, where w = 0 (4 u^3 = 4 s); unloading, where dw/du = 0 (4 u^3 = s)."""
+    """Return u (n,) of the smallest stable contact.
+
+    In loading where w = 0 (4 u^3 = 4 s); in unloading where dw/du = 0 (4 u^3 = s).
+    """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)
 
 
 def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
-    """JKR's piece from first contact to the coordinates `last` (n,), where some law takes over."""
+    """Return JKR's piece from first contact to the coordinates `last` (n,).
+
+    Another law continues there.
+    """
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
     edges = edges_at(first, np.maximum(last, first))

@@ -44,14 +44,17 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 
 @formula
 def power_law(u, load_factor, load_power, area_factor, area_power):
-    """P = factor w^power, A = factor w^power."""
+    """Return P = factor w^power, A = factor w^power."""
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power
 
 
 @formula
 def flow(u, eta):
-    """Fully plastic: P/P_c = (3/K_H) omega/omega_c and A = 2 pi R omega: mean pressure H."""
+    """Return the fully plastic response, of mean pressure H.
+
+    P/P_c = (3/K_H) omega/omega_c and A = 2 pi R omega.
+    """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 

@@ -70,7 +70,10 @@ _TERMS = 14
 
 @formula
 def ring(s):
-    """F, -F'/s, G, -G'/s and arctan(1/s): functions of the shape of the attracting ring alone."""
+    """Return F, -F'/s, G, -G'/s and arctan(1/s).
+
+    They only depend on the shape of the attracting ring.
+    """
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
     G = turn - 1.0 / (s + root)
@@ -90,7 +93,10 @@ def ring(s):
 
 @formula
 def _contact(s, lam):
-    """B = A/s, (dB/ds)/s and arctan(1/s), from the condition at the edge of the attracting ring."""
+    """Return B = A/s, (dB/ds)/s and arctan(1/s).
+
+    From the condition at the edge of the attracting ring.
+    """
     F, F_falls, G, G_falls, turn = ring(s)
     square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
     root = math.sqrt(linear * linear + 4.0 * square)
@@ -100,14 +106,20 @@ def _contact(s, lam):
 
 @formula
 def stretch(s, lam):
-    """(dD/ds)/s, finite and not zero at s = 0, except for the lambda_M at which approach begins to be unstable."""
+    """Return (dD/ds)/s.
+
+    It is finite and not zero at s = 0, except for the lambda_M at which approach begins to be unstable.
+    """
     B, B_grows, _ = _contact(s, lam)
     return 2.0 * B * (B + s * s * B_grows) - 4.0 / 3.0 * lam * B_grows
 
 
 @formula
 def normal(s, g, lam):
-    """Displacement, its derivative, load, area at the coordinate s; g = (pi/theta)^(1/3), lam = lambda_M."""
+    """Return displacement, its derivative, load and area at the coordinate s.
+
+    g = (pi/theta)^(1/3), lam = lambda_M.
+    """
     if s == math.inf:
         return math.inf, math.inf, math.inf, math.inf
     B, B_grows, turn = _contact(s, lam)
@@ -120,7 +132,10 @@ def normal(s, g, lam):
 
 @formula
 def coordinate(w, g, lam):
-    """s at the displacement w, on the stable side: Newton from above on a convex function, to its last digits."""
+    """Return s at the displacement w, on the stable side.
+
+    By Newton's method from above on a convex function, to its last digits.
+    """
     if w == math.inf:
         return math.inf
     D = w / (g * g)

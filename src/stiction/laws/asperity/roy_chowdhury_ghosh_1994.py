@@ -65,7 +65,10 @@ def unit_roots(a: np.ndarray) -> np.ndarray:
 
 
 def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """u (n,) and w (n,) where the mean pressure reaches the hardness: u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper)."""
+    """Return u (n,) and w (n,) where the mean pressure reaches the hardness.
+
+    There u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper).
+    """
     S = np.sqrt(6.0 * math.pi / groups.theta)
     scale = S ** (1.0 / 3.0)
     u = scale * unit_roots(-groups.eta / (scale * scale))
@@ -74,7 +77,10 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 @formula
 def plastic(w, theta, eta):
-    """P = 2 eta w - 2 pi/theta (second integrand of eq 1): hardness over twice the truncated area, less 2 pi gamma R."""
+    """Return P = 2 eta w - 2 pi/theta (second integrand of eq 1).
+
+    It is the hardness over twice the truncated area, less 2 pi gamma R.
+    """
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 

@@ -58,20 +58,26 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 
 @formula
 def onset(eta_y, S):
-    """u_y, where the pressure in the centre reaches its limit: 3 u^3 - 2 eta_y u - S = 0."""
+    """Return u_y, where the pressure in the centre reaches its limit.
+
+    There 3 u^3 - 2 eta_y u - S = 0.
+    """
     return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
 
 
 @formula
 def yielded_load(u, S, eta_y, u_y):
-    """P of a ring with JKR's pressure and a centre with the limiting one; from u_y on."""
+    """Return P from u_y on.
+
+    A ring has JKR's pressure, the centre the limiting one.
+    """
     square = u_y * u_y
     return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
 
 
 @formula
 def loading(u, S, eta_y, u_y):
-    """P at the contact radius u under growing load, yielded or not."""
+    """Return P at the contact radius u under growing load, yielded or not."""
     return yielded_load(u, S, eta_y, u_y) if u > u_y else _load(u, S)
 
 
@@ -92,7 +98,10 @@ def coordinate(w, theta, eta_y, u_y):
 
 @formula
 def unloading_radius(u_max, P_max, S):
-    """R_p/R = P1/(P + 2 sqrt(Pc P1)) at the turning point, P1 = u^6, Pc = S^2/4: with it JKR's load there is P. 1 or more."""
+    """Return R_p/R = P1/(P + 2 sqrt(Pc P1)) at the turning point, at least 1.
+
+    P1 = u^6, Pc = S^2/4: with it JKR's load there is P.
+    """
     u3 = u_max * u_max * u_max
     return u3 * u3 / (P_max + S * u3)
 
@@ -108,7 +117,10 @@ def residual(u_max, radius):
 
 @formula
 def unloading(u, u_max, P_max, S):
-    """Displacement, its slope, load and area at the contact radius u, after loading up to u_max and P_max = loading(u_max)."""
+    """Return displacement, its slope, load and area at the contact radius u in unloading.
+
+    After loading up to u_max and P_max = loading(u_max).
+    """
     radius = unloading_radius(u_max, P_max, S)
     u3 = u * u * u
     w = residual(u_max, radius) + u * (u3 / radius - 2.0 / 3.0 * S)
@@ -117,7 +129,10 @@ def unloading(u, u_max, P_max, S):
 
 @formula
 def unloading_coordinate(w, u_max, P_max, S):
-    """u at the displacement w in unloading; where the contact is lost, dw/du = 0, for smaller w."""
+    """Return u at the displacement w in unloading.
+
+    For smaller w, u where the contact is lost, dw/du = 0.
+    """
     radius = unloading_radius(u_max, P_max, S)
     scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
     return scale * _coordinate(w - residual(u_max, radius), scale * S)
@@ -197,7 +212,7 @@ def _fill_origin(theta, eta_y, u_y, first, distance, out):
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
-    """JKR's displacement, as `jkr.displacement`. Arrays."""
+    """Return JKR's displacement, as `jkr.displacement`. Arrays."""
     return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
 
 
@@ -208,7 +223,10 @@ def _fill_onset(theta, eta_y, out):
 
 
 def _first_yield(groups: Groups) -> np.ndarray:
-    """p_y/H where p_y is the largest pressure of a Hertz contact that first yields somewhere (von Mises)."""
+    """Return p_y/H.
+
+    p_y is the largest pressure of a Hertz contact that first yields somewhere (von Mises).
+    """
     each, which = np.unique(groups.nu, return_inverse=True)
     return np.array([hertz.first_yield(nu)[0] for nu in each])[which] / groups.hardness_to_yield
 

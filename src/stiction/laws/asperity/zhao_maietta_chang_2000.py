@@ -32,7 +32,10 @@ _LOG_SPAN = math.log(SPAN)
 
 
 def first_yield(eta):
-    """omega_1 / sigma = (0.4 eta)^2, from omega_1 = (3 pi k H/(4 E*))^2 R with eta = pi H sqrt(R/sigma)/K. Arrays."""
+    """Return omega_1 / sigma = (0.4 eta)^2. Arrays.
+
+    From omega_1 = (3 pi k H/(4 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
+    """
     return (FIRST_YIELD * eta) ** 2
 
 
@@ -53,7 +56,7 @@ def passing(u, w_1, eta):
 
 @formula
 def flow(u, w_1, eta):
-    """Fully plastic: A = 2 pi R omega, P = H A."""
+    """Return the fully plastic area A = 2 pi R omega and load P = H A."""
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 

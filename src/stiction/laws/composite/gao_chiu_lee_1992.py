@@ -28,7 +28,10 @@ _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
 
 @formula
 def modulus_share(v, nu):
-    """I0 of Gao, Chiu & Lee 1992 (S5.12) at t/a = 1/v, v >= 0, and its derivative by ln v: the film's share in the modulus."""
+    """Return I0 at t/a = 1/v, v >= 0, the film's share in the modulus.
+
+    Also returns its derivative by ln v. Source: Gao, Chiu & Lee 1992 (S5.12).
+    """
     r = 1.0 / (1.0 + v * v)
     quotient = log_quotient(v * v)
     b, c = 1.0 / (2.0 * math.pi * (1.0 - nu)), 1.0 - 2.0 * nu
@@ -39,14 +42,20 @@ def modulus_share(v, nu):
 
 @formula
 def ratio_share(thickness_over_radius):
-    """I1 at t/a: the film's share in Poisson's ratio, (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2)."""
+    """Return I1 at t/a, the film's share in Poisson's ratio.
+
+    (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2).
+    """
     xi = min(max(thickness_over_radius, _LEAST), _MOST)
     return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
 
 
 @formula
 def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
-    """Poisson's ratio of both: 1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s)."""
+    """Return Poisson's ratio of film and substrate together.
+
+    1 - nu = (1 - nu_s)(1 - nu_f) / (1 - (1 - I1) nu_f - I1 nu_s).
+    """
     share = ratio_share(thickness_over_radius)
     mixed = 1.0 - (1.0 - share) * nu_film - share * nu_substrate
     return 1.0 - (1.0 - nu_substrate) * (1.0 - nu_film) / mixed
@@ -54,7 +63,7 @@ def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """E'/E'_s = 1 + (E'_f/E'_s - 1) I0."""
+    """Return E'/E'_s = 1 + (E'_f/E'_s - 1) I0."""
     nu = poissons_ratio(thickness_over_radius, nu_film, nu_substrate)
     share, _ = modulus_share(1.0 / min(max(thickness_over_radius, _LEAST), _MOST), nu)
     return 1.0 + (film_over_substrate - 1.0) * share

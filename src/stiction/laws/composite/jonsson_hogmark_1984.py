@@ -20,18 +20,24 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """H/H_s = 1 + (H_f/H_s - 1) A_f/A, A_f/A = 2 C t/d - C^2 (t/d)^2 up to C t/d = 1, then 1; d = 7 omega. No exponent."""
+    """Return H/H_s = 1 + (H_f/H_s - 1) A_f/A. No exponent.
+
+    A_f/A = 2 C t/d - C^2 (t/d)^2 up to C t/d = 1, then 1; d = 7 omega.
+    """
     rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """C (n,): 1/2 where a hard film cracks over a very soft substrate (6.3 < H_f/H_s), else 1 (1.8 < H_f/H_s < 2.3)."""
+    """Return C (n,).
+
+    1/2 where a hard film cracks over a very soft substrate (6.3 < H_f/H_s), else 1 (1.8 < H_f/H_s < 2.3).
+    """
     return np.where(n_H > 6.3, 0.5, 1.0)
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """omega/t (n, 9): where the substrate is first felt, and after."""
+    """Return omega/t (n, 9) from where the substrate first matters."""
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

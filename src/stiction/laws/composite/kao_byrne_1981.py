@@ -20,17 +20,20 @@ WEIGHT = 0.09  # k1
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """H/H_s = 1 + (H_f/H_s - 1) 2 k1 t/omega; held at the film's hardness nearer to the surface. No exponent."""
+    """Return H/H_s = 1 + (H_f/H_s - 1) 2 k1 t/omega. No exponent.
+
+    Nearer to the surface it is the film's hardness.
+    """
     return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """2 k1 (n,)."""
+    """Return 2 k1 (n,)."""
     return np.full_like(n_H, 2.0 * WEIGHT)
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """omega/t (n, 9): where the film stops being all that is felt, and after."""
+    """Return omega/t (n, 9) from where the substrate first matters."""
     return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

@@ -38,7 +38,7 @@ def resistance(u, w, load, area, eta, shear_strength, strength_variation):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """On every piece: what touches has a strength of its own."""
+    """Return the resistance of every piece: each junction has its own strength."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 
 

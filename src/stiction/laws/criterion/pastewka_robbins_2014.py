@@ -40,7 +40,10 @@ def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_lengt
 
 
 def interaction_range(groups: Groups) -> np.ndarray:
-    """rho over sigma (n,), the equilibrium distance: (16/9)^(1/3) theta^(-2/3) / mu_T by the definition of mu_T."""
+    """Return rho over sigma (n,), the equilibrium distance.
+
+    (16/9)^(1/3) theta^(-2/3) / mu_T by the definition of mu_T.
+    """
     return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
 
 

@@ -38,7 +38,7 @@ from stiction.records.sources import Source
 
 @formula
 def film_alone(w, hardness, pull):
-    """P = H_f A less the adhesion, A = 2 pi R omega; hardness: eta n_H."""
+    """Return P = H_f A less the adhesion, A = 2 pi R omega; hardness: eta n_H."""
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
 
@@ -60,9 +60,10 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
-    """Regimes of a surface with a plastic film that is pulled on by `pull` (n,) at each touching asperity, in substrate units.
+    """Return regimes of a surface with a plastic film, in substrate units.
 
-    The film itself holds no tangential force, unless the tangential law is of the interface.
+    Each touching asperity is attracted by `pull` (n,). The film itself has no tangential resistance, unless the tangential law
+    is of the interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)
@@ -82,7 +83,7 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Regimes of a coated surface, loads in units of the substrate."""
+    """Return the regimes of a coated surface, loads in units of the substrate."""
     return plastic_film(groups, law, np.zeros(len(groups)))
 
 

@@ -57,7 +57,10 @@ def rim(w, pressure, tau):
 
 
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
-    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface: it shears the film."""
+    """Return the regimes of a coated surface.
+
+    Only the tangential law in `law` is used. It must be of the interface: it shears the film.
+    """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)
     pressed = groups.eta * (groups.n_H if rim_pressure == "film_hardness" else np.ones(laws))

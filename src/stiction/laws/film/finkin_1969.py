@@ -51,12 +51,12 @@ BOUNDS = {
 
 @formula
 def normal(w, stiffness, power, widening):
-    """P = stiffness w^power, A = widening w."""
+    """Return P = stiffness w^power, A = widening w."""
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Load over displacement to its power (n,).
+    """Return the load over displacement to its power (n,).
 
     With E'_f = E_f/(1 - nu^2) of the film itself, over K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
     """
@@ -69,7 +69,10 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 
 
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
-    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    """Return the regimes of a coated surface.
+
+    Only the tangential law in `law` is used. It must be of the interface.
+    """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]
     parameters = (np.broadcast_to(stiffness(groups, bound), laws), np.full(laws, power), np.full(laws, widening))

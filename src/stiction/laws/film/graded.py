@@ -63,7 +63,7 @@ def graded_regimes(
     n_g: np.ndarray | float = 1.0,
     exponents: tuple[int, int] = (2, 1),
 ) -> list[Regime]:
-    """Regimes of a surface with a graded film, loads and resistances in units of the substrate; arrays (n,).
+    """Return regimes of a graded film, loads and resistances in substrate units; (n,).
 
     substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
     film's follow from n_E, n_H, n_g. One body is coated, the other rigid.
@@ -101,7 +101,10 @@ def _film_regimes(
 
 
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
-    """Regimes of the bare surface that turns plastic by degrees, in place of the load jump of (S2.9)."""
+    """Return regimes of the bare surface with a gradual plastic transition.
+
+    It replaces the load jump of (S2.9).
+    """
     one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
     bodies = TwoBodies.against_rigid(one, asperity.nu, asperity.nu)
     parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, bodies, one, never, one, (0.0, 0.0))
@@ -139,7 +142,7 @@ def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -
 
 
 def _regimes(parameters, tau, parts) -> list[Regime]:
-    """One regime for each of the parts, of the laws with these parameters (n, PARAMETERS)."""
+    """Return a regime for each part, of laws with parameters (n, PARAMETERS)."""
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
     return [
@@ -158,7 +161,7 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Regimes of a coated surface, as film laws give them; the asperity law is the film's own."""
+    """Return the regimes of a coated surface; the asperity law is the film's own."""
     bodies = TwoBodies.of(groups)
     return _film_regimes(
         groups.substrate(), groups.film(), bodies, groups.n_H, groups.tau, groups.film_aspect, groups.n_g, (2, 1)

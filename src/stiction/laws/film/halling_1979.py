@@ -71,7 +71,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def elastic(u, *row):
-        """At u = sqrt(w), where a/sqrt(R sigma) is u too."""
+        """Return the elastic response at u = sqrt(w), where a/sqrt(R sigma) is u too."""
         w = u * u
         return w, 2.0 * u, stiffened(u, row) * w * u, w
 
@@ -82,7 +82,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def flows(u, row):
-        """Whether the mean pressure of the elastic asperity is the hardness, or more."""
+        """Return whether the mean pressure of the elastic asperity reaches the hardness."""
         return stiffened(u, row) * u >= hardened(u * u, row)
 
     return elastic, plastic, flows
@@ -122,14 +122,20 @@ def _onset(flows: Any) -> Any:
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Edges (n, m + 2) from low to high (n,), with those of the places (n, m) that are inside between; empty if high < low."""
+    """Return edges (n, m + 2) from low to high (n,), with the places inside.
+
+    places: (n, m); empty if high < low.
+    """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
     return np.sort(np.concatenate([low[:, None], inside, high[:, None]], axis=1), axis=1)
 
 
 def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalPiece, str]]:
-    """Elastic and plastic asperity, each until the film is pressed by its own thickness and beyond; with the body named."""
+    """Return elastic and plastic asperity, each with its body.
+
+    Each has a piece until the displacement equals the film thickness, and one beyond.
+    """
     laws = len(groups)
     tau = np.broadcast_to(groups.tau, laws)
     there = tau > 0.0
@@ -165,7 +171,10 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
 
 
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    """Return the regimes of a coated surface.
+
+    Only the tangential law in `law` is used. It must be of the interface.
+    """
     return [law.join(piece, groups, body=body) for piece, body in pieces(groups, modulus, hardness, soft_film_exponent)]
 
 

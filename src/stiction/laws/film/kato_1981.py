@@ -60,7 +60,7 @@ _SLOPE = 0.1  # below this angle tan x - x is summed as a series, below 2.5 time
 
 @formula
 def arc_excess(x):
-    """sin x - x cos x, without the loss of digits at small x."""
+    """Return sin x - x cos x, without the loss of digits at small x."""
     y = x * x
     if x > 2.5 * _SLOPE:
         return math.sin(x) - x * math.cos(x)
@@ -69,7 +69,7 @@ def arc_excess(x):
 
 @formula
 def tan_excess(x):
-    """tan x - x, likewise."""
+    """Return tan x - x, without the loss of digits at small x."""
     y = x * x
     if x > _SLOPE:
         return math.tan(x) - x
@@ -110,7 +110,10 @@ def angle(w, *row):
 
 @formula
 def pressed_through(v, *row):
-    """Deeper than the film is thick, at w = tau + v^2: the pressure is bounded within c = g coth(y)."""
+    """Return the response beyond the film thickness, at w = tau + v^2.
+
+    The pressure is bounded within c = g coth(y).
+    """
     tau, hill, bound, edge, more = row
     if v == math.inf:
         return math.inf, math.inf, math.inf, math.inf
@@ -129,7 +132,7 @@ def depth_beyond(w, *row):
 
 
 def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
-    """tau, hill, bound, edge and more (n,), as the formulas take them."""
+    """Return tau, hill, bound, edge and more (n,), as the formulas take them."""
     laws = len(groups)
     n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)
     steepness = np.divide(groups.tau, aspect, where=aspect > 0.0, out=np.zeros(laws))  # sqrt(R/sigma)
@@ -171,7 +174,10 @@ def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    """Return the regimes of a coated surface.
+
+    Only the tangential law in `law` is used. It must be of the interface.
+    """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t
     angle_there = np.arcsin(np.sqrt(np.minimum(as_wide / tau, 1.0)))

@@ -96,7 +96,10 @@ def elastic(groups: Groups, law: Law) -> NormalPiece:
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Regimes of a coated surface; film and substrate answer as one, and what they carry is counted as the film's."""
+    """Return the regimes of a coated surface.
+
+    Film and substrate deform together, and their load is counted as the film's.
+    """
     whole = groups.resolved()
     record: Any = composites_of("hardness")[hardness]
     pull = np.zeros(len(whole)) if "no adhesion" in law.asperity.traits else outer_pull(whole)

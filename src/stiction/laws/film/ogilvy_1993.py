@@ -21,7 +21,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Regimes of a coated surface: those of the bare substrate, with a tangential law of the interface."""
+    """Return the bare substrate's regimes, with a tangential law of the interface."""
     return law.regimes(groups, body="substrate")
 
 

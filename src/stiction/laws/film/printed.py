@@ -43,7 +43,7 @@ _adhesion, _load = jkr.adhesion, jkr.load
 
 @formula
 def normal(u, theta):
-    """JKR at u = x^(1/4), the displacement being x (eq 1)."""
+    """Return JKR's response at u = x^(1/4), the displacement being x (eq 1)."""
     x = u * u * u * u
     return x, 4.0 * u * u * u, _load(u, _adhesion(theta)), x
 
@@ -67,7 +67,7 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Both regimes of a surface without film."""
+    """Return both regimes of a surface without film."""
     return LAW.regimes(groups, Weights(friction=_GRIP))
 
 

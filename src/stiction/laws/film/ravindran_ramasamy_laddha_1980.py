@@ -52,7 +52,7 @@ _THINNEST = 1e-200  # film over sigma, of one that is not there
 
 @formula
 def shared(u, stiffness):
-    """Film and substrate at u = sqrt(w): p = (stiffness/2) u on A = 2 w."""
+    """Return p = (stiffness/2) u on A = 2 w of film and substrate, at u = sqrt(w)."""
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
 
@@ -69,7 +69,10 @@ def rise(groups: Groups) -> np.ndarray:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Regimes of a coated surface. law: of it the tangential law only, which must be of the interface."""
+    """Return the regimes of a coated surface.
+
+    Only the tangential law in `law` is used. It must be of the interface.
+    """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)
     tau = np.maximum(np.broadcast_to(groups.tau, laws), _THINNEST)

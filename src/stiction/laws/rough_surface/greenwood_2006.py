@@ -36,12 +36,15 @@ def spheres() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) or (n, H) from the mean of the summits."""
+    """Return load and area (n, H) at separations h (H,) or (n, H).
+
+    The separations are from the mean of the summits.
+    """
     return summits.curve(h, groups.roughness_parameter, spheres)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Separations (n, H), about where the loads (n, H) are carried."""
+    """Return approximate separations (n, H) where the loads (n, H) are carried."""
     return separation_of_summits(load, groups.roughness_parameter, spheres)
 
 

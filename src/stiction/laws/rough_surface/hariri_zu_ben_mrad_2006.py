@@ -72,7 +72,10 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) or (n, H) from the mean of the summits."""
+    """Return load and area (n, H) at separations h (H,) or (n, H).
+
+    The separations are from the mean of the summits.
+    """
     return _sums(h, groups.roughness_parameter)
 
 

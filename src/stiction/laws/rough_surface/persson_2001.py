@@ -32,12 +32,18 @@ from stiction.records.sources import Source
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """A/A0 at the reduced pressures p / (E* h') >= 0, any shape. Source: Persson 2001."""
+    """Return A/A0 at the reduced pressures p / (E* h') >= 0, any shape.
+
+    Source: Persson 2001.
+    """
     return erf(math.sqrt(2.0) * pressure)
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    No contact under tension.
+    """
     return area_per_asperity(load, groups, area_share)
 
 

@@ -145,7 +145,10 @@ def area_of_waves(
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); none under tension."""
+    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    No contact under tension.
+    """
     whole = groups.resolved()
     require_gaussian(whole.roughness_parameter)
     parts = [_area(load[rows], whole[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]

@@ -35,7 +35,10 @@ def rate(share: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    No contact under tension.
+    """
     return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 
 

@@ -54,7 +54,10 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H); no contact under tension."""
+    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+
+    No contact under tension.
+    """
     return area_per_asperity(load, groups, area_share)
 
 

@@ -32,7 +32,7 @@ def resistance(u, w, load, area, eta, shear_strength):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """On every piece: elastic or not, what touches must be sheared."""
+    """Return the resistance of every piece, elastic or not."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
 
 

@@ -29,7 +29,7 @@ def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """On every piece, with a kink where adhesion and load are in balance."""
+    """Return the resistance of every piece, with a kink at zero net load."""
     turns = zero_load(piece)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
     return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])

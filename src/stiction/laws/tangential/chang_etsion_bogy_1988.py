@@ -112,7 +112,10 @@ def resistance(u, w, load, area, w_c, nu, K_H):
 def tangential_resistance(
     piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """On any piece that starts elastic: the condition is on Hertz's stresses, and nothing withstands beyond first yield."""
+    """Return the resistance of any piece that starts elastic.
+
+    The condition is on Hertz's stresses; beyond first yield there is no resistance.
+    """
     if piece.state == "plastic":
         return of_whole_piece(plastic_junctions, piece, groups)
     K_H = hardness_coefficient(groups.nu)

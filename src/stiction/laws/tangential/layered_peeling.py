@@ -41,7 +41,10 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """On the elastic pieces of a JKR asperity; a plastic one does not peel by this energy balance, and resists nothing."""
+    """Return the resistance on the elastic pieces of a JKR asperity.
+
+    A plastic asperity does not peel by this energy balance and has no resistance.
+    """
     if groups.n_E is None:
         return of_a_half_space(piece, groups)
     if piece.state != "elastic":

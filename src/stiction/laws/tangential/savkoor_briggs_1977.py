@@ -60,7 +60,10 @@ def resistance(u, w, load, area, theta, K_beta):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """On the elastic pieces of a JKR asperity; a plastic one does not peel by this energy balance, and resists nothing."""
+    """Return the resistance on the elastic pieces of a JKR asperity.
+
+    A plastic asperity does not peel by this energy balance and has no resistance.
+    """
     if piece.state != "elastic":
         return None
     share = share_that_peels(groups)

@@ -62,7 +62,10 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
-    """On every piece: with kinks where growth begins, and where the pressure is the hardness."""
+    """Return the resistance on every piece.
+
+    It has kinks where growth begins, and where the pressure is the hardness.
+    """
     share = share_of_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING
     if np.any(endless):

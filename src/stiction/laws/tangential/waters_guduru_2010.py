@@ -109,7 +109,10 @@ def resistance(u, w, load, area, theta, K_beta, kappa):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """On the elastic pieces of a JKR asperity; a plastic one resists nothing."""
+    """Return the resistance on the elastic pieces of a JKR asperity.
+
+    A plastic asperity has no resistance.
+    """
     if piece.state != "elastic":
         return None
     share = share_that_peels(groups)

@@ -70,7 +70,10 @@ def _recovery(state):
 
 @formula
 def _overshoots(state):
-    """Whether the flattened sphere would have recovered more than it was pressed in, by more than rounding."""
+    """Return whether the flattened sphere would recover more than its displacement.
+
+    Differences within rounding do not count.
+    """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
 
@@ -83,7 +86,7 @@ def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple
 
     @formula
     def released(v, *row):
-        """At u = free + v^2, for the load starts like (u - free)^(3/2)."""
+        """Return the response at u = free + v^2; the load starts like (u - free)^(3/2)."""
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]
         load, area = let_go(w, w_max, residual(w_max, load_max, area_max), load_max, area_max)
@@ -140,7 +143,10 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
     @kernel
     def fill_clamped(table, edges, out):
-        """Up to which coordinate nothing stays because the law overshoots, see `residual`; the first where it does not."""
+        """Fill the coordinates up to which the residual is clipped at zero.
+
+        The law overshoots there, see `residual`; the first coordinate where it does not.
+        """
         for i in range(out.size):
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
             row = unpack(table[i], parameters)

@@ -17,7 +17,10 @@ FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity
 
 @formula
 def plastic_share(ratio):
-    """f in [0, 1], and df/d(ratio), from ratio = elastic mean pressure over hardness: 0 up to 1, 1 from FULLY_PLASTIC on."""
+    """Return f in [0, 1], and df/d(ratio).
+
+    ratio: elastic mean pressure over hardness. f is 0 up to 1, and 1 from FULLY_PLASTIC on.
+    """
     ratio = min(max(ratio, 1.0), FULLY_PLASTIC)
     done = min((ratio * ratio - 1.0) / (FULLY_PLASTIC_SQUARED - 1.0), 1.0)
     slope = 12.0 * ratio * done * (1.0 - done) / (FULLY_PLASTIC_SQUARED - 1.0)

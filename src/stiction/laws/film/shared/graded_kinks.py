@@ -81,7 +81,7 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Load and slope inside of every piece between the edges[:count]."""
+    """Sample load and slope inside every piece between the edges[:count]."""
     for piece in range(count - 1):
         low, high = edges[piece], edges[piece + 1]
         inner = places[piece * INNER :]
@@ -95,7 +95,10 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 
 @kernel
 def _summit(low, kink, high, at_high, law):
-    """Where the load stops rising, between low, where it rises, and high, where it falls; kink: an edge between, or low."""
+    """Find where the load stops rising.
+
+    It rises at low, falls at high; kink: an edge between, or low.
+    """
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
     at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
     if low < kink:
@@ -134,7 +137,10 @@ def _first_flowing(part, count):
 
 @kernel
 def _regained(low, high, above, law, level):
-    """Where a load that is held at `level` is reached again, between low and high, where it is greater by `above`."""
+    """Find where a load held at `level` is reached again.
+
+    Between low and high, where it is greater by `above`.
+    """
     lacking = min(signal(NUMBERS[ABOVE], low, law, level), 0.0)
     return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
 
@@ -183,7 +189,10 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 
 @formula
 def _fixed_edges(law, tau, out):
-    """Start, end of the scan, film pressed through, and what cuts long pieces; the first three, and how many there are."""
+    """Fill the edges that are fixed beforehand; return the first three and their number.
+
+    Start, end of the scan, film penetrated, and cuts of long pieces.
+    """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
     start = depth_coordinate(0.0, S, bodies)
@@ -312,7 +321,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Part of each piece between edges[:count] and of the last, that has no end."""
+    """Name the part of each piece between edges[:count] and of the last, endless one."""
     edges[count:] = _END
     part[:] = -1
     for piece in range(count):

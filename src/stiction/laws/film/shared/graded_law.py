@@ -44,7 +44,10 @@ def stiffness(u, bodies):
 
 @formula
 def contact(u, S, bodies):
-    """JKR with the modulus of (S5.11): displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, share of the film."""
+    """Return JKR's contact with the modulus of (S5.11).
+
+    Displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, share of the film.
+    """
     ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)
     s = 2.0 / 3.0 * S / root

@@ -44,7 +44,10 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Load, its derivative by ln u over hardness times x, and elastic mean pressure over hardness."""
+    """Return load, scaled derivative by ln u, and elastic mean pressure over hardness.
+
+    The derivative is over hardness times x.
+    """
     pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
     w, slope, Q, growth, _ = contact(u, S, law[ALONE:])

@@ -68,7 +68,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @kernel
     def find(table, pressure, of_hardness, out):
-        """out[i]: u, the modulus E_P, the hardness, z, the place between film and substrate, and the depth, there."""
+        """Fill out[i] at yield: u, the modulus E_P, the hardness, z, and the depth.
+
+        z is the position between film and substrate.
+        """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)
             low = touch(row) if edge else 1e-8
@@ -134,7 +137,7 @@ def cut_at_yield(
 
 
 def _pressure_at_yield(pieces: list[NormalPiece], own: Groups) -> np.ndarray:
-    """Mean pressure over hardness (n,) at the end of the elastic pieces, which come first."""
+    """Return mean pressure over hardness (n,) at the end of the elastic pieces."""
     last = _last_elastic(pieces)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
     return load / (area * own.eta)
@@ -164,7 +167,7 @@ def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalP
 
 
 def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
-    """Coordinates (n, m) where the displacement is w (n, m); the nearer end where the piece does not have it."""
+    """Return coordinates (n, m) at displacements w (n, m), or the nearer end."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(piece.edges)
     fill = _filling(piece.normal, piece.coordinate, len(piece.parameters))
     fill(np.ascontiguousarray(w), columns(piece.parameters, len(w)), edges, out)

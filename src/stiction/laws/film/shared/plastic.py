@@ -13,5 +13,5 @@ def normal(w, pressure):
 
 
 def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalPiece:
-    """Between the displacements low and high (n,), all of the contact at the pressure (n,)."""
+    """Return a piece at this pressure (n,) between the displacements low and high (n,)."""
     return NormalPiece(normal, displaced, (pressure,), edges_at(low, high), "plastic")

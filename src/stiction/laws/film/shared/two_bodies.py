@@ -50,7 +50,7 @@ class TwoBodies:
 
     @classmethod
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
-        """One coated body against a rigid one."""
+        """Return a coated body against a rigid one."""
         one = np.ones_like(film_over_substrate)
         return cls(film_over_substrate, 0.0 * one, one, one, nu_film, nu_substrate, nu_substrate)
 
@@ -63,11 +63,14 @@ class TwoBodies:
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
     def columns(self) -> tuple[np.ndarray, ...]:
-        """As the formulas take them: the fields in their order."""
+        """Return the fields in their order, as the formulas take them."""
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Least and greatest E*/E*_bare at any depth (n,): each body is between itself and the film."""
+        """Return least and greatest E*/E*_bare at any depth (n,).
+
+        Each body is between itself and the film.
+        """
         second = self._second()
         ends = np.minimum, np.maximum
         least, greatest = (in_series(end(self.first, 1.0), end(second, 1.0), self.share) for end in ends)
@@ -80,11 +83,11 @@ class TwoBodies:
         return np.where(self.films == 2.0, both, self.first)
 
     def _second(self) -> np.ndarray:
-        """E'_f/E'_2, or 1 where the second body is bare."""
+        """Return E'_f/E'_2, or 1 where the second body is bare."""
         return np.where(self.films == 2.0, self.second, 1.0)
 
 
 @formula
 def in_series(first, second, share):
-    """E*/E*_bare of two bodies whose moduli are these multiples of their own."""
+    """Return E*/E*_bare of two bodies with these multiples of their own moduli."""
     return first * second / (share * second + (1.0 - share) * first)

@@ -18,7 +18,10 @@ _DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
 
 @cache
 def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
-    """Formulas of the resistance of both, each a regime with so many parameters; and of film less substrate."""
+    """Return formulas of the weaker resistance, and of film less substrate.
+
+    Film and substrate are regimes with so many parameters.
+    """
     whole = of_substrate + of_film
 
     @formula
@@ -74,7 +77,10 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
 
 
 def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, first: np.ndarray, last: np.ndarray) -> Regime:
-    """One piece of the substrate under one of the film, with the kinks of both and where the weaker changes."""
+    """Return a piece of the substrate under one of the film, with the kinks of both.
+
+    Also the kinks where the weaker changes.
+    """
     inner = [_mapped(above, at, piece, tau) for at in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
     edges = np.minimum(np.maximum(edges, first[:, None]), np.maximum(first, last)[:, None])
@@ -98,7 +104,10 @@ def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, f
 
 
 def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray) -> np.ndarray | None:
-    """Where either resistance starts like a square root, as coordinates of the substrate's piece (n, b)."""
+    """Return where either resistance starts like a square root.
+
+    Coordinates of the substrate's piece (n, b).
+    """
     found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
         there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
