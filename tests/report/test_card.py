@@ -48,7 +48,7 @@ def test_the_card_is_short(predicted):
 @pytest.mark.parametrize(("low", "high", "word"), [(0.9, 1.1, "high"), (0.5, 2.0, "fair"), (0.1, 10.0, "low")])
 def test_confidence_is_by_the_width(low, high, word):
     card = Card(1.0, low, high, 0.9, "1 N", "", "", "", [])
-    assert card.confidence.split(",")[0] == word
+    assert card.confidence.split(":")[0] == word
     centre, start, width = (float(re.search(rf'{name}="([\d.]+)"', card.bar())[1]) for name in ("cx", "<rect x", "width"))
     assert start < centre < start + width
 

@@ -307,7 +307,7 @@ def test_the_first_page_is_the_card_with_six_inputs_and_one_line_of_validity(tmp
     write_report(case, tmp_path / "report.html")
     first, second, appendix = (tmp_path / "report.html").read_text(encoding="utf-8").split('<div class="page"></div>')
     assert 'class="card"' in first and first.count("<svg") == 2 and first.count('scope="row"') == 6
-    assert "Measure next" in first and first.count("Validity.</strong>") == 1
+    assert "Next step" in first and first.count("Validity.</strong>") == 1
     assert "Why" in second and "Models compared" in second and "Inputs" in appendix and "Sources" in appendix
     named = small(tmp_path, OXIDISED + 'model = "greenwood_williamson_1966"\n', "named.toml")
     record = write_report(named, tmp_path / "named.html")

@@ -37,16 +37,18 @@ class Card(NamedTuple):
 
     @property
     def confidence(self) -> str:
-        """Return how sure mu is: a word, and by what factor it may be off."""
-        factor = math.sqrt(self.high / self.low) if self.low > 0.0 else math.inf
-        word = next(word for most, word in _CONFIDENCE.items() if factor <= most)
-        return f"{word}, within a factor of {number(factor)}" if math.isfinite(factor) else word
+        """Return how sure mu is: a word, and how many times higher or lower it may be."""
+        if not self.low > 0.0:
+            return next(reversed(_CONFIDENCE.values()))
+        higher, lower = self.high / self.mu, self.mu / self.low
+        word = next(word for most, word in _CONFIDENCE.items() if max(higher, lower) <= most)
+        return f"{word}: mu may be {number(higher)} times higher or {number(lower)} times lower"
 
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows below mu."""
-        rows = [("Confidence", self.confidence), ("Decided by", self.decides)]
-        rows += [("Warning", self.warning), ("Measure next", self.next_step)]
+        rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly from {self.decides}" if self.decides else "")]
+        rows += [("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:

@@ -58,6 +58,9 @@ class AnswerCard:
             html = f'<div class="card"><p><span class="text-3xl font-bold">{escape(number)}</span> {escape(where)}</p></div>'
         else:
             card = card_of(predicted, "" if answer.prediction is not None else f"{number} by {_model(answer)}")
+            action, command, _ = card.next_step.partition(": stiction fit")
+            if command:  # a visitor of the page has no file of the case
+                card = card._replace(next_step=f"{action} and enter it in Studies, Calibration")
             if warnings:
                 card = card._replace(warning=briefly(str(warnings[0])))
             html = card.html(why=False)
