@@ -92,7 +92,7 @@ def waves_of_moments(density: np.ndarray) -> Waves:
 
 
 def _log_bandwidths() -> np.ndarray:
-    """ln alpha at _RATIOS."""
+    """Return ln alpha at _RATIOS."""
     log = np.log(_RATIOS)
 
     def moment(order: float) -> np.ndarray:
@@ -106,7 +106,7 @@ def _log_bandwidths() -> np.ndarray:
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
-    """Thickness of one film over the shortest wave of the surface (n,)."""
+    """Return the thickness of one film over the shortest wave of the surface (n,)."""
     shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
     return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
 
@@ -194,7 +194,7 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Of one film (n,), over sqrt(R sigma)."""
+    """Return the thickness of one film (n,), over sqrt(R sigma)."""
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
@@ -226,7 +226,7 @@ def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
 
 
 def _unit(surface: "HeightMap", groups: Groups) -> float:
-    """sqrt(R sigma) by the moments of a map [m]."""
+    """Return sqrt(R sigma) by the moments of a map [m]."""
     from stiction.surfaces.asperity_method.mccool import mccool  # slow to import
 
     return math.sqrt(_single(groups.roughness_parameter) / mccool(surface, None).density)

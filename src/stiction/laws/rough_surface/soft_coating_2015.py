@@ -25,7 +25,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transition: str) -> list[Regime]:
-    """Regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
+    """Return regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
     printed, gradual = reading == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
         allowed = "loading; unloading is for the corrected reading of a bare surface that jumps"

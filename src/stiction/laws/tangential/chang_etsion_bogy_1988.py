@@ -63,13 +63,13 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2."""
+    """Return Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2."""
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 
 
 @formula
 def at_edge(w_ratio, nu, K_H):
-    """Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0."""
+    """Return Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0."""
     c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
     c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
     c5 = 1.5 * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu) - _AT_EDGE / (K_H * K_H * w_ratio)

@@ -176,7 +176,7 @@ def _nodes(terms: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fit(values: np.ndarray) -> np.ndarray:
-    """Chebyshev coefficients of what has these values (y, nu) at the nodes."""
+    """Return Chebyshev coefficients of a function with these values (y, nu) at the nodes."""
     for axis in (0, 1):
         count = values.shape[axis]
         basis = chebyshev.chebvander(chebyshev.chebpts1(count), count - 1)

@@ -71,7 +71,7 @@ def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
 
 
 def _integral(low: np.ndarray, high: np.ndarray, rate: Rate) -> np.ndarray:
-    """Int dt / (t^3 S(erf t)) between arrays of ln t."""
+    """Return Int dt / (t^3 S(erf t)) between arrays of ln t."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     half = (high - low) / 2.0
     t = np.exp((low + half)[:, None] + half[:, None] * nodes)

@@ -65,7 +65,7 @@ def _traction(p, s, table, film_strength, film):
 def _filling(normal: Callable, parameters: int) -> Any:
     @formula
     def holds(u, given):
-        """Whether the mean pressure is below that at which it alone yields."""
+        """Return whether the mean pressure is below the one that alone causes yield."""
         row, scale, root, table, film_strength, film = given
         _, _, load, area = normal(u, *row)
         return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) < 1.0

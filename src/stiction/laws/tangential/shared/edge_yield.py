@@ -32,6 +32,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def lesser(slip_limited, yield_limited):
-    """Both, the greater of them set to zero."""
+    """Return both, the greater of them set to zero."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -35,7 +35,7 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """G(y) y^(8/3), and its derivative by y."""
+    """Return G(y) y^(8/3), and its derivative by y."""
     a, b, c = shape
     if printed:
         r = math.sqrt(y * y - 0.25)
@@ -49,7 +49,7 @@ def _numerator(y, shape, printed):
 
 @formula
 def _steepness(y, shape, printed):
-    """d ln G / d ln y."""
+    """Return d ln G / d ln y."""
     value, slope = _numerator(y, shape, printed)
     return y * slope / value - 8.0 / 3.0
 
