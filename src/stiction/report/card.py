@@ -42,12 +42,12 @@ class Card(NamedTuple):
             return next(reversed(_CONFIDENCE.values()))
         higher, lower = self.high / self.mu, self.mu / self.low
         word = next(word for most, word in _CONFIDENCE.items() if max(higher, lower) <= most)
-        return f"{word}: mu may be {number(higher)} times higher or {number(lower)} times lower"
+        return f"{word}: up to {number(higher)} times higher, {number(lower)} times lower"
 
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows below mu."""
-        rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly from {self.decides}" if self.decides else "")]
+        rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly {self.decides}" if self.decides else "")]
         rows += [("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
