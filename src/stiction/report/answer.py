@@ -173,7 +173,7 @@ def models_in_words(names: Iterable[str]) -> str:
 def _bare(interval: list[float]) -> str:
     if not interval:
         return ""
-    return f"mu = {number(interval[0])} to {number(interval[1])} where metal touches metal; the interval above leaves it out"
+    return f"mu = {number(interval[0])} to {number(interval[1])} if the oxide or film wears through; not in the interval above"
 
 
 def part_name(name: str) -> str:

@@ -53,7 +53,9 @@ def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
     contact, hardness = mixture.asked.contact, float(np.median(mixture.asked.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, at])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
-        return f"Contacts bear {100.0 * pressure:.2g}% of the hardness on average: mu follows the real contact area."
+        return (
+            f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu rises with the real contact area."
+        )
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     softer = "film" if contact.softer_counterbody is None else "counterbody"
@@ -105,6 +107,7 @@ def _of_few_waves(mixture: Mixture) -> list[str]:
     return [f"{few} it may not stand for the surface."] if waves < LEAST_WAVES else []
 
 
+_MUCH = 0.2  # share of the variance that is worth a word in the case
 _STEPS = {
     "interface": "measure mu once: stiction fit CASE.toml --data FILE",
     "area model": "measure the surface: give a scan in place of numbers",
@@ -121,6 +124,11 @@ def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
     if not shares:
         return ""
     largest = max(shares, key=lambda name: shares[name])
-    if largest == "area model" and _kind_is_missing(mixture):
-        return 'state the kind of surface, e.g. kind = "ground", or give a scan'
-    return _STEPS.get(largest, f"measure {largest.replace('_', ' ')}")
+    if _kind_is_missing(mixture) and shares.get("area model", 0.0) > _MUCH:
+        kind = 'state the kind of surface, e.g. kind = "ground"'
+        return f"{kind}, or give a scan" if largest == "area model" else f"{kind}; then {_step(largest)}"
+    return _step(largest)
+
+
+def _step(part: str) -> str:
+    return _STEPS.get(part, f"measure {part.replace('_', ' ')}")
