@@ -68,7 +68,7 @@ def _click(user: User, label: str) -> None:
 
 
 async def _until(user: User, wanted) -> None:
-    for _ in range(200):
+    for _ in range(1200):  # a minute: kernels may have to be compiled
         if wanted():
             return
         await asyncio.sleep(0.05)
