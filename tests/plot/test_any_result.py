@@ -1,6 +1,7 @@
 """Every result has its picture by one accessor; pictures show the numbers of the result."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import xarray
 
 import stiction as st
 from cases import STEEL_ON_STEEL
+from stiction.case.read import read_case
 from stiction.quantities.errors import InputError
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import canvas, finish, friction_panel
@@ -119,3 +121,10 @@ def test_the_maps_are_those_of_their_authors(path):
     (dot,) = [line for line in plasticity.lines if line.get_marker() == "o"]
     assert dot.get_xdata()[0] == pytest.approx(contact.plasticity_index)
     assert dot.get_ydata()[0] == pytest.approx(1.0 / 1e-6 / contact.first.hardness)
+
+
+def test_the_plasticity_map_of_bare_bodies_is_not_drawn_for_a_film():
+    """The demo is plastic in its soft film, and elastic by the index of the steel below."""
+    case = read_case(Path(__file__).parents[2] / "examples" / "soft_film.toml")
+    _, plasticity = regime_figure(case.subject, st.predict(case)).axes
+    assert not plasticity.lines and "does not apply to a film" in plasticity.texts[0].get_text()

@@ -71,6 +71,9 @@ def negligible_load_of_jkr() -> float:
 
 
 def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
+    if contact.coating is not None:
+        say(axes, "the plasticity index of bare bodies\ndoes not apply to a film")
+        return
     row, index = QUANTITIES["plasticity_index"], float(contact.plasticity_index)
     rough = contact.roughness
     density = rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation
