@@ -67,7 +67,7 @@ _MANY = 20  # known words, above which an error does not list them
 
 
 def nearest(word, known: Iterable[str]) -> str:
-    """Return the known words, the likely ones first if there are any; of more than a dozen only some."""
+    """Return the known words, the likely ones first if there are any; of more than _MANY only some."""
     known = list(known)
     plain = {one.casefold(): one for one in known}
     close = [plain[one] for one in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]

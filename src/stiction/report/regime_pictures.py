@@ -1,5 +1,6 @@
 """Two maps with a contact as a dot: how adhesion acts on its asperities, and whether they are plastic."""
 
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -94,12 +95,16 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
 
 def pressure_of_first_flow(index: float, density: float) -> float:
     """Return the nominal pressure over hardness at which 2 % of the area flows (Greenwood & Williamson); density: N R sigma."""
+    z, heights, area, load = _gaussian_sums()
+    flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)
+    first = np.flatnonzero(flowing >= _FLOWING * area)
+    return float(4.0 / 3.0 * density * index * load[first[-1]]) if first.size else np.inf
+
+
+@cache
+def _gaussian_sums() -> tuple[np.ndarray, ...]:
+    """Return depths z, and at 201 separations the heights there (201, z.size), and the sums of z and of z^1.5 over them."""
     z = np.linspace(0.0, 12.0, 1201)
     separation = np.linspace(-4.0, 6.0, 201)[:, None]
     heights = np.exp(-0.5 * (separation + z) ** 2) / np.sqrt(2.0 * np.pi)
-    area, flowing = (np.trapezoid(heights * np.clip(z - start, 0.0, None), z, axis=1) for start in (0.0, index**-2.0))
-    first = np.flatnonzero(flowing >= _FLOWING * area)
-    if not first.size:
-        return np.inf
-    load = np.trapezoid(heights * z**1.5, z, axis=1)[first[-1]]
-    return float(4.0 / 3.0 * density * index * load)
+    return z, heights, np.trapezoid(heights * z, z, axis=1), np.trapezoid(heights * z**1.5, z, axis=1)

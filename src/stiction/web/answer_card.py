@@ -15,8 +15,6 @@ from stiction.web.drawn import Rows
 from stiction.web.explorer import Explorer
 from stiction.web.working import Latest
 
-_WITHIN = "within the ranges that the authors of its laws claim"
-
 
 class AnswerCard:
     """Drawn anew with every answer; where a model is named, the prediction is asked for beside it."""
