@@ -184,11 +184,11 @@ def expected(place: float) -> str:
     """What the page has to say, without the page."""
     from stiction.quantities.units import show
     from stiction.report.card import card_of
-    from stiction.web.asked import Question, solved
+    from stiction.web.asked import Query, solved
     from stiction.web.fields import example_cases, placed
 
     given = show(10.0**place, "asperity_radius", 4)
-    answer = solved(Question(placed(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
+    answer = solved(Query(placed(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
     assert answer.prediction is not None
     return card_of(answer.prediction).html(why=False)
 

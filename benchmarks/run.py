@@ -143,7 +143,7 @@ def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
     if choice.beside.get("meniscus"):
         others |= {"meniscus_index": 10 ** rng.uniform(-2, 0, count), "meniscus_height": 10 ** rng.uniform(-2, 0, count)}
     if choice.beside.get("ageing"):
-        others |= {"waiting": 1e3 * ones, "strengthening": 0.02 * ones}
+        others |= {"waiting": 1e3 * ones, "ageing_rate": 0.02 * ones}
     if choice.beside.get("contamination"):
         others |= {"strength_variation": 0.5 * ones}
     return Groups(**draw(count), nu=nu, hardness_to_yield=k, K_beta=6.4762 * ones, **coating, **others)

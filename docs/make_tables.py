@@ -328,7 +328,7 @@ NAMES = {
     "composites": "composite",
     "stiffness before sliding": "presliding",
     "menisci": "meniscus",
-    "strengthening at rest": "ageing",
+    "ageing_rate at rest": "ageing",
     "junctions that differ": "contamination",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",

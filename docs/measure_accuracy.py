@@ -17,7 +17,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
 from tables import column, groups, groups_of, load_size, random_groups, read  # noqa: E402
 
-KINDS = [(reading, coated) for reading in ("corrected", "published") for coated in (False, True)]
+KINDS = [(variant, coated) for variant in ("corrected", "published") for coated in (False, True)]
 RULES = ((8, 16), (16, 32), (24, 40), (24, 48), (24, 56), (32, 64))  # the kernels take multiples of eight
 LAWS = 50_000
 REFERENCE_NODES = (160, 160)
@@ -51,26 +51,26 @@ def worst(found, expected, sizes):
     return max(errors)
 
 
-def regimes_of(group, reading):
-    return problem_of(group, Choice(options={"reading": reading})).regimes
+def regimes_of(group, variant):
+    return problem_of(group, Choice(options={"variant": variant})).regimes
 
 
 def table_cases():
     """The 376 rows of reference/paper_model_own.csv: regimes, separations, true values, their sizes."""
-    for reading, coated in KINDS:
-        rows = [row for row in read("paper_model_own.csv") if (row["formulation"], bool(row["n_E"])) == (reading, coated)]
+    for variant, coated in KINDS:
+        rows = [row for row in read("paper_model_own.csv") if (row["formulation"], bool(row["n_E"])) == (variant, coated)]
         expected = [column(rows, name) for name in ("load", "area", "friction")]
         sizes = [column(rows, "abs_load"), *expected[1:]]
-        yield regimes_of(groups_of(rows), reading), column(rows, "h"), expected, sizes
+        yield regimes_of(groups_of(rows), variant), column(rows, "h"), expected, sizes
 
 
 def random_cases(coated):
     """Random laws of the whole range; the true values are those of many nodes."""
     rng = np.random.default_rng(2015)
-    for reading in ("corrected", "published"):
+    for variant in ("corrected", "published"):
         group = groups(**random_groups(rng, LAWS, coated))
         h = rng.uniform(-6.0, 8.0, LAWS)
-        regimes = regimes_of(group, reading)
+        regimes = regimes_of(group, variant)
         expected = totals(regimes, h, REFERENCE_NODES)
         film = (group.film().theta, group.n_E) if coated else ()
         yield regimes, h, expected, [load_size(*expected[:2], group.theta, *film), *expected[1:]]

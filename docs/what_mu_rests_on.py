@@ -62,7 +62,7 @@ def _sized(depth: str) -> Switch:
 
 
 def _waited(time: str) -> Switch:
-    return Switch(f"{time} at rest", contact={"waiting_time": time, "strengthening": 0.02, "cut_off_time": "1 s"})
+    return Switch(f"{time} at rest", contact={"hold_time": time, "ageing_rate": 0.02, "reference_time": "1 s"})
 
 
 def _plated(film: str) -> Switch:
@@ -145,7 +145,7 @@ def solve(switch: Switch) -> Answer:
         found = st.solve(contact, load=switch.load, heights=chosen, **laws)
         mu = [float(found["friction_coefficient"])]
     if switch.spread:
-        by = float(found["friction_coefficient_spread"])
+        by = float(found["friction_coefficient_scatter"])
         mu = [mu[0] - by, mu[0] + by]
     return Answer(switch.words, tuple(mu), bool(found.attrs["outside_validity"]))
 

@@ -18,14 +18,14 @@ SURFACES = {
 h = np.linspace(3, -4, 71)
 
 figure = Figure(figsize=(9, 4.5), layout="constrained")
-for axes, reading in zip(figure.subplots(1, 2, sharey=True), ("published", "corrected"), strict=True):
+for axes, variant in zip(figure.subplots(1, 2, sharey=True), ("published", "corrected"), strict=True):
     for name, film in SURFACES.items():
-        result = st.solve(st.Indices(theta=40, lam=10, **film), separation=h, reading=reading)
+        result = st.solve(st.Indices(theta=40, lam=10, **film), separation=h, variant=variant)
         pressed = result["load"] > 1e-4
         axes.loglog(result["load"].where(pressed), result["friction_coefficient"].where(pressed), label=name)
         mu = float(result["friction_coefficient"].sel(mean_separation=1.0))
-        print(f"{reading:9}  {name:33} mu = {mu:.4f} at h = 1")
-    axes.set_title(f"{reading} reading")
+        print(f"{variant:9}  {name:33} mu = {mu:.4f} at h = 1")
+    axes.set_title(f"{variant} variant")
     axes.set_xlabel(r"load / ($N A_\mathrm{n} K R^{1/2} \sigma^{3/2}$)")
     axes.grid(alpha=0.3)
 figure.axes[0].set_ylabel("static friction coefficient")

@@ -47,9 +47,9 @@ def numbers() -> dict[str, str]:
     found = {name: str(len(of_kind(kind))) for name, kind in kinds.items()}
     theory = (ROOT / "docs" / "explanation" / "theory-limits.md").read_text(encoding="utf-8")
     found["departures"] = str(len(re.findall(r"^\| D\d+ \|", theory, re.MULTILINE)))
-    for reading in ("published", "corrected"):
-        load, _, friction = st.evaluate(1.0, 40.0, 10.0, reading=reading)
-        found[f"mu_{reading}"] = f"{float(friction) / float(load):.2f}"
+    for variant in ("published", "corrected"):
+        load, _, friction = st.evaluate(1.0, 40.0, 10.0, variant=variant)
+        found[f"mu_{variant}"] = f"{float(friction) / float(load):.2f}"
     found |= {"surfaces": str(known["kinds"].size), "kinds": str(len(set(known["kinds"].tolist())))}
     found["loads"] = str(known["loads"].size)
     return found | errors(known) | on_films(known) | {"film_load": film_load()}

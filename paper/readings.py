@@ -15,11 +15,11 @@ FILMS = {
 h = np.linspace(3.5, -2.0, 120)
 figure, axes = plt.subplots(figsize=(6.0, 4.0), layout="constrained")
 for at, (name, film) in enumerate(FILMS.items()):
-    for reading, style in (("published", "--"), ("corrected", "-")):
-        load, _, friction = st.evaluate(h, THETA, LAM, reading=reading, **film)
+    for variant, style in (("published", "--"), ("corrected", "-")):
+        load, _, friction = st.evaluate(h, THETA, LAM, variant=variant, **film)
         pressed = load > 0.0  # where adhesion alone holds the surfaces there is no coefficient
         mu = friction[pressed] / load[pressed]
-        axes.loglog(load[pressed], mu, style, color=f"C{at}", label=f"{name}, {reading}")
+        axes.loglog(load[pressed], mu, style, color=f"C{at}", label=f"{name}, {variant}")
 axes.set(xlabel="load per asperity over $KR^{1/2}\\sigma^{3/2}$", ylabel="static friction coefficient", ylim=(1e-2, 10.0))
 axes.grid(alpha=0.3)
 axes.legend(fontsize="x-small")

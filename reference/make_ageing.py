@@ -4,7 +4,7 @@ The rate of creep falls exponentially with the area gained, dA/dt = (m/t_c) exp(
 reach an area is the integral of one over the rate, by quadrature; `factor` is the area at which that time is `waiting`, in
 cut-off times, by bisection.
 
-- `berthoud_1999.csv`: `factor` at `waiting`, `strengthening`
+- `berthoud_1999.csv`: `factor` at `waiting`, `ageing_rate`
 """
 
 import csv
@@ -32,7 +32,7 @@ def area(m, waited):
 if __name__ == "__main__":
     with (Path(__file__).parent / "berthoud_1999.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["waiting", "strengthening", "factor"])
+        writer.writerow(["waiting", "ageing_rate", "factor"])
         for m in ("0.005", "0.02", "0.1"):
             for waited in ("0.001", "1", "60", "3600", "86400"):
                 writer.writerow([waited, m, mp.nstr(area(mpf(m), mpf(waited)), 15)])

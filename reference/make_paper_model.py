@@ -4,7 +4,7 @@
     python make_paper_model.py --check OTHER.csv    # compare a table of the same columns with these equations
 
 - `paper_model_own.csv` of `soft_coating_2015`, `sequential`, `printed`: `load`, `area`, `friction`, `abs_load`; 4 kinds
-  (corrected or published reading, bare or coated): 60 random inputs over the whole range (h -6..8, theta 1e-3..1e8, lambda
+  (corrected or published variant, bare or coated): 60 random inputs over the whole range (h -6..8, theta 1e-3..1e8, lambda
   1e-6..1e8, nu 0..0.499, H/Y 1.5..4, n_E and n_H 1e-2..1e2, t 0..1e3) and 34 picked beside a kink or a corner
 - `asperity.csv` of `soft_coating_2015` (tangential law): one asperity, both readings, five points of the elastic range: `x0`,
   `x1`, `w1`, plastic load at w1, K beta, number of slip = yield crossings between x0 and x1; `x`, `w`, `load`, `slip`, `yield`
@@ -12,7 +12,7 @@
   the first, and `attached_asperities`
 - `fuller_tabor_1975.csv`: elastic JKR asperities on the unloading branch, largest tension over N (3/2) pi gamma R, and h there;
   `inverse_delta_c` = theta^(2/3)/1.94889
-- `parts.csv` of `soft_coating_2015`: corrected reading, the same sums by group of asperities, see below
+- `parts.csv` of `soft_coating_2015`: corrected variant, the same sums by group of asperities, see below
 
 How:
 
@@ -22,7 +22,7 @@ How:
   Crossings: 23000-point scan, near misses searched for a hidden pair, then bisection to all digits. Gauss-Legendre
   with 32 nodes; panels are halved until the sum stands still to 1e-21 of the integral of |integrand|. Plastic
   integrals are closed forms.
-- In the corrected reading (2 pi/theta) P + 3 pi^2/theta^2 = (2 pi/theta)(u^3 - S/2)^2 with S = sqrt(6 pi/theta), so
+- In the corrected variant (2 pi/theta) P + 3 pi^2/theta^2 = (2 pi/theta)(u^3 - S/2)^2 with S = sqrt(6 pi/theta), so
   the slip force has no square root; the unloading forces follow the same formula past pull-off.
 - Checked: the number of elastic asperities against Q(h + start) - Q(h + end), all bare rows, to 1e-18; ten bare rows
   (five random, five picked) and three unloading rows against mpmath's tanh-sinh `quad` in x with the formulas as they
@@ -37,7 +37,7 @@ How:
 
 What a test of these must share:
 
-- `abs_load` is the integral of |load integrand|; in the corrected coated reading the film's term n_E |P_c(t)| Q(h+t)
+- `abs_load` is the integral of |load integrand|; in the corrected coated variant the film's term n_E |P_c(t)| Q(h+t)
   is one more part. Judge loads against it, not against `load`.
 - Published `area`, which the paper does not define as a sum over heights: bare Int_{x0}^{x1} x phi(h+x) dx +
   Int_{w1}^inf 2w phi(h+w) dw; coated the same with the film's law. Corrected coated `area`: the film's law at the
@@ -80,7 +80,7 @@ HERE = Path(__file__).parent
 DIGITS = 17
 INPUTS = ("h", "theta", "lambda", "nu", "H_over_Y")
 COATING = ("n_E", "n_H", "t")
-KINDS = [(reading, coated) for reading in ("corrected", "published") for coated in (False, True)]
+KINDS = [(variant, coated) for variant in ("corrected", "published") for coated in (False, True)]
 
 
 def printed(value):
@@ -194,10 +194,10 @@ def nasty_cases():
 def paper_model_own():
     def rows():
         for *law, n_E, n_H, tau in (*random_cases(), *nasty_cases()):
-            for reading, coated in KINDS:
+            for variant, coated in KINDS:
                 film = (n_E, n_H, tau) if coated else None
-                values = evaluate(reading, *map(exact, law), film and tuple(map(exact, film)))
-                yield [reading, *law, *(film or ("", "", "")), *values]
+                values = evaluate(variant, *map(exact, law), film and tuple(map(exact, film)))
+                yield [variant, *law, *(film or ("", "", "")), *values]
 
     write("paper_model_own.csv", ["formulation", *INPUTS, *COATING, "load", "area", "friction", "abs_load"], rows())
 
@@ -213,7 +213,7 @@ ASPERITIES = [
     (1000, 1e6, 0, 1.5),
     (0.05, 2, 0.499, 4),
     (1e5, 1e4, 0.2, 2.8),
-    # two and three crossings of slip and yield in the corrected reading, three in the published one
+    # two and three crossings of slip and yield in the corrected variant, three in the published one
     (1, 22.8725, 0.499, 3),
     (300, 5522.02, 0.45, 4),
     (10, 907.748, 0.3, 2.8),
@@ -222,9 +222,9 @@ ASPERITIES = [
 
 def asperity():
     def rows():
-        for reading in ("corrected", "published"):
+        for variant in ("corrected", "published"):
             for theta, lam, nu, k in ASPERITIES:
-                law = Law(*(exact(v) for v in (theta, lam, nu, k)), reading == "published")
+                law = Law(*(exact(v) for v in (theta, lam, nu, k)), variant == "published")
                 crossings = law.crossings(law.u0, law.u1)
                 for fraction in ("0.0625", "0.25", "0.5", "0.75", "0.9375"):
                     x = law.u0**4 + mpf(fraction) * (law.u1**4 - law.u0**4)
@@ -232,7 +232,7 @@ def asperity():
                     u = mp.root(x, 4)
                     ends = law.u0**4, law.u1**4, law.w1, law.plastic_load(law.w1), law.K_beta, len(crossings)
                     here = x, law.w(u), law.load(u), law.slip_limited(u), law.yield_(u)
-                    yield [reading, theta, lam, nu, k, *ends, *here]
+                    yield [variant, theta, lam, nu, k, *ends, *here]
 
     write(
         "asperity.csv",

@@ -227,7 +227,7 @@ def integrate(function, a, b):
 
 
 def elastic(law, h, start, end):
-    """PARTS of the elastic asperities from u = start to end, density as in the law's reading (section 3)."""
+    """PARTS of the elastic asperities from u = start to end, density as in the law's variant (section 3)."""
     total = dict.fromkeys(PARTS, mpf(0))
     if not start < end:
         return total
@@ -297,7 +297,7 @@ def film_law(law, n_E, n_H):
 
 
 def film_parts(film, h, tau):
-    """Corrected reading: asperities with w < tau, on the film alone; (elastic, plastic), in film units."""
+    """Corrected variant: asperities with w < tau, on the film alone; (elastic, plastic), in film units."""
     if tau < film.w1:
         end = bisect(lambda u: film.w(u) - tau, film.u0, film.u1) if tau > 0 else film.u0
         return elastic(film, h, film.u0, end), plastic(film, h, tau, tau)
@@ -305,7 +305,7 @@ def film_parts(film, h, tau):
 
 
 def held_film(film, h, tau):
-    """Corrected reading: what the film keeps of its load and resistance where w >= tau, in film units."""
+    """Corrected variant: what the film keeps of its load and resistance where w >= tau, in film units."""
     P, T, _, slips = film.at(tau)
     share = above(h + tau)
     zero = mpf(0)

@@ -1,4 +1,4 @@
-"""What the tests of the physics share: reading reference tables, groups from plain numbers, and comparing."""
+"""What the tests of the physics share: variant reference tables, groups from plain numbers, and comparing."""
 
 import csv
 import math

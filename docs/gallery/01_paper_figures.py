@@ -18,16 +18,16 @@ FIGURES = {
 h = np.linspace(3.0, -3.0, 61)  # mean separation over sigma
 
 figure, rows = plt.subplots(2, 3, figsize=(11, 6.5), sharex=True, sharey="row", layout="constrained")
-for reading, row in zip(("published", "corrected"), rows, strict=True):
+for variant, row in zip(("published", "corrected"), rows, strict=True):
     for (title, (name, values, fixed)), axes in zip(FIGURES.items(), row, strict=True):
         coated = st.Indices(theta=40.0, lam=10.0, **fixed, **{name: st.axis(name, values)})
         for contact, look in ((coated, "-"), (st.Indices(theta=40.0, lam=10.0), "k--")):
-            data = st.solve(contact, separation=h, reading=reading).where(lambda one: one["load"] > 1e-4)
+            data = st.solve(contact, separation=h, variant=variant).where(lambda one: one["load"] > 1e-4)
             curves = [data.sel({name: value}) for value in values] if name in data.dims else [data]
             for one, value in zip(curves, values, strict=False):
                 label = f"{name} = {value:g}" if name in data.dims else "no film"
                 axes.loglog(one["load"], one["friction_coefficient"], look, label=label)
-        axes.set_title(f"figure {title}\n{reading}", fontsize="medium")
+        axes.set_title(f"figure {title}\n{variant}", fontsize="medium")
         axes.grid(alpha=0.3)
         axes.legend(fontsize="small")
 for axes in rows[1]:

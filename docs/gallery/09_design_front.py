@@ -1,7 +1,7 @@
 """A front of designs: little friction, or little area?
 
-A silver film and the roughness below it are chosen freely. No design on the line is better than another in both wishes: what is
-gained in friction is lost in area. `stiction design` searches it, with limits.
+A silver film and the roughness below it are chosen freely. No design on the line is better than another in both objectives:
+what is gained in friction is lost in area. `stiction design` searches it, with limits.
 """
 
 import matplotlib.pyplot as plt
@@ -23,7 +23,7 @@ CASE = {
     },
     "solve": {"load": "1 N"},
     "design": {
-        "wish": [{"minimise": "friction_coefficient"}, {"minimise": "contact_area"}],
+        "objective": [{"minimise": "friction_coefficient"}, {"minimise": "contact_area"}],
         "validity": "possible",
         "effort": 12,
         "choose": {
@@ -43,6 +43,6 @@ points = axes.scatter(
 )
 figure.colorbar(points, label="thickness of the silver [nm]")
 axes.set(xlabel="real contact area [um$^2$]", ylabel="static friction coefficient", ylim=(0.0, None))
-axes.set_title("Silver on bearing steel at 1 N: the front of two wishes", fontsize="medium")
+axes.set_title("Silver on bearing steel at 1 N: the front of two objectives", fontsize="medium")
 axes.grid(alpha=0.3)
 figure.savefig("design_front.png", dpi=120)

@@ -24,7 +24,7 @@ down = st.solve(contact, separation=np.linspace(3.5, -6.2, 120) * 5e-9, **laws)
 axes.plot(down["mean_separation"] * 1e9, down["load"], color="black", label="pressed")
 for load in (0.5, 2.0, 6.0):
     distance = np.linspace(0.0, 40e-9, 200)
-    back = st.unload(contact, pressed_with=load, distance=distance, **laws)
+    back = st.unload(contact, max_load=load, separation_increase=distance, **laws)
     axes.plot(
         back["mean_separation"] * 1e9,
         back["load"],

@@ -179,7 +179,7 @@ def film_choice(record: FilmLaw) -> Choice:
 def film(record: FilmLaw) -> Figure:
     """Load and area of one asperity on the film, and on its body alone."""
     choice = film_choice(record)
-    options = {"reading": "published"} if not record.interchangeable else {}
+    options = {"variant": "published"} if not record.interchangeable else {}
     given, bare = contact(film=True, energy=0.1), contact(energy=0.1)
     length, load, area = scales(given)
     w = np.linspace(0.0, 8.0, 300)
@@ -286,7 +286,7 @@ def meniscus(record: Meniscus) -> Figure:
 def ageing(record: Ageing) -> Figure:
     """Friction against the time at rest."""
     times = np.geomspace(1e-2, 1e6, 60)
-    rested = _small().replace(waiting_time=st.axis("waiting_time", times), strengthening=0.02, cut_off_time=1.0)
+    rested = _small().replace(hold_time=st.axis("hold_time", times), ageing_rate=0.02, reference_time=1.0)
     data = st.solve(rested, load=1e-3, model=SUM, ageing=record.key)
     figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
     axes.semilogx(times, np.ravel(data["friction_coefficient"]), linewidth=2.5)
@@ -299,7 +299,7 @@ def contamination(record: Contamination) -> Figure:
     """Friction and its spread from one place to the next against load."""
     loads = np.geomspace(1e-5, 1e-1, 60)
     data = st.solve(_small().replace(strength_variation=1.0), load=loads, model=SUM, contamination=record.key)
-    mu, spread = data["friction_coefficient"], data["friction_coefficient_spread"]
+    mu, spread = data["friction_coefficient"], data["friction_coefficient_scatter"]
     figure, axes = plt.subplots(figsize=(5.5, 3.6), layout="constrained")
     axes.fill_between(loads, mu - spread, mu + spread, alpha=0.3, label="standard deviation")
     axes.semilogx(loads, mu, linewidth=2.5, label="mean")

@@ -96,7 +96,7 @@ def test_points_of_indices_are_plain(read):
 
 def test_settings(read):
     case = read(INDICES + 'separation = [1]\nreading = "published"\nfilm = "graded"\nbranch = "unloading"')
-    options = {"reading": "published", "branch": "unloading"}
+    options = {"variant": "published", "branch": "unloading"}
     assert case.choice == Choice(film="graded", options=options)
     laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'
     case = read(INDICES + "separation = [1]\n" + laws + 'options = { some_option = "one" }')
@@ -158,7 +158,7 @@ def test_settings(read):
         (
             "separation = [1]",
             "separation = [1]\nreading = 1",
-            "solve.reading: 1; allowed: corrected, published",
+            "solve.variant: 1; allowed: corrected, published",
         ),
     ],
 )

@@ -73,7 +73,7 @@ load = ["0.5 N", "1 N", "2 N"]
 """
 DESIGN = """
 [design]
-wish = { minimise = "friction_coefficient" }
+objective = { minimise = "friction_coefficient" }
 limits = { friction_coefficient_high = { high = 0.5 } }
 effort = 2
 [design.choose]
@@ -170,7 +170,7 @@ def test_models_without_friction_are_counted_where_the_interface_is_not_stated(c
 
 def test_the_same_mu_to_two_digits_everywhere(tmp_path):
     """From run, compare, sweep (one row of it), report, Python and the page's export."""
-    from stiction.web.asked import Question, solved
+    from stiction.web.asked import Query, solved
 
     path, page = tmp_path / "case.toml", tmp_path / "report.html"
     path.write_text(SILVER.replace('load = ["0.5 N", "1 N", "2 N"]', 'load = ["1 N"]'), encoding="utf-8")
@@ -180,7 +180,7 @@ def test_the_same_mu_to_two_digits_everywhere(tmp_path):
         assert f"{answer['friction_coefficient']:.2g}" == expected
     run("report", path, "--out", page)
     assert f"μ = {expected}</span>" in page.read_text(encoding="utf-8")
-    exported = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")))).data
+    exported = solved(Query(tomllib.loads(path.read_text(encoding="utf-8")))).data
     assert f"{exported['friction_coefficient'].item():.2g}" == expected
     several = tmp_path / "several.toml"
     several.write_text(path.read_text(encoding="utf-8").replace('"1 um"', '["1 um", "2 um"]'), encoding="utf-8")

@@ -8,7 +8,7 @@ import pytest
 import stiction as st
 from stiction.studies.paper import claims as claims
 from stiction.studies.paper import layered as paper_layered
-from stiction.studies.paper.claims import CLAIMS, READINGS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
+from stiction.studies.paper.claims import CLAIMS, VARIANTS, ClaimMap, Curves, Surfaces, claim_map, summary, surfaces_at, where
 from stiction.studies.paper.figures import PANELS, panel_curves
 
 H = claims._H
@@ -23,10 +23,10 @@ def test_a_load_is_found_where_it_is_first_carried_after_the_largest_tension():
     assert np.isnan(curves.at(np.array([-0.5]))[0][0])  # no compressive load
 
 
-@pytest.mark.parametrize("reading, bare, coated", [("published", 0.82277, 0.07774), ("corrected", 0.25270, 0.04525)])
-def test_surfaces_are_those_of_the_paper(reading, bare, coated):
+@pytest.mark.parametrize("variant, bare, coated", [("published", 0.82277, 0.07774), ("corrected", 0.25270, 0.04525)])
+def test_surfaces_are_those_of_the_paper(variant, bare, coated):
     """mu at h = 1 of theory 6, theta = 40, lambda = 10: bare, and n_E = 1.5, n_H = 0.5, tau = 2."""
-    found = surfaces_at(40.0, np.array([10.0]), reading)
+    found = surfaces_at(40.0, np.array([10.0]), variant)
     at = int(np.argmin(np.abs(H - 1.0)))
     mu = [curves.friction_force / curves.load for curves in (found.bare, found.films)]
     assert mu[0][0, 0, 0, 0, at] == pytest.approx(bare, abs=6e-6)
@@ -90,14 +90,14 @@ def test_where_names_the_bounds_that_tell_best():
 def test_the_map_covers_both_readings_and_its_summary_adds_up():
     theta = np.array([3.0, 40.0, 1000.0])
     found = claim_map(theta, np.array([0.1, 10.0]))
-    assert found.share.shape == found.worst.shape == (len(CLAIMS), len(READINGS), 3, 2)
+    assert found.share.shape == found.worst.shape == (len(CLAIMS), len(VARIANTS), 3, 2)
     rows = summary(found, 40.0, 10.0)
-    assert [(row["claim"], row["reading"]) for row in rows] == [(claim.key, one) for claim in CLAIMS for one in READINGS]
+    assert [(row["claim"], row["variant"]) for row in rows] == [(claim.key, one) for claim in CLAIMS for one in VARIANTS]
     for row in rows:
         parts = ("holds_for_all", "holds_for_some", "holds_for_none", "not_comparable")
         assert sum(row[part] for part in parts) == pytest.approx(1.0)
-        at, reading = "abcde".index(row["claim"]), READINGS.index(row["reading"])
-        assert row["share_here"] == found.share[at, reading, 1, 1]
+        at, variant = "abcde".index(row["claim"]), VARIANTS.index(row["variant"])
+        assert row["share_here"] == found.share[at, variant, 1, 1]
 
 
 def test_the_page_states_the_definitions_and_the_whole_map():
@@ -108,7 +108,7 @@ def test_the_page_states_the_definitions_and_the_whole_map():
         shares = (row[part] for part in ("holds_for_all", "holds_for_some", "holds_for_none", "not_comparable"))
         cells = [
             f"({row['claim']})",
-            row["reading"],
+            row["variant"],
             *(f"{share:.0%}" for share in shares),
             row["where_all"],
             row["where_none"],

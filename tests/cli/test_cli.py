@@ -197,8 +197,8 @@ def test_undefined_friction_is_null_in_json_and_a_dash_in_the_table(tmp_path):
 
 
 def test_options_override_the_case_and_a_model_without_them_is_not_asked(tmp_path):
-    read = strict(command("run", PAPER, "--reading", "published", "--json").stdout)["attrs"]
-    assert (read["reading"], read["film"]) == ("published", "printed")
+    read = strict(command("run", PAPER, "--variant", "published", "--json").stdout)["attrs"]
+    assert (read["variant"], read["film"]) == ("published", "printed")
     other = strict(command("run", adhesive(tmp_path), "--model", "greenwood_williamson_1966", "--json").stdout)
     assert other["attrs"]["model"] == "greenwood_williamson_1966"
     assert "friction_coefficient" not in other["variables"]
@@ -242,11 +242,11 @@ BAD = {
     "unreachable load": (GOOD.partition("[solve]")[0] + '[solve]\nload = "1 GN"\n', "load"),
     "not TOML": ("theta: 40\n", "case file"),
     "unknown model": (GOOD + 'model = "amontons"\n', "model"),
-    "unknown reading": (GOOD + 'reading = "own"\n', "reading"),
+    "unknown variant": (GOOD + 'variant = "own"\n', "variant"),
     "a model that knows no films": (GOOD + 'model = "greenwood_williamson_1966"\n', "model"),
     "an option that the model does not have": (
         "[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = 1\nmodel = 'rough_dmt'\nreading = 'published'\n",
-        "reading",
+        "variant",
     ),
 }
 
@@ -278,7 +278,7 @@ def test_bad_input_of_the_other_commands(tmp_path):
     refused("run", PAPER, "--out", file / "below", field="--out")
     refused("figures", "--theta", "-1", "--out", tmp_path / "figures", field="theta")
     refused("figures", "--lam", "nan", "--out", tmp_path / "figures", field="lam")
-    refused("figures", "--reading", "own", "--out", tmp_path / "figures", field="reading")
+    refused("figures", "--variant", "own", "--out", tmp_path / "figures", field="variant")
     refused("cite", "nobody_1900", field="nobody_1900")
     refused("schema", "--out", tmp_path, field="--out")
     assert [path.name for path in tmp_path.iterdir()] == ["file"] and file.read_text() == "mine"
@@ -363,11 +363,11 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
     assert len(rows) == 5 * 3 * 2 * 2
     assert {row["claim"] for row in rows} == set("abcde")
     # Theory, section 6: these indices show (a) to (c) in both readings.
-    here = {(row["claim"], row["reading"]): row["share_here"] for row in content["claims"]}
-    assert all(here[claim, reading] == 1.0 for claim in "abc" for reading in ("corrected", "published"))
+    here = {(row["claim"], row["variant"]): row["share_here"] for row in content["claims"]}
+    assert all(here[claim, variant] == 1.0 for claim in "abc" for variant in ("corrected", "published"))
 
 
 def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
     monkeypatch.setattr("stiction.studies.paper.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
-    text = command("figures", "--reading", "published", "--out", tmp_path / "figures").stdout
+    text = command("figures", "--variant", "published", "--out", tmp_path / "figures").stdout
     assert "(a)" in text and "holds if" in text and "not printed in the paper" in text

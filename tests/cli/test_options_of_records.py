@@ -16,24 +16,24 @@ def run(*words):
     return CliRunner().invoke(app, ["run", *words, "--json"])
 
 
-@pytest.mark.parametrize("words", [("--reading", "published"), ("--reading=published",)])
+@pytest.mark.parametrize("words", [("--variant", "published"), ("--variant=published",)])
 def test_an_option_may_stand_before_the_case_and_after_it(words):
     for order in ((*words, CASE), (CASE, *words)):
         found = run(*order)
         assert found.exit_code == 0, found.output
-        assert json.loads(found.stdout)["attrs"]["reading"] == "published"
+        assert json.loads(found.stdout)["attrs"]["variant"] == "published"
 
 
 def test_every_option_of_a_record_is_known():
     options = all_options()
-    assert {"reading", "branch", "transition", "modulus", "hardness"} <= options.keys()
+    assert {"variant", "branch", "transition", "modulus", "hardness"} <= options.keys()
     for name in options:
         refused = run(CASE, f"--{name.replace('_', '-')}", "nonsense")
         assert refused.exit_code == 2 and "nonsense" in refused.output and "\n" not in refused.output.strip()
 
 
 def test_what_no_record_has_is_refused():
-    for words, field in ((("--readin", "published"), "--readin"), (("--reading",), "--reading")):
+    for words, field in ((("--readin", "published"), "--readin"), (("--variant",), "--variant")):
         refused = run(CASE, *words)
         assert refused.exit_code == 2 and field in refused.output
 

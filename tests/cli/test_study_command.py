@@ -41,15 +41,15 @@ def toy(monkeypatch, tmp_path):
 
 
 def test_a_study_without_a_view_shows_its_dataset(toy, tmp_path):
-    shown = toy("--out", str(tmp_path / "out"), "--load", "1", "--reading", "published")
+    shown = toy("--out", str(tmp_path / "out"), "--load", "1", "--variant", "published")
     assert shown.exit_code == 0, shown.output
     table = [line.split() for line in shown.stdout.splitlines()]
     assert ["b", "160"] in [row[:2] for row in table] and ["stopped_at", "2"] in table
     assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["toy.nc", "toy_row.csv"]
     assert (tmp_path / "out" / "toy_row.csv").read_text().splitlines()[1:] == ["a,40.0", "b,160.0", "c,360.0"]
-    found = json.loads(toy("--json", "--load", "1", "--reading", "published").stdout)
+    found = json.loads(toy("--json", "--load", "1", "--variant", "published").stdout)
     assert found["variables"]["energy"]["values"] == [40.0, 160.0, 360.0]
-    assert (found["attrs"]["load"], json.loads(found["attrs"]["options"])) == ("1", {"reading": "published"})
+    assert (found["attrs"]["load"], json.loads(found["attrs"]["options"])) == ("1", {"variant": "published"})
 
 
 def test_a_study_that_was_interrupted_shows_what_it_has_and_ends_as_interrupted(toy):

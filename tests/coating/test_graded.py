@@ -274,6 +274,6 @@ def test_bad_input_is_refused():
     substrate, film, *others = random_laws(3, 10)
     with refusal("m_soft", "3", "1", "2"):
         graded.graded_regimes(substrate, film, *others, exponents=(3, 1))
-    problem = problem_of(substrate, Choice(options={"reading": "published", "transition": "gradual"}))
+    problem = problem_of(substrate, Choice(options={"variant": "published", "transition": "gradual"}))
     with refusal("transition", "gradual", "jump"):
         assert problem.regimes

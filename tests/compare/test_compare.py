@@ -112,7 +112,7 @@ def test_films():
     coated = contact(coating=st.Coating(**FILM), interfacial_shear_strength="50 MPa")
     names = [one.name for one in candidates(coated)]
     assert len(names) == len(set(names))
-    assert "printed" not in names  # one reading of its model, and no answer of its own
+    assert "printed" not in names  # one variant of its model, and no answer of its own
     data = compare(coated, load="1 N")
     assert {"soft_coating_2015 + sequential", "graded"} <= set(data["model"].values)
     for film in of_kind(FilmLaw).values():

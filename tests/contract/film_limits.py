@@ -41,7 +41,7 @@ def groups_of(limit: str, theta: float = 1e6) -> Groups:
 def choices(film: FilmLaw):
     """The film with every asperity law that suits it, or that of its source, and what the bare contact of it is asked of."""
     if not film.interchangeable:
-        options = {"reading": "published"}
+        options = {"variant": "published"}
         yield Choice(PAPER, options=options), Choice(PAPER, options=options)
         return
     if film.tangential not in ("", "interface"):

@@ -183,8 +183,8 @@ def test_heights_that_end():
 
 def test_unloading_without_adhesion():
     laws = {"asperity": "jackson_green_2005", "tangential": "bowden_tabor_1943"}
-    found = st.unload(contact(), pressed_with="1 mN", distance=1e-9, **laws)
-    expected = st.unload(contact(work_of_adhesion=1e-12), pressed_with="1 mN", distance=1e-9, **laws)
+    found = st.unload(contact(), max_load="1 mN", separation_increase=1e-9, **laws)
+    expected = st.unload(contact(work_of_adhesion=1e-12), max_load="1 mN", separation_increase=1e-9, **laws)
     assert float(found["load"]) == pytest.approx(float(expected["load"]), rel=1e-6)
 
 

@@ -88,7 +88,7 @@ def subjects():
     for film in FILMS:
         if film.interchangeable:
             yield from ((choice, True) for choice in with_options(film_choice(film), film))
-    yield Choice(options={"reading": "published"}), True
+    yield Choice(options={"variant": "published"}), True
 
 
 def name_of(choice, coated):
@@ -139,7 +139,7 @@ def test_nothing_is_negative(choice, coated):
     total = sums.sum(axis=0)
     assert total[:, 2].max() > 1.0 and total[:, 0].max() > 0.5
     touching = np.array([regime.touching for regime in found.regimes])
-    if choice.options.get("reading") != "published":  # as printed, some heights are counted twice (D2)
+    if choice.options.get("variant") != "published":  # as printed, some heights are counted twice (D2)
         assert sums[touching, :, 0].sum(axis=0).max() <= 1.0 + 1e-10
     assert (total[:, 3:].max() > 0.0) == found.friction
 
@@ -342,7 +342,7 @@ def test_any_asperity_law_with_any_heights(asperity, key):
 def test_any_film_with_any_asperity_law(film, asperity):
     """The same for films, which then carry a load and, with a shear strength of the interface, friction."""
     if not film.interchangeable:
-        pytest.skip("belongs to one reading of one model")
+        pytest.skip("belongs to one variant of one model")
     given = draw(40, True, 97)
     choice = Choice(PLAIN, asperity.key, OF_THE_INTERFACE, film.key)
     if incompatibility(film, asperity):
@@ -411,7 +411,7 @@ def test_a_thick_film_hides_its_substrate(film):
     """tau -> inf (theory 7): loads and resistances are n_E times those of a surface that is film all through, in the film's
     own groups; the area is the same."""
     if not film.interchangeable:
-        pytest.skip("belongs to one reading: adds film loads without n_E and keeps the substrate's plastic term (D4, D5)")
+        pytest.skip("belongs to one variant: adds film loads without n_E and keeps the substrate's plastic term (D4, D5)")
     # A graded film tends to this as w/t and a/t: 1e14 makes that rounding.
     given = draw(200, True, 67, tau=1e14, film_aspect=1e14)
     own_groups = given.with_changes(theta=given.film().theta, lam=given.film().lam, n_E=np.ones(200), n_H=np.ones(200))
@@ -519,7 +519,7 @@ def test_a_law_depends_on_what_it_says(record, kind):
     given = draw(50, kind is FilmLaw or getattr(record, "on_film", False), 71)
     choice = choice_of(record, kind)
     if kind is FilmLaw and not record.interchangeable:
-        choice = Choice(options={"reading": "published"})
+        choice = Choice(options={"variant": "published"})
     if not {"theta", "lam", "tabor_parameter"} & {name for one in problem_of(given, choice).records() for name in one.needs}:
         given = without_adhesion(given)
     found = problem_of(given, choice)

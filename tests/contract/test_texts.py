@@ -33,7 +33,7 @@ COATED = st.Contact(**DRY, coating=FILM)
 GROUPS = st.Indices(theta=40.0, lam=3.0, sharpness=0.01, roughness_parameter=0.05, shear_strength=0.03)
 WAVES = HeightMap(1e-8 * np.sin(np.arange(32.0))[:, None] * np.cos(np.arange(32.0)), (1e-6, 1e-6))
 PLAIN = {"model": "greenwood_williamson_1966"}
-UNLOADED = {"model": "greenwood_williamson_1966", "pressed_to": 0.0}
+UNLOADED = {"model": "greenwood_williamson_1966", "min_separation": 0.0}
 
 
 def case(**tables):
@@ -73,7 +73,7 @@ ERRORS = {  # by the room that refuses
     "laws that do not go together": lambda: st.solve(
         CONTACT, load="1 mN", model="greenwood_williamson_1966", asperity="jkr", tangential="chang_etsion_bogy_1988"
     ),
-    "no such option": lambda: st.solve(CONTACT, load="1 mN", reading="twice", **PLAIN),
+    "no such option": lambda: st.solve(CONTACT, load="1 mN", variant="twice", **PLAIN),
     "a tension without adhesion": lambda: st.solve(CONTACT, load="-1 mN", **PLAIN),
     "more than can be carried": lambda: st.solve(CONTACT, load="1 MN", **PLAIN),
     "separation and load": lambda: st.solve(CONTACT, load="1 mN", separation="1 nm", **PLAIN),
@@ -82,8 +82,8 @@ ERRORS = {  # by the room that refuses
     "a theory at a separation": lambda: st.solve(CONTACT, separation="1 nm", model="persson_2001"),
     "a group that is missing": lambda: st.solve(st.Indices(lam=3.0), load=0.1),
     "a map for boundary elements": lambda: st.solve(CONTACT, load="1 mN", model="boundary_elements"),
-    "unloaded with a film": lambda: st.unload(COATED, distance="1 nm", **UNLOADED),
-    "unloaded both ways": lambda: st.unload(CONTACT, pressed_with="1 mN", distance="1 nm", **UNLOADED),
+    "unloaded with a film": lambda: st.unload(COATED, separation_increase="1 nm", **UNLOADED),
+    "unloaded both ways": lambda: st.unload(CONTACT, max_load="1 mN", separation_increase="1 nm", **UNLOADED),
     "slid with a film": lambda: st.slide(COATED, load="1 mN", displacement="1 nm", film="sequential", **PLAIN),
     "slid as a theory": lambda: st.slide(CONTACT, load="1 mN", displacement="1 nm", model="persson_2001"),
     "menisci without a liquid": lambda: st.solve(CONTACT, load="1 mN", meniscus="equilibrium_meniscus", **PLAIN),

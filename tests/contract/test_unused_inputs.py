@@ -15,7 +15,7 @@ from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.problem import make_problem
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted
-from stiction.web.asked import Question, solved
+from stiction.web.asked import Query, solved
 
 PAPER = "soft_coating_2015"
 ROUGHNESS = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="5 um", asperity_density="1.7e11 1/m^2")
@@ -107,8 +107,8 @@ def test_of_a_coated_contact(film):
 
 
 def test_of_the_reading_to_the_letter():
-    check(BARE.replace(coating=FILM), model=PAPER, reading="published")
-    check(BARE, model=PAPER, reading="published")
+    check(BARE.replace(coating=FILM), model=PAPER, variant="published")
+    check(BARE, model=PAPER, variant="published")
 
 
 def test_what_a_preset_brings_was_not_given():
@@ -205,10 +205,10 @@ def test_a_strength_that_the_default_model_ignores_is_refused(study, tmp_path, m
 
 
 def test_the_page_refuses_it_too():
-    answer = solved(Question(unnamed(solve={"load": "1 N", "asperity": "jkr"})))
+    answer = solved(Query(unnamed(solve={"load": "1 N", "asperity": "jkr"})))
     assert answer.data is None and answer.error is not None and answer.error.field == "interfacial_shear_strength"
     named = unnamed(solve={"load": "1 N", "model": PAPER})
-    assert solved(Question(named)).error is None
+    assert solved(Query(named)).error is None
 
 
 @pytest.mark.parametrize("words", [("--asperity", "jkr"), ("--load", "3 N", "--asperity", "jkr")])

@@ -13,7 +13,7 @@ from stiction.quantities.errors import InputError
 from stiction.report.design_pictures import design_figure
 from stiction.report.views.design import design_notes, design_view
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, solve_pointwise
+from stiction.solving.pointwise import WHY_NOT, solve_batch
 from stiction.solving.problem import make_problem
 from stiction.solving.solve import solve
 from stiction.solving.yielded import yielded_shares
@@ -28,7 +28,7 @@ ROUGH = {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "aspe
 RADIUS = {"roughness": {"asperity_radius": {"low": "1 um", "high": "500 um"}}}
 
 
-def case(wish, choose, limits=None, model="persson_2001", load="1 N", **more):
+def case(objective, choose, limits=None, model="persson_2001", load="1 N", **more):
     contact = {
         "first": "hardened_steel_52100",
         "second": "hardened_steel_52100",
@@ -36,12 +36,12 @@ def case(wish, choose, limits=None, model="persson_2001", load="1 N", **more):
         "nominal_area": "1 mm^2",
         "roughness": ROUGH,
     }
-    table = {"wish": wish, "choose": choose, "limits": limits or {}, "validity": "any"}
+    table = {"objective": objective, "choose": choose, "limits": limits or {}, "validity": "any"}
     return {"contact": contact, "solve": {"load": load, "model": model}, "design": table | more}
 
 
-def coated(wish, choose, limits=None, **more):
-    found = case(wish, choose, limits, "soft_coating_2015", **more)
+def coated(objective, choose, limits=None, **more):
+    found = case(objective, choose, limits, "soft_coating_2015", **more)
     contact = {key: value for key, value in found["contact"].items() if key != "interfacial_shear_strength"}
     film = {"material": "silver", "thickness": "200 nm", "bodies": "first"}
     return found | {"contact": contact | {"work_of_adhesion": "0.3 J/m^2", "coating": film}}
@@ -138,12 +138,12 @@ def test_the_worst_of_several_loads_counts():
     table = case({"target": "friction_coefficient", "value": 0.1}, RADIUS, load=["1 N", "400 N"])
     found = run_design(plan_of_design(table), lambda count, text: None)
     best = found.best()[0]
-    shares, wishes, _, _ = found.archive.table()
+    shares, objectives, _, _ = found.archive.table()
     radius = float(found.plan.free[0].at(shares[best, 0]))
     subject = subject_of(table)
     there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
     mu = solve(there, load=[1.0, 400.0], model="persson_2001")["friction_coefficient"].values
-    assert wishes[best, 0] == pytest.approx(np.abs(mu - 0.1).max(), rel=1e-9)
+    assert objectives[best, 0] == pytest.approx(np.abs(mu - 0.1).max(), rel=1e-9)
     np.testing.assert_allclose(mu[0] - 0.1, 0.1 - mu[1], rtol=1e-4)
 
 
@@ -190,7 +190,7 @@ def test_what_a_limit_of_validity_counts(deviation, work, load, kinds):
     contact = subject_of(case(LEAST, RADIUS))
     rough = contact.roughness.replace(asperity_radius=50e-6, asperity_height_deviation=deviation)
     contact = contact.replace(roughness=rough, work_of_adhesion=work)
-    solved = solve_pointwise(contact, Choice("greenwood_williamson_1966"), load=load)
+    solved = solve_batch(contact, Choice("greenwood_williamson_1966"), load=load)
     bits = int(solved.validity_warnings[1]) >> len(WHY_NOT)
     left = [rule.kind for at, rule in enumerate(solved.rules) if bits >> at & 1]
     assert set(left) == kinds
@@ -225,16 +225,16 @@ def test_a_front_is_of_designs_that_none_beats():
 
 
 def test_a_front_of_points():
-    wishes = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [0.5, 0.5]])
-    assert _front(wishes, np.array([0.0, 0.0, 0.0, 0.0, 1e-7, 1.0])).tolist() == [0, 1, 4]
+    objectives = np.array([[1.0, 5.0], [2.0, 2.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [0.5, 0.5]])
+    assert _front(objectives, np.array([0.0, 0.0, 0.0, 0.0, 1e-7, 1.0])).tolist() == [0, 1, 4]
 
 
 def test_a_ceiling_is_of_the_other_wish():
-    wishes, worst = np.array([[1.0, 5.0], [2.0, 2.0], [9.0, 1.0]]), np.array([0.0, 0.0, 0.25])
-    np.testing.assert_allclose(_beyond(wishes, worst, 0, 2.5), [1.0, 0.0, 0.25], rtol=1e-15)
-    np.testing.assert_allclose(_beyond(wishes, worst, 1, 2.5), [0.0, 0.0, 2.6], rtol=1e-15)
-    np.testing.assert_allclose(_beyond(-wishes, worst, 0, -2.5), [0.0, 0.2, 0.6], rtol=1e-15)
-    np.testing.assert_allclose(_beyond(wishes, worst, 0, None), worst, rtol=0)
+    objectives, worst = np.array([[1.0, 5.0], [2.0, 2.0], [9.0, 1.0]]), np.array([0.0, 0.0, 0.25])
+    np.testing.assert_allclose(_beyond(objectives, worst, 0, 2.5), [1.0, 0.0, 0.25], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(objectives, worst, 1, 2.5), [0.0, 0.0, 2.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(-objectives, worst, 0, -2.5), [0.0, 0.2, 0.6], rtol=1e-15)
+    np.testing.assert_allclose(_beyond(objectives, worst, 0, None), worst, rtol=0)
 
 
 def test_what_is_searched_under_a_ceiling_is_best_at_it():
@@ -244,8 +244,8 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
     before = found.archive.count
     found.plan.__dict__["effort"] = 60
     _searched(found, 0, 2e-10, lambda count, text: None)
-    _, wishes, _, _ = found.archive.table()
-    new = wishes[before:]
+    _, objectives, _, _ = found.archive.table()
+    new = objectives[before:]
     assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
 
 
@@ -254,12 +254,12 @@ def test_a_front_is_searched_for_one_wish_under_ceilings_of_the_other(monkeypatc
     asked, searched = [], design_module._searched
     monkeypatch.setattr(design_module, "_searched", lambda *given: asked.append(given[1:3]) or searched(*given))
     found = run_design(plan_of_design(case([LEAST, MOST | {"maximise": "contact_area"}], RADIUS, effort=1)), lambda *told: None)
-    _, wishes, worst, _ = found.archive.table()
+    _, objectives, worst, _ = found.archive.table()
     assert [number for number, ceiling in asked if ceiling is None] == [0, 1]
     ceilings = [one for one in asked if one[1] is not None]
     assert len(ceilings) == 12
     for number, ceiling in ceilings:
-        assert wishes[worst == 0.0, 1 - number].min() < ceiling < wishes[worst == 0.0, 1 - number].max()
+        assert objectives[worst == 0.0, 1 - number].min() < ceiling < objectives[worst == 0.0, 1 - number].max()
 
 
 @pytest.mark.parametrize("name", ["load_share_yielded", "load_share_substrate_yielded"])
@@ -404,11 +404,14 @@ def test_told_at_once():
 @pytest.mark.parametrize(
     ("table", "said"),
     [
-        ({"wish": {}}, ("design.wish",)),
-        ({"wish": {"minimise": "frction_coefficient"}}, ("design.wish", "frction_coefficient", "friction_coefficient")),
-        ({"wish": {"target": "friction_coefficient"}}, ("design.wish.value",)),
-        ({"wish": {"target": "contact_area", "value": 1.0}}, ("design.wish.value", "1.0")),
-        ({"wish": [LEAST] * 3}, ("design.wish",)),
+        ({"objective": {}}, ("design.objective",)),
+        (
+            {"objective": {"minimise": "frction_coefficient"}},
+            ("design.objective", "frction_coefficient", "friction_coefficient"),
+        ),
+        ({"objective": {"target": "friction_coefficient"}}, ("design.objective.value",)),
+        ({"objective": {"target": "contact_area", "value": 1.0}}, ("design.objective.value", "1.0")),
+        ({"objective": [LEAST] * 3}, ("design.objective",)),
         ({"choose": {}}, ("design.choose",)),
         ({"choose": {"roughness": {"asperity_radius": "3 um"}}}, ("design.choose.roughness.asperity_radius",)),
         (
@@ -454,7 +457,7 @@ thickness = "200 nm"
 [solve]
 load = "1 N"
 [design]
-wish = [{ minimise = "friction_coefficient" }, { minimise = "contact_area" }]
+objective = [{ minimise = "friction_coefficient" }, { minimise = "contact_area" }]
 validity = "any"
 effort = 5
 [design.choose.coating]
@@ -509,7 +512,7 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
             },
             "solve": {"load": "1 N"},
             "design": {
-                "wish": [{"minimise": "friction_coefficient_high"}, {"maximise": "contact_area"}],
+                "objective": [{"minimise": "friction_coefficient_high"}, {"maximise": "contact_area"}],
                 "choose": {
                     "roughness": {
                         "asperity_height_deviation": {"low": "40 nm", "high": "200 nm"},

@@ -9,43 +9,43 @@ from stiction.quantities.errors import InputError
 from stiction.solving.evaluate import Evaluation, evaluate
 from tables import GROUP_COLUMNS, assert_near, column, film_of, load_size, random_groups, read
 
-KINDS = [(reading, coated) for reading in ("corrected", "published") for coated in (False, True)]
+KINDS = [(variant, coated) for variant in ("corrected", "published") for coated in (False, True)]
 TABLES = ("paper_model.csv", "paper_model_own.csv")
 # Central on the row's own separation, so that it is met to the bit.
 NEIGHBOURS = 0.25 * np.arange(-6, 7)
 
 
-def rows_of(table, reading, coated):
-    rows = [row for row in read(table) if row["formulation"] == reading and bool(row["n_E"]) == coated]
+def rows_of(table, variant, coated):
+    rows = [row for row in read(table) if row["formulation"] == variant and bool(row["n_E"]) == coated]
     assert rows
     laws = {name: column(rows, title) for name, title in GROUP_COLUMNS.items()} | film_of(rows)
     return rows, column(rows, "h"), laws
 
 
-def scattered(h, laws, reading):
-    return evaluate(h, **laws, reading=reading)
+def scattered(h, laws, variant):
+    return evaluate(h, **laws, variant=variant)
 
 
-def one_law_many_separations(h, laws, reading):
+def one_law_many_separations(h, laws, variant):
     """13 separations of each law, one call a law."""
     each = [{name: one[i] for name, one in laws.items()} for i in range(h.size)]
-    tables = [evaluate(one + NEIGHBOURS, **law, reading=reading) for one, law in zip(h, each, strict=True)]
+    tables = [evaluate(one + NEIGHBOURS, **law, variant=variant) for one, law in zip(h, each, strict=True)]
     return Evaluation(*(np.array([table[at][6] for table in tables]) for at in range(3)))
 
 
-def one_grid(h, laws, reading):
+def one_grid(h, laws, variant):
     """All separations of the table with all laws of the table, in one call."""
-    whole = evaluate(h[:, None], **laws, reading=reading)
+    whole = evaluate(h[:, None], **laws, variant=variant)
     return Evaluation(*(np.diagonal(table) for table in whole))
 
 
 @pytest.mark.parametrize("way", (scattered, one_law_many_separations, one_grid))
-@pytest.mark.parametrize(("reading", "coated"), KINDS)
+@pytest.mark.parametrize(("variant", "coated"), KINDS)
 @pytest.mark.parametrize("table", TABLES)
-def test_reference_values(table, reading, coated, way, always_grid):
+def test_reference_values(table, variant, coated, way, always_grid):
     """160 rows of an independent table, 376 of reference (see its README): 1e-10."""
-    rows, h, laws = rows_of(table, reading, coated)
-    found = way(h, laws, reading)
+    rows, h, laws = rows_of(table, variant, coated)
+    found = way(h, laws, variant)
     sizes = {"load": np.abs(column(rows, "abs_load"))} if "abs_load" in rows[0] else {}
     for name, title in (("load", "load"), ("contact_area", "area"), ("friction_force", "friction")):
         expected = column(rows, title)
@@ -101,14 +101,14 @@ def test_lists_integers_and_fortran_order():
     assert np.array_equal(evaluate(np.asfortranarray([[0.0, 1.0]] * 3), laws, 10.0).load, np.tile(plain.load, (3, 1)))
 
 
-@pytest.mark.parametrize(("reading", "coated"), KINDS)
-def test_grid_and_scattered_agree(reading, coated):
+@pytest.mark.parametrize(("variant", "coated"), KINDS)
+def test_grid_and_scattered_agree(variant, coated):
     """The two ways of the engine, over random laws of the whole range, at every separation: the promised 1e-10."""
     laws = random_groups(np.random.default_rng(11), 1500, coated)
     h = np.linspace(-6.0, 8.0, 29)
     column_laws = {name: one[:, None] for name, one in laws.items()}
-    grid = evaluate(h, **column_laws, reading=reading)
-    single = evaluate(np.tile(h, (1500, 1)), **column_laws, reading=reading)
+    grid = evaluate(h, **column_laws, variant=variant)
+    single = evaluate(np.tile(h, (1500, 1)), **column_laws, variant=variant)
     theta = column_laws["theta"]
     film = (theta * column_laws["n_E"], column_laws["n_E"]) if coated else ()
     assert_near(grid.contact_area, single.contact_area, 1e-10)
@@ -117,15 +117,15 @@ def test_grid_and_scattered_agree(reading, coated):
 
 
 @pytest.mark.parametrize("way", ("scattered", "grid"))
-@pytest.mark.parametrize(("reading", "coated"), KINDS)
-def test_whole_range_is_finite(reading, coated, way):
+@pytest.mark.parametrize(("variant", "coated"), KINDS)
+def test_whole_range_is_finite(variant, coated, way):
     """Random inputs of the whole range: 1.2e6 in all the cases. Any warning is an error here."""
     rng = np.random.default_rng(13)
     if way == "scattered":
-        found = evaluate(rng.uniform(-6.0, 8.0, 200_000), **random_groups(rng, 200_000, coated), reading=reading)
+        found = evaluate(rng.uniform(-6.0, 8.0, 200_000), **random_groups(rng, 200_000, coated), variant=variant)
     else:
         laws = {name: one[:, None] for name, one in random_groups(rng, 1000, coated).items()}
-        found = evaluate(rng.uniform(-6.0, 8.0, 100), **laws, reading=reading)
+        found = evaluate(rng.uniform(-6.0, 8.0, 100), **laws, variant=variant)
     assert all(np.isfinite(value).all() for value in found)
     assert (found.contact_area >= 0.0).all()
     assert (found.friction_force >= 0.0).all()
@@ -133,12 +133,12 @@ def test_whole_range_is_finite(reading, coated, way):
     assert np.count_nonzero(found.contact_area) > 0.4 * found.contact_area.size
 
 
-@pytest.mark.parametrize(("reading", "coated"), KINDS)
-def test_corners_of_the_range(reading, coated):
+@pytest.mark.parametrize(("variant", "coated"), KINDS)
+def test_corners_of_the_range(variant, coated):
     names = ("h", "theta", "lam", "nu", "hardness_to_yield", "n_E", "n_H", "tau")
     ends = ((-6, 8), (1e-3, 1e8), (1e-6, 1e8), (0, 0.499), (1.5, 4), (1e-2, 1e2), (1e-2, 1e2), (0, 1e3))
     corners = np.array(list(itertools.product(*(ends if coated else ends[:5]))), dtype=float)
-    found = evaluate(**dict(zip(names, corners.T, strict=False)), reading=reading)
+    found = evaluate(**dict(zip(names, corners.T, strict=False)), variant=variant)
     assert all(np.isfinite(value).all() for value in found)
     assert (found.contact_area >= 0.0).all() and (found.friction_force >= 0.0).all()
 
@@ -162,7 +162,7 @@ BAD = [  # what is given, the field that is named, the value, a piece of what is
     (FILM | {"tau": -1.0}, "tau", "-1", ">= 0"),
     (FILM | {"n_E": 0.0}, "n_E", "0", ">= 1e-12"),
     (FILM | {"n_H": -2.0}, "n_H", "-2", ">= 1e-12"),
-    ({"reading": "literal"}, "reading", "literal", "corrected, published"),
+    ({"variant": "literal"}, "variant", "literal", "corrected, published"),
     ({"h": [1.0, 2.0], "theta": [1.0, 2.0, 3.0]}, "h and groups", "(2,)", "broadcast"),
 ]
 

@@ -345,7 +345,7 @@ LAWS = (
     {"model": "rough_dmt"},
     {"model": "kogut_etsion_2004"},
     {"model": "greenwood_williamson_1966", "asperity": "thornton_ning_1998"},
-    {"model": "soft_coating_2015", "reading": "published"},
+    {"model": "soft_coating_2015", "variant": "published"},
 )
 
 

@@ -51,9 +51,9 @@ def test_points_of_indices(what):
     value = NO_POINTS[what]
     refused("mean_separation", st.solve, CONTACT, separation=value, **PLAIN)
     refused("load", st.solve, CONTACT, load=value, **PLAIN)
-    refused("pressed_to", st.unload, CONTACT, pressed_to=value, distance=0.0, **PLAIN)
-    refused("pressed_with", st.unload, CONTACT, pressed_with=value, distance=0.0, **PLAIN)
-    refused("distance", st.unload, CONTACT, pressed_to=0.0, distance=value, **PLAIN)
+    refused("min_separation", st.unload, CONTACT, min_separation=value, separation_increase=0.0, **PLAIN)
+    refused("max_load", st.unload, CONTACT, max_load=value, separation_increase=0.0, **PLAIN)
+    refused("separation_increase", st.unload, CONTACT, min_separation=0.0, separation_increase=value, **PLAIN)
 
 
 @pytest.mark.parametrize("value", ([1.0, [2.0, 3.0]], [[1e-9, 2e-9]], np.zeros((2, 2)), True, 1j, [None], {1.0}))
@@ -80,8 +80,8 @@ def test_numbers_of_evaluate(what):
 
 @pytest.mark.parametrize("nothing", ([], xarray.DataArray(np.zeros((2, 0)), dims=("a", "b"))))
 def test_nothing_is_drawn_apart_from_nowhere(nothing):
-    refused("pressed_to", st.unload, CONTACT, pressed_to=nothing, distance=0.1, **PLAIN)
-    refused("distance", st.unload, CONTACT, pressed_to=0.0, distance=nothing, **PLAIN)
+    refused("min_separation", st.unload, CONTACT, min_separation=nothing, separation_increase=0.1, **PLAIN)
+    refused("separation_increase", st.unload, CONTACT, min_separation=0.0, separation_increase=nothing, **PLAIN)
 
 
 @pytest.mark.parametrize("threads", (0, -1, 1.5, "2", True, None, math.nan, [2]))
@@ -104,7 +104,7 @@ def test_no_more_shares_than_places(size, threads):
 @pytest.mark.parametrize(
     "value", (3, ["jkr"], [], {}, True, math.nan, np.array(["a", "b"]), xarray.DataArray([1.0, 2.0], dims="x"))
 )
-@pytest.mark.parametrize("name", ("asperity", "tangential", "film", "presliding", "reading", "options"))
+@pytest.mark.parametrize("name", ("asperity", "tangential", "film", "presliding", "variant", "options"))
 def test_laws_and_options_are_text(name, value):
     coated = st.Indices(theta=40.0, lam=10.0, n_E=1.0, n_H=1.0, tau=1.0)
     for contact in (CONTACT, coated):

@@ -14,7 +14,7 @@ from stiction.solving.problem import problem_of
 from tables import column, columns_of_groups, groups, random_groups, random_others, read
 
 PLAIN = "greenwood_williamson_1966"
-REST = {"waiting_time": "1 h", "cut_off_time": "0.5 s", "strengthening": 0.03}
+REST = {"hold_time": "1 h", "reference_time": "0.5 s", "ageing_rate": 0.03}
 SURFACE = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="5 um", asperity_density="1.7e11 1/m^2")
 CONTACT = st.Contact(
     first="copper",
@@ -35,13 +35,13 @@ def test_the_creep_behind_it():
 def test_a_line_over_the_logarithm_of_time():
     """Slope m for every factor of e; flat before the cut-off time; nothing at no time."""
     times = np.array([1e-4, 1e6, 1e6 * np.e])
-    waited = st.axis("waiting_time", times)
-    contact = CONTACT.replace(**REST | {"waiting_time": waited, "cut_off_time": "1 s"})
+    waited = st.axis("hold_time", times)
+    contact = CONTACT.replace(**REST | {"hold_time": waited, "reference_time": "1 s"})
     mu = st.solve(contact, load="1 N", model=PLAIN, tangential="bowden_tabor_1943")["friction_coefficient"].values
     first = float(st.solve(CONTACT, load="1 N", model=PLAIN, tangential="bowden_tabor_1943")["friction_coefficient"])
     assert_allclose((mu[2] - mu[1]) / first, 0.03, rtol=1e-5)
     assert_allclose(mu[0] / first, 1.0, atol=4e-6)
-    none = st.solve(contact.replace(waiting_time="0 s"), load="1 N", model=PLAIN, tangential="bowden_tabor_1943")
+    none = st.solve(contact.replace(hold_time="0 s"), load="1 N", model=PLAIN, tangential="bowden_tabor_1943")
     assert float(none["friction_coefficient"]) == first
 
 
@@ -59,7 +59,7 @@ def test_what_rises_with_pressure_does_not_grow():
 
 def draw(n, coated=False):
     rng = np.random.default_rng(8)
-    rest = {"waiting": 10.0 ** rng.uniform(-2, 6, n), "strengthening": rng.uniform(0.0, 0.1, n)}
+    rest = {"waiting": 10.0 ** rng.uniform(-2, 6, n), "ageing_rate": rng.uniform(0.0, 0.1, n)}
     return groups(**random_others(rng, n), **random_groups(rng, n, coated), **rest)
 
 
@@ -117,9 +117,9 @@ def test_refusals():
             CONTACT.replace(**{name: value for name, value in REST.items() if name != left_out})
         assert caught.value.field == left_out
     with pytest.raises(InputError) as caught:
-        CONTACT.replace(**REST | {"cut_off_time": "0 s"})
-    assert caught.value.field == "cut_off_time"
+        CONTACT.replace(**REST | {"reference_time": "0 s"})
+    assert caught.value.field == "reference_time"
     unused = st.solve(CONTACT.replace(**REST), load="1 N", model="chang_etsion_bogy_1988")
-    assert "waiting_time" in unused.attrs["inputs_not_used"] and "strengthening" in unused.attrs["inputs_not_used"]
+    assert "hold_time" in unused.attrs["inputs_not_used"] and "ageing_rate" in unused.attrs["inputs_not_used"]
     rested = st.solve(CONTACT.replace(**REST), load="1 N", model=PLAIN)
     assert rested.attrs["inputs_not_used"] == "" and "dieterich_1978" in rested.attrs["sources"]

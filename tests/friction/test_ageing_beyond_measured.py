@@ -8,11 +8,11 @@ import pytest
 import stiction as st
 from cases import SILICON_ON_SILICON
 
-CONTACT = SILICON_ON_SILICON.replace(strengthening=0.02, cut_off_time="1 s", waiting_time="0 s")
+CONTACT = SILICON_ON_SILICON.replace(ageing_rate=0.02, reference_time="1 s", hold_time="0 s")
 
 
 def solved(time: str):
-    return st.solve(CONTACT.replace(waiting_time=time), load="1 mN", model="greenwood_williamson_1966")
+    return st.solve(CONTACT.replace(hold_time=time), load="1 mN", model="greenwood_williamson_1966")
 
 
 def validity_warnings(result) -> list:

@@ -43,7 +43,7 @@ def test_exponential_heights():
     for h in ("48 nm", "150 nm"):
         found = st.solve(contact, separation=h, model=PLAIN, tangential="bowden_tabor_1943")
         n = float(found["touching_asperities"])
-        ratio = float(found["friction_coefficient_spread"]) / float(found["friction_coefficient"])
+        ratio = float(found["friction_coefficient_scatter"]) / float(found["friction_coefficient"])
         assert_allclose(ratio, 0.5 * np.sqrt(2.0 / n), rtol=1e-9)
 
 
@@ -59,7 +59,7 @@ def test_draws_of_contacts():
                    roughness_parameter=0.04, nominal_width=100.0 / 0.02, sharpness=0.02)  # fmt: skip
     found = problem_of(given, Choice(PLAIN, tangential="bowden_tabor_1943")).on_grid(np.array([h]))
     unit = float(given.eta[0]) * 0.1 / asperities
-    assert_allclose(found["friction_coefficient_spread"] * found["load"], unit * forces.std(), rtol=0.04)
+    assert_allclose(found["friction_coefficient_scatter"] * found["load"], unit * forces.std(), rtol=0.04)
 
 
 @pytest.mark.parametrize("tangential", of_kind(TangentialLaw).values(), ids=lambda one: one.key)
@@ -76,7 +76,7 @@ def test_any_tangential_law(tangential):
                 problem_of(given, choice)
             return
         found = problem_of(given, choice).on_grid(np.linspace(-1.0, 2.0, 3))
-        spread, load = found["friction_coefficient_spread"], found["load"]
+        spread, load = found["friction_coefficient_scatter"], found["load"]
         assert (spread[load > 0.0] > 0.0).all() and np.isnan(spread[load <= 0.0]).all()
 
 
@@ -85,10 +85,10 @@ def test_what_it_says():
     found = st.solve(CONTACT, load=["0.1 mN", "10 mN"], model=PLAIN)
     alike = st.solve(CONTACT.replace(strength_variation=0.0), load=["0.1 mN", "10 mN"], model=PLAIN)
     assert_allclose(found["friction_coefficient"], alike["friction_coefficient"], rtol=1e-12)
-    assert (alike["friction_coefficient_spread"].values == 0.0).all()
-    relative = (found["friction_coefficient_spread"] / found["friction_coefficient"]).values
+    assert (alike["friction_coefficient_scatter"].values == 0.0).all()
+    relative = (found["friction_coefficient_scatter"] / found["friction_coefficient"]).values
     assert relative[0] > 2.0 * relative[1] > 0.0
-    assert "friction_coefficient_spread" not in st.solve(CONTACT.replace(strength_variation=None), load="1 mN", model=PLAIN)
+    assert "friction_coefficient_scatter" not in st.solve(CONTACT.replace(strength_variation=None), load="1 mN", model=PLAIN)
     film = st.Coating(material="silver", thickness="200 nm")
     coated = CONTACT.replace(coating=film, work_of_adhesion="0.1 J/m^2")
     unused = st.solve(coated, load="1 mN", model=PLAIN, film="sequential", tangential="bowden_tabor_1943")

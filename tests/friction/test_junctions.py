@@ -265,8 +265,8 @@ def test_on_a_film():
     assert found["friction_coefficient"] > found["friction_coefficient_published"] > 0.0
     for laws, coated, why in (
         ({"film": "graded"}, True, ("plastic_junctions", "graded", "soft_coating_2015")),
-        ({"reading": "published"}, True, ("plastic_junctions",)),
-        ({"reading": "published"}, False, ("plastic_junctions",)),
+        ({"variant": "published"}, True, ("plastic_junctions",)),
+        ({"variant": "published"}, False, ("plastic_junctions",)),
         ({"transition": "gradual"}, False, ("plastic_junctions",)),
     ):
         given = contact if coated else copper("1 MPa")

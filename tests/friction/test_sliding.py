@@ -257,7 +257,7 @@ def test_several_contacts_at_several_loads():
         ({"coating": st.Coating(material="silver", thickness="200 nm")}, {"film": "sequential"}, ("contact",)),
         ({}, {"model": "persson_2001"}, ("presliding",)),
         ({}, {"tangential": "none"}, ("tangential",)),
-        ({}, {"model": "soft_coating_2015", "tangential": None, "reading": "published"}, ("reading",)),
+        ({}, {"model": "soft_coating_2015", "tangential": None, "variant": "published"}, ("variant",)),
         ({}, {"kept": 1.5}, ("kept", "0", "1")),
         ({}, {"kept": math.nan}, ("kept", "0", "1")),
         ({}, {"displacement": "-1 nm"}, ("displacement", ">= 0")),

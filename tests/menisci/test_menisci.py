@@ -206,7 +206,7 @@ def test_any_tangential_law(tangential):
 def test_any_film(film):
     interface = of_kind(TangentialLaw)["bowden_tabor_1943"]
     if not film.interchangeable or friction_incompatibility(film, interface):
-        pytest.skip("it brings its own friction, or belongs to one reading of its model")
+        pytest.skip("it brings its own friction, or belongs to one variant of its model")
     asperity = film.asperity or next(key for key, one in of_kind(AsperityLaw).items() if not incompatibility(film, one))
     check(Choice(PLAIN, asperity=asperity, tangential="bowden_tabor_1943", film=film.key), draw(8, coated=True), MENISCI[0])
 
@@ -295,7 +295,7 @@ def test_units_scale():
 
 def test_what_it_does_not_know():
     with refusal("contact"):
-        st.unload(humid(), pressed_with="1 mN", distance="1 nm", model=PLAIN)
+        st.unload(humid(), max_load="1 mN", separation_increase="1 nm", model=PLAIN)
     closed = st.solve(humid(), load="1 mN", model="persson_2001")
     assert "liquid" in closed.attrs["inputs_not_used"]
 

@@ -284,8 +284,8 @@ def test_parts_are_not_counted_twice():
     ({"n_E": 0.5, "n_H": 0.8, "tau": 2.0}, 2.5705, 0.90979),
 ])  # fmt: skip
 def test_friction_coefficients_of_the_figures(film, published, corrected):
-    for reading, mu in (("published", published), ("corrected", corrected)):
-        found = evaluate(1.0, 40.0, 10.0, **film, reading=reading)
+    for variant, mu in (("published", published), ("corrected", corrected)):
+        found = evaluate(1.0, 40.0, 10.0, **film, variant=variant)
         assert found.friction_force / found.load == pytest.approx(mu, abs=5.1e-6 if mu < 2 else 5.1e-5)
 
 
@@ -300,10 +300,10 @@ def test_friction_coefficients_of_the_figures(film, published, corrected):
     (100, 100, 1, (0.03588, 0.00885, 0.04473), (0.06446, 0.00885, 0.07331)),
 ])  # fmt: skip
 def test_elastic_and_plastic_loads(theta, lam, h, literal, consistent):
-    for reading, expected in (("published", literal), ("corrected", consistent)):
+    for variant, expected in (("published", literal), ("corrected", consistent)):
         given = groups(float(theta), float(lam))
-        regimes = regimes_of(soft_coating_2015, given, reading=reading)
-        found = sums(soft_coating_2015, given, [h], reading=reading)[:, 0, 1]
+        regimes = regimes_of(soft_coating_2015, given, variant=variant)
+        found = sums(soft_coating_2015, given, [h], variant=variant)[:, 0, 1]
         by_state = [sum(found[[regime.state == state for regime in regimes]]) for state in ("elastic", "plastic")]
         for value, printed in zip([*by_state, sum(by_state)], expected, strict=True):
             assert printed is None or value == pytest.approx(printed, abs=5.1e-6)
@@ -343,19 +343,19 @@ def test_friction_fades_with_adhesion():
 @pytest.mark.parametrize("h", (-2.0, 0.0, 2.0))
 def test_limit_of_a_thick_film(h):
     """Theory 7: tau -> inf gives the film's bare law times n_E, in the film's own indices (theory 4), in the corrected
-    reading; without n_E (D4) as published."""
+    variant; without n_E (D4) as published."""
     theta, lam, n_E, n_H = 40.0, 10.0, 0.5, 0.8
     film = {"n_E": n_E, "n_H": n_H, "tau": 1e3}
-    for reading, factor in (("corrected", n_E), ("published", 1.0)):
-        coated = evaluate(h, theta, lam, **film, reading=reading)
-        alone = evaluate(h, theta * n_E, lam * n_H**4 / n_E**2, reading=reading)
+    for variant, factor in (("corrected", n_E), ("published", 1.0)):
+        coated = evaluate(h, theta, lam, **film, variant=variant)
+        alone = evaluate(h, theta * n_E, lam * n_H**4 / n_E**2, variant=variant)
         assert coated.friction_force == pytest.approx(factor * alone.friction_force, rel=1e-10)
         assert coated.contact_area == pytest.approx(float(alone.contact_area), rel=1e-10)
-        if reading == "corrected":
+        if variant == "corrected":
             assert coated.load == pytest.approx(float(factor * alone.load), rel=1e-10)
         else:  # as printed, the substrate's plastic integral starts at w1, however thick the film (D5)
             first = groups(theta, lam)
-            plastic = sums(soft_coating_2015, first, [h], reading="published")[1, 0, 1]
+            plastic = sums(soft_coating_2015, first, [h], variant="published")[1, 0, 1]
             assert coated.load == pytest.approx(float(alone.load) + plastic, rel=1e-10)
 
 

@@ -32,7 +32,7 @@ KNOWN = (*ELASTIC, *FLATTENED, "thornton_ning_1998")
 
 
 def unload(asperity, contact=INDICES, **more):
-    turn = {} if "pressed_with" in more else {"pressed_to": 0.3}
+    turn = {} if "max_load" in more else {"min_separation": 0.3}
     return st.unload(contact, asperity=asperity, **turn | more)
 
 
@@ -157,7 +157,7 @@ def held(law, nearest, distance):
 @pytest.mark.parametrize("lam", (3.0, 100.0))
 @pytest.mark.parametrize(("asperity", "law"), (("chang_etsion_bogy_1987", Flattened), ("thornton_ning_1998", Sticky)))
 def test_sum_over_heights(asperity, law, lam):
-    found = unload(asperity, st.Indices(**GROUPS | {"lam": lam}), distance=DISTANCES)
+    found = unload(asperity, st.Indices(**GROUPS | {"lam": lam}), separation_increase=DISTANCES)
     expected = np.array([held(law(lam), 0.3, distance) for distance in DISTANCES])
     assert_allclose(found["load"], expected[:, 0], rtol=1e-8)
     assert_allclose(found["contact_area"], expected[:, 1], rtol=1e-8)
@@ -165,7 +165,7 @@ def test_sum_over_heights(asperity, law, lam):
 
 def test_sum_over_heights_of_what_had_touched():
     """JKR: what had not touched at the nearest separation does not hold on."""
-    found = unload("jkr", distance=DISTANCES, pressed_to=1.0)
+    found = unload("jkr", separation_increase=DISTANCES, min_separation=1.0)
     expected = np.array([held(Sticky(), 1.0, distance) for distance in DISTANCES])
     assert_allclose(found["load"], expected[:, 0], rtol=1e-8)
     assert_allclose(found["contact_area"], expected[:, 1], rtol=1e-8)
@@ -174,14 +174,14 @@ def test_sum_over_heights_of_what_had_touched():
 @pytest.mark.parametrize("asperity", KNOWN)
 def test_begins_where_loading_ends(asperity):
     pressed = solve(asperity, separation=[0.0, 1.5], tangential="briscoe_tabor_1978")
-    found = unload(asperity, pressed_to=[0.0, 1.5], distance=0.0, tangential="briscoe_tabor_1978")
+    found = unload(asperity, min_separation=[0.0, 1.5], separation_increase=0.0, tangential="briscoe_tabor_1978")
     assert set(pressed) - set(found) == {"pull_off_separation"} - set(found)
     for name in set(pressed) - {"pull_off_force", "pull_off_separation"}:
         assert_allclose(found[name].values, pressed[name].values, rtol=1e-10, err_msg=name)
     at = solve(asperity, load=pressed["load"].values)["mean_separation"]
-    by_load = unload(asperity, pressed_with=pressed["load"].values, distance=0.0)
+    by_load = unload(asperity, max_load=pressed["load"].values, separation_increase=0.0)
     assert_array_equal(by_load["load"], pressed["load"])  # as it was asked for, to the last digit
-    assert_allclose(by_load["pressed_to"], at, rtol=1e-9, atol=1e-12)
+    assert_allclose(by_load["min_separation"], at, rtol=1e-9, atol=1e-12)
 
 
 @pytest.mark.parametrize("asperity", ("hertz", "dmt"))
@@ -199,11 +199,11 @@ def test_what_adheres_holds_on_if_it_had_touched(asperity):
     adhesive = st.Indices(**GROUPS | {"theta": 1.0})
     apart = {"separation": [0.5, 1.5, 2.5]}
     pressed, branch = (solve(asperity, adhesive, branch=branch, **apart) for branch in ("loading", "unloading"))
-    found = unload(asperity, adhesive, pressed_to=-9.0, **apart)
+    found = unload(asperity, adhesive, min_separation=-9.0, **apart)
     assert_allclose(found["load"], branch["load"], rtol=1e-10)
     assert_allclose(found["pull_off_force"], branch["pull_off_force"], rtol=1e-9)
     assert_allclose(found["pull_off_separation"], branch["pull_off_separation"], rtol=1e-5)
-    some = unload(asperity, adhesive, pressed_to=0.5, **apart)["contact_area"]
+    some = unload(asperity, adhesive, min_separation=0.5, **apart)["contact_area"]
     assert pressed["contact_area"][1] < some[1] < found["contact_area"][1]
     assert some[2] == pytest.approx(float(found["contact_area"][2]))  # all that can still hold had touched
     assert found.attrs["branch"] == "unloading"
@@ -229,7 +229,7 @@ def test_energy():
 
 @pytest.mark.parametrize("asperity", FLATTENED)
 def test_the_load_falls_and_nothing_pulls(asperity):
-    found = unload(asperity, distance=[0.0, 0.01, 0.1, 0.5, 2.0], tangential="bowden_tabor_1943")
+    found = unload(asperity, separation_increase=[0.0, 0.01, 0.1, 0.5, 2.0], tangential="bowden_tabor_1943")
     assert np.all(np.diff(found["load"]) < 0.0) and np.all(found["load"] >= 0.0)
     assert np.all(np.diff(found["contact_area"]) < 0.0)
     assert found["pull_off_force"] == 0.0 and "zero_load_separation" not in found
@@ -243,20 +243,24 @@ def test_flattened_asperities_stick_better():
     """Thornton & Ning: the deeper they were pressed, the flatter they are and the more they hold; the load vanishes on the way,
     before the largest tension; and elastic ones hold far less."""
     depths = [1.0, 0.5, 0.0, -0.5]
-    found = unload("thornton_ning_1998", pressed_to=depths, distance=0.0)
+    found = unload("thornton_ning_1998", min_separation=depths, separation_increase=0.0)
     assert np.all(np.diff(found["pull_off_force"]) > 0.0)
     zero, largest = found["zero_load_separation"], found["pull_off_separation"]
     assert np.all(depths < zero) and np.all(zero < largest)
-    load = [float(unload("thornton_ning_1998", pressed_to=h, separation=z)["load"]) for h, z in zip(depths, zero, strict=True)]
+    load = [
+        float(unload("thornton_ning_1998", min_separation=h, separation=z)["load"]) for h, z in zip(depths, zero, strict=True)
+    ]
     assert_allclose(load, 0.0, atol=1e-9)
     for h, z, tension in zip(depths, largest, found["pull_off_force"], strict=True):
-        near = unload("thornton_ning_1998", pressed_to=h, separation=float(z) + np.array([-0.01, 0.0, 0.01]))["load"]
+        near = unload("thornton_ning_1998", min_separation=h, separation=float(z) + np.array([-0.01, 0.0, 0.01]))["load"]
         assert near[1] == pytest.approx(-float(tension), rel=1e-9) and near[1] < near[0] and near[1] < near[2]
-    assert np.all(found["pull_off_force"] > 100.0 * unload("jkr", pressed_to=depths, distance=0.0)["pull_off_force"])
+    assert np.all(
+        found["pull_off_force"] > 100.0 * unload("jkr", min_separation=depths, separation_increase=0.0)["pull_off_force"]
+    )
 
 
 def test_where_there_is_no_tension_it_is_nowhere():
-    found = unload("thornton_ning_1998", st.Indices(theta=1e3, lam=1e30), distance=0.0)
+    found = unload("thornton_ning_1998", st.Indices(theta=1e3, lam=1e30), separation_increase=0.0)
     assert found["pull_off_force"] == 0.0
     for name in ("pull_off_separation", "zero_load_separation"):
         assert np.isnan(found[name]) and "undefined where" in found[name].attrs["comment"]
@@ -264,7 +268,7 @@ def test_where_there_is_no_tension_it_is_nowhere():
 
 def test_yield_that_is_never_reached_leaves_jkr():
     hard = st.Indices(**GROUPS | {"lam": 1e30})
-    found, elastic = (unload(key, hard, distance=DISTANCES) for key in ("thornton_ning_1998", "jkr"))
+    found, elastic = (unload(key, hard, separation_increase=DISTANCES) for key in ("thornton_ning_1998", "jkr"))
     assert_allclose(found["load"], elastic["load"], rtol=1e-12)
 
 
@@ -278,21 +282,21 @@ def test_of_a_contact_in_si():
     energies = st.axis("work_of_adhesion", [0.05, 0.5])
     pair = contact(work_of_adhesion=energies)
     apart = ["0 nm", "1 nm", "20 nm"]
-    found = st.unload(pair, pressed_with=["1 N", "100 N"], distance=apart, asperity="thornton_ning_1998")
-    assert found["load"].dims == ("work_of_adhesion", "pressed_with", "distance")
-    assert found["pull_off_force"].dims == ("work_of_adhesion", "pressed_with")
-    assert_allclose(found["load"].isel(distance=0), [[1.0, 100.0]] * 2, rtol=1e-9)
-    assert_allclose(found["distance"], [0.0, 1e-9, 20e-9])
-    assert found["pressed_to"].attrs["units"] == found["distance"].attrs["units"] == "m"
-    assert found["pressed_with"].attrs["units"] == found["pull_off_force"].attrs["units"] == "N"
+    found = st.unload(pair, max_load=["1 N", "100 N"], separation_increase=apart, asperity="thornton_ning_1998")
+    assert found["load"].dims == ("work_of_adhesion", "max_load", "distance")
+    assert found["pull_off_force"].dims == ("work_of_adhesion", "max_load")
+    assert_allclose(found["load"].isel(separation_increase=0), [[1.0, 100.0]] * 2, rtol=1e-9)
+    assert_allclose(found["separation_increase"], [0.0, 1e-9, 20e-9])
+    assert found["min_separation"].attrs["units"] == found["separation_increase"].attrs["units"] == "m"
+    assert found["max_load"].attrs["units"] == found["pull_off_force"].attrs["units"] == "N"
     one = pair.indices()
     scales = pair.scales()
     unit = scales.load * scales.asperities
     for i in range(2):
         same = st.unload(
             st.Indices(theta=float(one.theta[i]), lam=float(one.lam[i]), nu=one.nu, hardness_to_yield=one.hardness_to_yield),
-            pressed_to=float(found["pressed_to"][i, 1] / scales.separation),
-            distance=20e-9 / scales.separation,
+            min_separation=float(found["min_separation"][i, 1] / scales.separation),
+            separation_increase=20e-9 / scales.separation,
             asperity="thornton_ning_1998",
         )
         assert found["load"][i, 1, 2] == pytest.approx(float(same["load"] * unit), rel=1e-7)
@@ -303,13 +307,13 @@ def test_of_a_contact_in_si():
 def test_given_back_as_it_was_found():
     """A separation found from a load is not refused for its rounding."""
     pair = contact()
-    nearest = st.unload(pair, pressed_with="3 N", distance="0 nm")["pressed_to"]
-    assert st.unload(pair, pressed_with="3 N", separation=float(nearest))["load"] == pytest.approx(3.0)
+    nearest = st.unload(pair, max_load="3 N", separation_increase="0 nm")["min_separation"]
+    assert st.unload(pair, max_load="3 N", separation=float(nearest))["load"] == pytest.approx(3.0)
 
 
 def test_other_heights():
     """Exponential heights: those above 0.3 are as those above 1, but for their number."""
-    found = unload("kogut_etsion_2002", pressed_to=[0.3, 1.0], distance=[0.0, 0.1, 0.4], heights="exponential")
+    found = unload("kogut_etsion_2002", min_separation=[0.3, 1.0], separation_increase=[0.0, 0.1, 0.4], heights="exponential")
     assert_allclose(found["load"][1] / found["load"][0], math.exp(-0.7), rtol=1e-9)
 
 
@@ -326,12 +330,12 @@ REFUSED = {
     "nearer": ({"separation": [0.5, 0.2], "distance": None}, ("separation", "0.2", "0.3")),
     "negative": ({"distance": -0.1}, ("distance", "-0.1", "0")),
     "no distance": ({"distance": None}, ("separation or distance",)),
-    "two turns": ({"pressed_with": 0.1}, ("pressed_to or pressed_with",)),
+    "two turns": ({"max_load": 0.1}, ("min_separation or max_load",)),
     "no number": ({"distance": math.inf}, ("distance", "inf")),
     "too far": ({"distance": 1e7}, ("distance", "1e+06")),
-    "too near": ({"pressed_to": -1e7}, ("pressed_to", "1e+06")),
-    "load nowhere carried": ({"pressed_to": None, "pressed_with": -0.1}, ("load", "-0.1", "0")),
-    "no load": ({"pressed_to": None, "pressed_with": 0.0}, ("load", "0")),
+    "too near": ({"min_separation": -1e7}, ("min_separation", "1e+06")),
+    "load nowhere carried": ({"min_separation": None, "max_load": -0.1}, ("load", "-0.1", "0")),
+    "no load": ({"min_separation": None, "max_load": 0.0}, ("load", "0")),
 }
 
 
@@ -339,14 +343,14 @@ REFUSED = {
 def test_refusals(case):
     changes, expected = REFUSED[case]
     with refusal(*expected):
-        st.unload(INDICES, **{"pressed_to": 0.3, "distance": 0.1} | changes)
+        st.unload(INDICES, **{"min_separation": 0.3, "distance": 0.1} | changes)
 
 
 def test_refused_with_a_film():
     film = st.Coating(material={"preset": "silver", "hardness": "0.4 GPa"}, thickness="200 nm", bodies="first")
     for coated in (st.Indices(theta=40.0, lam=3.0, n_E=1.0, n_H=0.5, tau=2.0), contact(coating=film)):
         with refusal("contact"):
-            st.unload(coated, pressed_to=0.0, distance=0.0)
+            st.unload(coated, min_separation=0.0, separation_increase=0.0)
 
 
 def test_every_asperity_law_is_known_or_refused():
@@ -356,7 +360,7 @@ def test_every_asperity_law_is_known_or_refused():
             assert key not in KNOWN
             continue
         try:
-            assert np.all(np.isfinite(unload(key, distance=[0.0, 0.2])["load"]))
+            assert np.all(np.isfinite(unload(key, separation_increase=[0.0, 0.2])["load"]))
         except InputError as error:
             assert "a law of unloading" in str(error) and "no adhesion" not in record.traits and key not in KNOWN
 
@@ -371,13 +375,13 @@ def test_energy_given_back_is_that_of_the_asperities():
     expected = sum(quad(stored, low, high, epsabs=1e-14, epsrel=1e-11)[0] for low, high in law.parts)
     t, weights = np.polynomial.legendre.leggauss(300)
     distance, weights = 2.0 * (t + 1.0), 2.0 * weights
-    found = unload("chang_etsion_bogy_1987", distance=distance)["load"].values @ weights
+    found = unload("chang_etsion_bogy_1987", separation_increase=distance)["load"].values @ weights
     assert found == pytest.approx(expected, rel=1e-6)
 
 
 def test_pressed_with_nothing():
     """Where nothing is drawn apart yet the load is the one that was asked for, not what a search made of it."""
-    found = unload("jkr", pressed_with=[0.0, 0.01], distance=[0.0, 0.1], tangential="bowden_tabor_1943")
+    found = unload("jkr", max_load=[0.0, 0.01], separation_increase=[0.0, 0.1], tangential="bowden_tabor_1943")
     assert list(found["load"][:, 0]) == [0.0, 0.01]
     assert np.isnan(found["friction_coefficient"][0, 0]) and found["friction_coefficient"][1, 0] > 0.0
     assert found["friction_force"][0, 0] > 0.0 and found["load"][0, 1] < 0.0
@@ -391,9 +395,9 @@ def test_a_theory_of_the_surface_is_pressed_and_drawn_apart_on_it():
     both, alone = (
         st.unload(
             st.Contact(roughness=st.Roughness(**one), **bodies),
-            pressed_with="1 N", distance=["0 nm", "5 nm"], model="mccool_1986",
+            max_load="1 N", separation_increase=["0 nm", "5 nm"], model="mccool_1986",
         )
         for one in (found | {"surface": surface}, surface)
     )  # fmt: skip
-    for name in ("load", "contact_area", "pressed_to", "mean_separation"):
+    for name in ("load", "contact_area", "min_separation", "mean_separation"):
         assert_allclose(both[name], alone[name], rtol=1e-12, err_msg=name)

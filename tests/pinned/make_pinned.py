@@ -61,7 +61,7 @@ def _solved(asked) -> dict:
     contact = _subject(asked)
     given = {name: _argument(name, value) for name, value in asked["with"].items()}
     data = getattr(st, asked["call"])(contact, **given)
-    at_load = "load" in given or "pressed_with" in given
+    at_load = "load" in given or "max_load" in given
     sizes = _sizes(data, contact, at_load)
     found = {}
     for name in QUANTITIES:
@@ -354,19 +354,19 @@ def asked_later(known, drawn: Drawn):
 def asked_otherwise(known, drawn: Drawn):
     """Grids, the fast form, the way back, comparisons, and asperities found in a made surface."""
     grid = [round(-3.0 + 0.15 * step, 2) for step in range(41)]
-    for coated, reading in itertools.product((False, True), ("corrected", "published")):
+    for coated, variant in itertools.product((False, True), ("corrected", "published")):
         groups = drawn.groups(film=coated, theta={"axis": [0.5, 7.0, 40.0, 900.0]})
-        yield {"call": "solve", "indices": groups, "with": {"separation": grid, "reading": reading}}
+        yield {"call": "solve", "indices": groups, "with": {"separation": grid, "variant": variant}}
         film = {"n_E": 0.3, "n_H": 0.4, "tau": drawn.number(0.5, 4.0)} if coated else {}
         for h in (grid, 0.7):
-            given = {"h": h, "theta": [[0.5], [7.0], [40.0], [900.0]], "lam": 10.0, "reading": reading}
+            given = {"h": h, "theta": [[0.5], [7.0], [40.0], [900.0]], "lam": 10.0, "variant": variant}
             yield {"call": "evaluate", "with": given | film}
     for key, law in known["asperity"].items():
         for options in with_options(law):
             groups = drawn.groups(law, theta=drawn.number(1, 3, True), shear_strength=0.1)
             given = {"asperity": key, "tangential": "bowden_tabor_1943"} | options
-            yield {"call": "unload", "indices": groups, "with": given | {"pressed_to": 0.2, "separation": [0.2, 0.5]}}
-            yield {"call": "unload", "indices": groups, "with": given | {"pressed_with": 0.1, "distance": 0.15}}
+            yield {"call": "unload", "indices": groups, "with": given | {"min_separation": 0.2, "separation": [0.2, 0.5]}}
+            yield {"call": "unload", "indices": groups, "with": given | {"max_load": 0.1, "distance": 0.15}}
     for load, more in ((0.1, {}), (10.0, {}), (1.0, {"coating": SILVER}), (10.0, {"work_of_adhesion": 1.0, "coating": SILVER})):
         yield {"call": "compare", "contact": contact_of(**more), "with": {"load": load}}
     spectrum = {"hurst": 0.8, "rolloff": 1e-5, "shortest": 1e-6, "deviation": 8e-9}

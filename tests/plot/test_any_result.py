@@ -19,7 +19,7 @@ from stiction.report.regime_pictures import negligible_load_of_jkr, pressure_of_
 LOADS = '[solve]\nmodel = "greenwood_williamson_1966"\nload = ["0.1 N", "1 N", "10 N"]\n'
 DESIGN = """
 [design]
-wish = { minimise = "friction_coefficient" }
+objective = { minimise = "friction_coefficient" }
 [design.choose.roughness]
 asperity_radius = { low = "10 um", high = "100 um" }
 """

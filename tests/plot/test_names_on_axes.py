@@ -37,7 +37,9 @@ def test_the_plots_of_xarray_are_not_clipped(case):
         data = st.solve(st.Indices(theta=st.axis("theta", [10, 20, 40]), lam=10), load=1e-3)
     elif case == "unloaded":
         bare = contact().replace(coating=None)
-        data = st.unload(bare, pressed_to="20 nm", distance=np.linspace(0, 50e-9, 6), model="greenwood_williamson_1966")
+        data = st.unload(
+            bare, min_separation="20 nm", separation_increase=np.linspace(0, 50e-9, 6), model="greenwood_williamson_1966"
+        )
     else:
         spectrum = st.SelfAffine(hurst=0.8, rolloff=5e-6, shortest=0.7e-6, deviation=30e-9)
         data = st.resolution_study(st.gaussian_surface((64, 64), (20e-6, 20e-6), spectrum, 1), cutoffs=[0.0, 2e-6])

@@ -113,11 +113,11 @@ def test_the_papers_figures_show_films_beside_the_uncoated_surface(panel):
     assert "not printed in the paper" in axes.get_title() and "published" in axes.get_title()
     drawn = lines(axes)
     assert len(drawn) == 4
-    alone = solve(Indices(theta=40.0, lam=10.0), separation=np.linspace(4, -4, 161), reading="published")
+    alone = solve(Indices(theta=40.0, lam=10.0), separation=np.linspace(4, -4, 161), variant="published")
     np.testing.assert_array_equal(drawn["uncoated"].get_ydata(), alone["friction_coefficient"])
     value = panel.values[-1]
     film = Indices(theta=40.0, lam=10.0, **{**panel.fixed, panel.along: value})
-    alone = solve(film, separation=np.linspace(4, -4, 161), reading="published")
+    alone = solve(film, separation=np.linspace(4, -4, 161), variant="published")
     last = list(drawn.values())[-1].get_ydata()
     shown = ~np.isnan(last)
     np.testing.assert_allclose(last[shown], alone["friction_coefficient"].values[shown], rtol=1e-12)

@@ -9,14 +9,14 @@ from typer.testing import CliRunner
 from cases import SILICON_CASE
 from report.page import Page
 from stiction.cli import app
-from stiction.web.asked import Question, remarks, solved
+from stiction.web.asked import Query, remarks, solved
 
 CASE = (
     SILICON_CASE
     + """
-waiting_time = "100 s"
-strengthening = 0.02
-cut_off_time = "1 s"
+hold_time = "100 s"
+ageing_rate = 0.02
+reference_time = "1 s"
 strength_variation = 0.5
 [contact.liquid]
 relative_humidity = 0.6
@@ -54,7 +54,7 @@ def said(tmp_path_factory):
         "terminal": ran.output,
         "csv": (folder / "out" / "curve.csv").read_text(encoding="utf-8"),
         "report": Page((folder / "report.html").read_text(encoding="utf-8")).text,
-        "page": "\n".join(remarks(solved(Question(tomllib.loads(CASE), folder)))),
+        "page": "\n".join(remarks(solved(Query(tomllib.loads(CASE), folder)))),
     }
     return {place: " ".join(text.split()) for place, text in texts.items()}
 
@@ -66,7 +66,7 @@ def test_every_law_is_named(said, place):
 
 def test_a_prediction_names_the_laws_of_what_is_stated_beside_the_area(tmp_path):
     case = tmp_path / "case.toml"
-    case.write_text(re.sub("waiting_time.*\n|strengthening.*\n|cut_off_time.*\n|model = .*\n|presliding.*\n", "", CASE))
+    case.write_text(re.sub("hold_time.*\n|ageing_rate.*\n|reference_time.*\n|model = .*\n|presliding.*\n", "", CASE))
     out, page = str(tmp_path / "out"), tmp_path / "report.html"
     said = [CliRunner().invoke(app, ["run", str(case), *more]).output for more in (["--out", out], ["--details"])]
     CliRunner().invoke(app, ["report", str(case), "--out", str(page)])

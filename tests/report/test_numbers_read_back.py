@@ -98,7 +98,7 @@ def test_sensitivity(run):
         printed = next(line for line in lines if line[0:1] == [name] and len(line) == 3)
         assert [float(word) for word in printed[1:]] == pytest.approx([of_mu, of_area], abs=1e-3)
         for load in LOADS:
-            read = [float(rows[load, name][f"{one}_elasticity"]) for one in ("friction_coefficient", "contact_area")]
+            read = [float(rows[load, name][f"{one}_log_sensitivity"]) for one in ("friction_coefficient", "contact_area")]
             assert read == pytest.approx([of_mu, of_area], abs=1e-5)
 
 
@@ -106,7 +106,7 @@ def test_design(run):
     case = CASE.replace("200 +/- 20 MPa", "200 MPa").replace('["0.5 N", "2 N"]', '"2 N"')
     more = """
 [design]
-wish = { target = "friction_coefficient", value = 0.05 }
+objective = { target = "friction_coefficient", value = 0.05 }
 validity = "any"
 [design.choose]
 interfacial_shear_strength = { low = "20 MPa", high = "1 GPa" }

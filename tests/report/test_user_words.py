@@ -68,15 +68,15 @@ def test_stresses_in_films_of_several_thicknesses_are_refused_in_a_line_that_say
 
 
 def test_sensitivity_names_every_law_that_answers():
-    case = _case(model="soft_coating_2015", reading="published")
+    case = _case(model="soft_coating_2015", variant="published")
     case["solve"]["load"] = ["1 N"]
     case["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 1.2}
     case["uncertainty"] = {"count": 64}
     data = st.sensitivity(case, models=[])
     said = "\n".join(one.plain for one in sensitivity_notes(data) if isinstance(one, Text))
-    assert "models: soft_coating_2015 + reading published 100%" in said
+    assert "models: soft_coating_2015 + variant published 100%" in said
     line = next(one for one in said.splitlines() if one.startswith("elasticities: "))
-    assert "tangential law soft_coating_2015, film law printed, reading published" in line
+    assert "tangential law soft_coating_2015, film law printed, variant published" in line
 
 
 def test_uncertain_inputs_that_a_model_does_not_take_do_not_change_its_answer():

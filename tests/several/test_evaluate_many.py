@@ -57,8 +57,8 @@ def test_nothing_to_cut_is_one_contact():
 
 def test_each_refusal_costs_two_attempts_at_each_halving(monkeypatch):
     asked = []
-    solve = module.solve_pointwise
-    monkeypatch.setattr(module, "solve_pointwise", lambda subject, *a, **b: (asked.append(1), solve(subject, *a, **b))[1])
+    solve = module.solve_batch
+    monkeypatch.setattr(module, "solve_batch", lambda subject, *a, **b: (asked.append(1), solve(subject, *a, **b))[1])
     theta = np.full(64, 20.0)
     theta[17] = -1.0
     numbers = {THETA: DataArray(theta, dims="n")}

@@ -154,10 +154,10 @@ def test_a_block_that_is_larger_than_what_is_solved_at_once_is_solved_in_pieces(
     sizes = []
     whole = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "whole")["friction_coefficient"].values
     monkeypatch.setattr(sweep_plan, "AT_ONCE", 24)
-    solved = evaluate_many.solve_pointwise
+    solved = evaluate_many.solve_batch
     monkeypatch.setattr(
         evaluate_many,
-        "solve_pointwise",
+        "solve_batch",
         lambda subject, *a, **b: (sizes.append(subject.theta.size), solved(subject, *a, **b))[1],
     )
     cut = sweep(changed(DRAWN, sweep={"block": 192}), tmp_path / "cut")["friction_coefficient"].values

@@ -123,9 +123,9 @@ def test_friction_is_in_the_fan():
     assert float(table["mu"].loc["mccool", 0.0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
     assert float(table["mu"].max() / table["mu"].min()) > 1.05  # why there is a fan
     published = resolution_study(
-        surface, [0.0], ["mccool"], contact=contact(), load=1.0, choice=Choice(options={"reading": "published"})
+        surface, [0.0], ["mccool"], contact=contact(), load=1.0, choice=Choice(options={"variant": "published"})
     )
-    alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N", reading="published")
+    alone = st.solve(contact().model_copy(update={"roughness": rough}), load="1 N", variant="published")
     assert float(published["mu"][0, 0]) == near(float(alone["friction_coefficient"]), rel=1e-12)
 
 
@@ -208,7 +208,7 @@ def test_progress_wraps_the_cutoffs(surface):
     ({"contact": st.Indices(theta=1.0, lam=1.0), "load": "1 N"}, "contact"),
     ({"contact": contact(), "load": "1 N", "choice": Choice("no_such")}, "model"),
     ({"contact": contact(), "load": "1 N", "choice": Choice("greenwood_williamson_1966")}, "model"),
-    ({"contact": contact(), "load": "1 N", "choice": Choice(options={"reading": "no_such"})}, "reading"),
+    ({"contact": contact(), "load": "1 N", "choice": Choice(options={"variant": "no_such"})}, "variant"),
 ])  # fmt: skip
 def test_what_will_not_do_is_one_clear_line(surface, given, field):
     with pytest.raises(InputError) as raised:

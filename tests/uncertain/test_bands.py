@@ -19,7 +19,7 @@ from stiction.case.read import parse_case
 from stiction.report.pictures import curve_figure, uncertainty_figure
 from stiction.report.views.run import band_lines
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import WHY_NOT, solve_pointwise
+from stiction.solving.pointwise import WHY_NOT, solve_batch
 from stiction.studies.case_results import solve_case
 from stiction.studies.uncertainty import drawing
 from stiction.studies.uncertainty.bands import levels, quantiles
@@ -178,15 +178,15 @@ def test_of_contacts_solved_together_the_others_are_as_alone():
     steel = {"youngs_modulus": 2e11, "poissons_ratio": 0.3, "hardness": 7e9}
     contact = st.Contact(first=steel, second=steel, roughness=rough, nominal_area=1e-6, interfacial_shear_strength=2e7)
     choice = Choice("hariri_zu_ben_mrad_2006")
-    together = solve_pointwise(contact, choice, load=1.0)
+    together = solve_batch(contact, choice, load=1.0)
     assert together.validity_warnings[1][[0, 3]].tolist() == [1, 1] and not together.validity_warnings[1][1] & 1
     for at, density in ((1, 2.5e10), (2, 2e10)):
-        alone = solve_pointwise(contact.replace(roughness=rough.replace(asperity_density=density)), choice, load=1.0)
+        alone = solve_batch(contact.replace(roughness=rough.replace(asperity_density=density)), choice, load=1.0)
         for name in ("friction_coefficient", "contact_area", "mean_separation"):
             assert together.variables[name][1][at] == pytest.approx(float(alone.variables[name][1]), rel=1e-9)
     assert np.isnan(together.variables["contact_area"][1][[0, 3]]).all()
     with refusal("roughness_parameter", "0.0025", "0.03965"):
-        solve_pointwise(contact.replace(roughness=rough.replace(asperity_density=1e9)), choice, load=1.0)
+        solve_batch(contact.replace(roughness=rough.replace(asperity_density=1e9)), choice, load=1.0)
 
 
 def test_a_map_is_solved_once_and_has_no_band(tmp_path):

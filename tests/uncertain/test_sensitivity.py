@@ -40,9 +40,9 @@ def test_a_power_law_has_its_exact_exponents(of_power_law):
     assert set(of_power_law["number"].values) == set(exact)
     for name, exponent in exact.items():
         found = of_power_law.sel(number=name)
-        np.testing.assert_allclose(found["friction_coefficient_elasticity"], exponent, atol=2e-8)
+        np.testing.assert_allclose(found["friction_coefficient_log_sensitivity"], exponent, atol=2e-8)
         area = exponent - (name == "interfacial_shear_strength")
-        np.testing.assert_allclose(found["contact_area_elasticity"], area, atol=2e-8)
+        np.testing.assert_allclose(found["contact_area_log_sensitivity"], area, atol=2e-8)
 
 
 def test_indices_of_a_power_law_are_the_shares_of_its_variance(of_power_law):
@@ -93,13 +93,13 @@ def test_elasticities_are_central_differences_of_an_independent_evaluation():
     for key, name in names.items():
         up, down = (independent_mu(nominal | {key: nominal[key] * math.exp(step)}) for step in (1e-3, -1e-3))
         found = data.sel(number=name)
-        assert float(found["friction_coefficient_elasticity"]) == pytest.approx(math.log(up / down) / 2e-3, abs=1e-6), name
+        assert float(found["friction_coefficient_log_sensitivity"]) == pytest.approx(math.log(up / down) / 2e-3, abs=1e-6), name
         assert float(found["friction_coefficient_elasticity_error"]) < 1e-4
 
 
 def test_without_anything_uncertain_there_are_elasticities_only():
     data = st.sensitivity(case({"interfacial_shear_strength": "20 MPa", "roughness": ADHESIVE["roughness"]}))
-    assert "input" not in data.dims and "friction_coefficient_elasticity" in data
+    assert "input" not in data.dims and "friction_coefficient_log_sensitivity" in data
     assert len(sensitivity_figure(data).axes) == 1
 
 
@@ -170,7 +170,7 @@ def test_at_most_nine_loads_are_asked_with_the_working_load():
 def test_separations_tell_of_the_load():
     solve = {"separation": [1.0, 2.0], "model": SOLVE["model"]}
     data = st.sensitivity({"contact": POWER_LAW, "solve": solve, "uncertainty": {"count": 64}}, models=[])
-    found = data["load_elasticity"].sel(number=["asperity_radius", "asperity_height_deviation", "asperity_density"])
+    found = data["load_log_sensitivity"].sel(number=["asperity_radius", "asperity_height_deviation", "asperity_density"])
     np.testing.assert_allclose(found, [[0.5] * 2, [1.5] * 2, [1.0] * 2], atol=1e-8)
 
 
@@ -276,7 +276,7 @@ def predicted_case(strength="200 MPa", radius="50 um"):
 def test_elasticities_of_a_prediction_are_differences_of_predictions():
     """Mu goes with the strength that is stated, and with the radius as two predictions beside it say."""
     data = st.sensitivity(predicted_case())
-    found = data["friction_coefficient_elasticity"]
+    found = data["friction_coefficient_log_sensitivity"]
     assert float(found.sel(number="interfacial_shear_strength")) == pytest.approx(1.0, abs=1e-6)
     ends = [st.predict(predicted_case(radius=f"{50.0 * math.exp(step)!r} um")) for step in (-0.2, 0.2)]
     low, high = (float(one.friction_coefficient.item()) for one in ends)

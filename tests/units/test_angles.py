@@ -25,7 +25,7 @@ contact_angle_second = "10 deg"
 load = "1 mN"
 model = "greenwood_williamson_1966"
 [design]
-wish = { minimise = "friction_coefficient" }
+objective = { minimise = "friction_coefficient" }
 validity = "any"
 effort = 1
 [design.choose]

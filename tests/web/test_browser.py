@@ -23,7 +23,7 @@ from cases import of_one_model
 from stiction.case.text import as_toml
 from stiction.report.views.comparison import groups_of
 from stiction.web.address import packed
-from stiction.web.asked import Question, compared
+from stiction.web.asked import Query, compared
 from stiction.web.compare_tab import tables_of
 from stiction.web.fields import example_cases, first_case
 
@@ -230,7 +230,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     page.wait_for_function("() => !document.querySelector('.old') && !document.body.classList.contains('waiting')")
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
     case = SILVER | {"contact": SILVER["contact"] | {"interface": "soft-metal film", "coating": coating}}
-    _, found, _ = compared(Question(case), None, lambda _: iter)
+    _, found, _ = compared(Query(case), None, lambda _: iter)
     tables = [table for _, table in tables_of(groups_of(found))]
     bodies = page.get_by_role("tabpanel").locator("tbody").all()[: len(tables)]
     shown = [[cell.inner_text() for cell in row.locator("td").all()[:2]] for body in bodies for row in body.locator("tr").all()]
@@ -266,10 +266,12 @@ def test_one_asperity_yields_where_it_is_pressed(page):
 
 def test_studies_are_made_and_stopped(page):
     _tab(page, "Studies")
-    page.get_by_role("button", name="Design", exact=True).click()  # a wish that the free number reaches, as it stands there
-    page.get_by_text(re.compile("wished: friction_coefficient next to ")).wait_for()
+    page.get_by_role(
+        "button", name="Design", exact=True
+    ).click()  # an objective that the free number reaches, as it stands there
+    page.get_by_text(re.compile("objective: friction_coefficient next to ")).wait_for()
     assert not page.get_by_text(re.compile("^Objective missed")).count()
-    page.get_by_label("wished mu").fill("0.5")  # beyond what the ends of the free number give
+    page.get_by_label("target mu").fill("0.5")  # beyond what the ends of the free number give
     page.get_by_role("button", name="Design", exact=True).click()
     page.get_by_role("alert").get_by_text(
         re.compile(r"^Objective missed: friction_coefficient = 0\.\d+, \d\d.* % below 0\.5\.$")
@@ -563,7 +565,7 @@ def test_the_place_with_a_figure_as_the_case(fresh):
     page = fresh
     _tab(page, "Where am I")
     page.get_by_text(re.compile(r"The bodies: theta = 229, lambda = 2\.15e\+05")).wait_for()
-    page.get_by_text("Figure 1(a) of the 2015 paper, corrected reading").wait_for()
+    page.get_by_text("Figure 1(a) of the 2015 paper, corrected variant").wait_for()
     page.get_by_role("button", name="Open as the case").click()
     page.wait_for_function("() => document.body.innerText.includes('elastic adhesion index')")
 

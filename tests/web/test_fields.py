@@ -7,7 +7,7 @@ from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.roughness import Roughness
-from stiction.web.asked import Question, solved
+from stiction.web.asked import Query, solved
 from stiction.web.fields import as_written, example_cases, first_case, got, numbers_of, parts_of, placed
 
 
@@ -89,7 +89,7 @@ def test_a_slider_moves_an_uncertain_number_with_its_error(given, moved):
 
 def test_every_example_of_the_menu_is_predicted():
     for title, tables in example_cases().items():
-        answer = solved(Question(tables))
+        answer = solved(Query(tables))
         assert answer.error is None and answer.prediction is not None, title
 
 

@@ -18,7 +18,7 @@ from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
-from stiction.web.asked import Question, headline, solved
+from stiction.web.asked import Query, headline, solved
 from stiction.web.charts import chart, curve_chart, line
 from stiction.web.fields import first_case
 from stiction.web.fitting import fitted
@@ -30,7 +30,7 @@ from stiction.web.working import Progress
 
 @pytest.fixture(scope="module")
 def answer():
-    return solved(Question(of_one_model()))
+    return solved(Query(of_one_model()))
 
 
 def test_laws_are_imported_before_the_server_answers():
@@ -107,14 +107,14 @@ def _endless(progress):
         time.sleep(0.002)  # a step that asks nobody whether it may go on
 
 
-@pytest.mark.parametrize("wish", [0.0, -1.0, math.nan, math.inf])
-def test_a_wish_that_no_friction_can_be_is_refused(wish):
-    with pytest.raises(InputError, match=r"wished mu: .*; allowed: a number above 0"):
-        designed(Question(first_case()), "1 N", wish, {}, Progress())
+@pytest.mark.parametrize("objective", [0.0, -1.0, math.nan, math.inf])
+def test_a_wish_that_no_friction_can_be_is_refused(objective):
+    with pytest.raises(InputError, match=r"target mu: .*; allowed: a number above 0"):
+        designed(Query(first_case()), "1 N", objective, {}, Progress())
 
 
 def test_a_text_in_place_of_a_table_is_refused_in_plain_words():
-    error = solved(Question({"contact": "x", "solve": {"load": ["1 N"]}})).error
+    error = solved(Query({"contact": "x", "solve": {"load": ["1 N"]}})).error
     assert str(error) == "contact: 'x'; allowed: a table with its numbers"
 
 
@@ -184,7 +184,7 @@ def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
 @pytest.mark.parametrize("name", ["friction_coefficient", "friction_force", "contact_area"])
 def test_a_chart_of_a_prediction_has_its_band_and_an_axis_name_that_fits_a_telephone(name):
     case = first_case() | {"solve": {"load": ["1 N", "10 N", "3 N"]}}
-    answer = solved(Question(case))
+    answer = solved(Query(case))
     options = curve_chart(answer.curve, name, "load", answer.middle(), False)
     median, low, high, band, mark = options["series"]
     ends = st.predict(first_case(), load="10 N")
@@ -199,7 +199,7 @@ def test_digits_are_those_that_the_draws_leave():
     tables = of_one_model()
     tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}
     tables["uncertainty"] = {"count": 64}
-    answer = solved(Question(tables))
+    answer = solved(Query(tables))
     band = answer.curve["friction_coefficient_quantile"].values[:, answer.middle()]
     assert band[-1] > 2.0 * band[0]
     assert re.fullmatch(r"mu ≈ 0\.0\d", headline(answer, answer.middle())[0])

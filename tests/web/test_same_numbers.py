@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import stiction as st
 from stiction.case.text import as_toml
 from stiction.cli import app
-from stiction.web.asked import Question, compared, headline, solved
+from stiction.web.asked import Query, compared, headline, solved
 from stiction.web.share_tab import KINDS, content
 
 ROOT = Path(__file__).parents[2]
@@ -25,7 +25,7 @@ def _rows(text: str) -> list[str]:
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_a_case_file_of_the_page_gives_the_same_numbers_on_the_command_line(path, tmp_path, monkeypatch):
-    answer = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
+    answer = solved(Query(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
     assert answer.error is None
     (tmp_path / "case.toml").write_bytes(content(answer, "case.toml"))
     monkeypatch.chdir(tmp_path)
@@ -45,7 +45,7 @@ def test_the_models_are_compared_as_on_the_command_line(path, tmp_path):
     tables["uncertainty"] = {"count": 64}  # few draws, where there are any
     path = tmp_path / "case.toml"
     path.write_text(as_toml(tables), encoding="utf-8")
-    question = Question(tables, path.parent)
+    question = Query(tables, path.parent)
     load = float(np.max(solved(question).data["load"]))
     _, found, _ = compared(question, load, lambda text: iter)
     xarray.testing.assert_equal(found, compare_case(read_case(path), load=load))
@@ -54,7 +54,7 @@ def test_the_models_are_compared_as_on_the_command_line(path, tmp_path):
 @pytest.mark.parametrize("name", ["silver_on_steel", "soft_film"])
 def test_the_prediction_of_the_page_is_that_of_python_and_of_the_command_line(name):
     path = ROOT / "examples" / f"{name}.toml"
-    page = solved(Question(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
+    page = solved(Query(tomllib.loads(path.read_text(encoding="utf-8")), path.parent))
     found = st.predict(path)
     mu = float(found["friction_coefficient"].sel(load=found.attrs["working_load"]))
     number, where = headline(page, page.middle())
@@ -66,14 +66,14 @@ def test_the_prediction_of_the_page_is_that_of_python_and_of_the_command_line(na
 
 def test_a_case_of_separations_that_names_the_recommended_model_is_predicted():
     tables = tomllib.loads((ROOT / "examples" / "silver_on_steel.toml").read_text(encoding="utf-8"))
-    named = solved(Question({**tables, "solve": {**tables["solve"], "model": "recommended"}}))
+    named = solved(Query({**tables, "solve": {**tables["solve"], "model": "recommended"}}))
     assert named.error is None and named.prediction is not None
     expected = st.predict(tables)["friction_coefficient"].values
     np.testing.assert_array_equal(named.data["friction_coefficient"].values, expected)
 
 
 def test_pictures_are_pictures():
-    answer = solved(Question(tomllib.loads(EXAMPLES[-1].read_text(encoding="utf-8"))))
+    answer = solved(Query(tomllib.loads(EXAMPLES[-1].read_text(encoding="utf-8"))))
     assert content(answer, "curve.png").startswith(b"\x89PNG") and b"<svg" in content(answer, "curve.svg")
     assert set(KINDS) == {"case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png"}
 
@@ -89,12 +89,12 @@ def test_a_case_that_is_too_large_for_a_page_is_refused():
 
     tables = first_case()
     tables["solve"] = {"load": {"start": "1 mN", "stop": "1 N", "count": 90_000}}
-    error = solved(Question(tables)).error
+    error = solved(Query(tables)).error
     assert error is not None and "stiction run" in str(error)
     tables = first_case()
     tables["contact"]["work_of_adhesion"] = {"low": "0.1 J/m^2", "high": "1 J/m^2"}
     tables["uncertainty"] = {"count": 2**20}
-    assert solved(Question(tables)).error.field == "uncertainty.count"
+    assert solved(Query(tables)).error.field == "uncertainty.count"
 
 
 def test_input_warnings_are_in_the_answer_and_no_warning():
@@ -102,5 +102,5 @@ def test_input_warnings_are_in_the_answer_and_no_warning():
 
     tables = first_case()
     tables["contact"]["roughness"] |= {"asperity_height_deviation": "50 um", "asperity_radius": "48 nm"}
-    answer = solved(Question(tables))
+    answer = solved(Query(tables))
     assert answer.input_warnings or answer.error is not None

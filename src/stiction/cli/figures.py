@@ -18,7 +18,7 @@ def _bounds(name: str) -> str:
 def figures(
     theta: float = option(_bounds("theta"), 40.0),
     lam: float = option(_bounds("lam"), 10.0),
-    reading: str | None = option(
+    variant: str | None = option(
         "Of figures 1 to 3: corrected (default), published, or layered: its asperities on a film that is solved."
     ),
     out: Out = Path("figures"),
@@ -34,9 +34,9 @@ def figures(
     with solving():
         from stiction.studies.paper.figures import PANELS, panel_curves
 
-        panels = [panel_curves(panel, theta, lam, reading or "corrected") for panel in PANELS]
+        panels = [panel_curves(panel, theta, lam, variant or "corrected") for panel in PANELS]
     from stiction.report.views.figures import figures_view
     from stiction.studies.paper.claims import claim_map
 
     claims = claim_map(progress=bar("Judging the claims"))
-    present(figures_view(panels, claims, {"theta": theta, "lam": lam}, reading or "corrected"), out, json)
+    present(figures_view(panels, claims, {"theta": theta, "lam": lam}, variant or "corrected"), out, json)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """A command that also takes the options of models and laws, as their records name them: --reading published."""
+    """A command that also takes the options of models and laws, as their records name them: --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}

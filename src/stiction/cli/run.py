@@ -50,7 +50,7 @@ def run(
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
 
     Without a named model or law, the applicable ones are combined. With --model, that model is solved along a curve.
-    --out writes curve.csv, curve.nc (netCDF4) and pictures. Options of a model or law, such as --reading published, are listed
+    --out writes curve.csv, curve.nc (netCDF4) and pictures. Options of a model or law, such as --variant published, are listed
     by stiction models KEY; what is given here overrides the case file.
 
     In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",

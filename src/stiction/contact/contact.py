@@ -47,7 +47,7 @@ class Contact(Subject):
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results take its medians.
     peeling, strength_variation : float, optional
         Mode-mixity share of an adhesive asperity, by default 1; coefficient of variation of the strength of junctions.
-    liquid, waiting_time, cut_off_time, strengthening : optional
+    liquid, hold_time, reference_time, ageing_rate : optional
         Liquid that condenses between asperities; strengthening of the interface at rest, all three or none.
 
     Raises
@@ -84,9 +84,9 @@ class Contact(Subject):
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
     strength_variation: OptionalNumber = None
-    waiting_time: OptionalNumber = None
-    cut_off_time: OptionalNumber = None
-    strengthening: OptionalNumber = None
+    hold_time: OptionalNumber = None
+    reference_time: OptionalNumber = None
+    ageing_rate: OptionalNumber = None
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
@@ -94,7 +94,7 @@ class Contact(Subject):
         self._check_adhesion()
         if self.interface is not None:
             check_interface(self, self.interface, *self.touching)
-        rest = ("waiting_time", "cut_off_time", "strengthening")
+        rest = ("hold_time", "reference_time", "ageing_rate")
         left_out = [name for name in rest if getattr(self, name) is None]
         if 0 < len(left_out) < len(rest):
             raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
@@ -150,8 +150,8 @@ class Contact(Subject):
             "pressure_coefficient": coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
-            "waiting": None if self.cut_off_time is None else self.waiting_time / self.cut_off_time,
-            "strengthening": self.strengthening,
+            "waiting": None if self.reference_time is None else self.hold_time / self.reference_time,
+            "ageing_rate": self.ageing_rate,
             "strength_variation": self.strength_variation,
         }
         if self.liquid is not None:
@@ -212,9 +212,9 @@ class Contact(Subject):
             "pressure_coefficient": "pressure_coefficient",
             "peeling": "peeling",
             "hardness_to_yield": "hardness_to_yield",
-            "waiting_time": "waiting",
-            "cut_off_time": "waiting",
-            "strengthening": "strengthening",
+            "hold_time": "waiting",
+            "reference_time": "waiting",
+            "ageing_rate": "ageing_rate",
             "strength_variation": "strength_variation",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
@@ -289,7 +289,7 @@ class Contact(Subject):
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
-        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid") | {"waiting": "waiting_time"}
+        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid") | {"waiting": "hold_time"}
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:

@@ -72,7 +72,7 @@ class Indices(Subject):
     nominal_width, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : float or array, optional
         Groups that some laws use.
     waiting, strengthening, meniscus_index, meniscus_height : float or array, optional
-        Waiting and strengthening, meniscus_index and meniscus_height are given together.
+        Waiting and ageing_rate, meniscus_index and meniscus_height are given together.
 
     Raises
     ------
@@ -120,14 +120,14 @@ class Indices(Subject):
     hardening: OptionalNumber = None
     strength_variation: OptionalNumber = None
     waiting: OptionalNumber = None
-    strengthening: OptionalNumber = None
+    ageing_rate: OptionalNumber = None
     meniscus_index: OptionalNumber = None
     meniscus_height: OptionalNumber = None
 
     @model_validator(mode="after")
     def _adheres_or_not(self):
         given = [name for name in ("theta", "lam") if getattr(self, name) is not None]
-        for pair in (("meniscus_index", "meniscus_height"), ("waiting", "strengthening")):
+        for pair in (("meniscus_index", "meniscus_height"), ("waiting", "ageing_rate")):
             left_out = [name for name in pair if getattr(self, name) is None]
             if len(left_out) == 1:
                 raise InputError(left_out[0], None, f"{pair[0]} and {pair[1]} together, or none of them")

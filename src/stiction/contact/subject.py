@@ -73,7 +73,7 @@ class Subject(Input):
         The group is "" where no law needs the input.
         """
         names = (
-            "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "strengthening",
+            "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "ageing_rate",
             "strength_variation",
             "meniscus_index", "meniscus_height",
         )  # fmt: skip

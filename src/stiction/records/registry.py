@@ -92,7 +92,7 @@ class FilmLaw(Record):
     may bear more than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
-    any that has what it wants may be taken in its place. interchangeable: False for a film of one reading only.
+    any that has what it wants may be taken in its place. interchangeable: False for a film of one variant only.
     departures: from what films of no thickness, without end, and like their substrate have to be.
     composites: properties of film and substrate together which options of these names choose among the composites: property ->
     key of the default.

@@ -1,4 +1,4 @@
-"""A picture of a design: the best for each choice from the lists, how the search went, and the front of two wishes."""
+"""A picture of a design: the best for each choice from the lists, how the search went, and the front of two objectives."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -18,15 +18,15 @@ _BARS = 12
 
 
 def design_figure(data: "xarray.Dataset") -> Figure:
-    """The best for each choice from the lists, if there are several; the front of two wishes, with what is chosen along it; how
-    the search of one wish went."""
-    said = data.attrs["wishes"].split("\n")
-    wishes = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
-    several, two = data.sizes["design"] > 1, len(wishes) == 2
-    drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, wishes[0])] if several else []
-    drawn.append(lambda axes: _front(axes, data, wishes) if two else _asked(axes, data, wishes[0]))
+    """The best for each choice from the lists, if there are several; the front of two objectives, with what is chosen along it;
+    how the search of one objective went."""
+    said = data.attrs["objectives"].split("\n")
+    objectives = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
+    several, two = data.sizes["design"] > 1, len(objectives) == 2
+    drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, objectives[0])] if several else []
+    drawn.append(lambda axes: _front(axes, data, objectives) if two else _asked(axes, data, objectives[0]))
     if two and not several and data.sizes["front"]:
-        drawn.append(lambda axes: _chosen(axes, data, wishes[0]))
+        drawn.append(lambda axes: _chosen(axes, data, objectives[0]))
     figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
     for axes, draw in zip(panels, drawn, strict=True):
         draw(axes)
@@ -35,34 +35,36 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     return figure
 
 
-def _bars(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
+def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     count = min(data.sizes["design"], _BARS)
     columns = columns_of(data, "design")
     chosen = [name for name in data.attrs["chosen"].split(", ") if data[columns[name]].dtype.kind in "UO"]
     names = [", ".join(str(data[columns[name]].values[at]) for name in chosen) or str(at + 1) for at in range(count)]
-    values, kept = data[columns[wish]].values[:count], data["kept"].values[:count]
+    values, kept = data[columns[objective]].values[:count], data["kept"].values[:count]
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if one else GREY for one in kept])
-    along(axes, "x", wish, values, log=False, title="best for each choice" + ("" if kept.all() else "; grey: breaks a limit"))
+    along(
+        axes, "x", objective, values, log=False, title="best for each choice" + ("" if kept.all() else "; grey: breaks a limit")
+    )
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
 
 
-def _front(axes: Axes, data: "xarray.Dataset", wishes: list[str]) -> None:
+def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
     if not data.sizes.get("front"):
         say(axes, "no design keeps the limits")
         return
     columns = columns_of(data, "front")
-    x, y = (data[columns[one]].values for one in wishes)
+    x, y = (data[columns[one]].values for one in objectives)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
-    along(axes, "x", wishes[0], x)
-    along(axes, "y", wishes[1], y, title="none is better in both than any of these")
+    along(axes, "x", objectives[0], x)
+    along(axes, "y", objectives[1], y, title="none is better in both than any of these")
 
 
-def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
+def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """What is chosen along the front: numbers, between the ends between which they were searched."""
     columns = columns_of(data, "front")
-    x = data[columns[wish]].values
+    x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
     for name, colour, marker in zip(names, (BLUE, ORANGE, GREEN, RED) * 2, "os^Ddv<>", strict=False):
         one, last = data[columns[name]], name.rpartition(".")[2]
@@ -70,30 +72,30 @@ def _chosen(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
         text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
         share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
         axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
-    along(axes, "x", wish, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
+    along(axes, "x", objective, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
 
-def _asked(axes: Axes, data: "xarray.Dataset", wish: str) -> None:
+def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw every design that was asked for against the number that was chosen, between the ends of its search."""
     columns = columns_of(data, "asked")
     name = next((one for one in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[one]].attrs), "")
     if not name:
         say(axes, "no number was searched between two ends")
         return
-    number, value, kept = data[columns[name]], data[columns[wish]].values, data["asked_kept"].values
+    number, value, kept = data[columns[name]], data[columns[objective]].values, data["asked_kept"].values
     for mask, colour, text in ((~kept, GREY, "breaks a limit"), (kept, BLUE, "keeps all limits")):
         axes.plot(
             number.values[mask], value[mask], ".", color=colour, markersize=4, alpha=0.5, label=text if mask.any() else None
         )
     best = data.isel(design=0)
     chosen = columns_of(data, "design")
-    axes.plot(float(best[chosen[name]]), float(best[chosen[wish]]), "*", color=RED, markersize=14, label="best")
+    axes.plot(float(best[chosen[name]]), float(best[chosen[objective]]), "*", color=RED, markersize=14, label="best")
     for at, end in enumerate(("searched_from", "searched_to")):
         axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if at else "ends of the search")
     seen = value[kept & np.isfinite(value)] if kept.any() else value[np.isfinite(value)]
     quantity = name.rpartition(".")[2]
     along(axes, "x", quantity, number.values, title=f"{len(value)} designs asked")
-    along(axes, "y", wish, seen)
+    along(axes, "y", objective, seen)
     if seen.size and seen.min() > 0.0:
         axes.set_ylim(0.7 * seen.min(), 1.4 * seen.max()) if axes.get_yscale() == "log" else axes.set_ylim(
             0.0, 1.2 * seen.max()

@@ -28,7 +28,7 @@ from stiction.report.report_answer import answer_in_words, headline, interval_of
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
-from stiction.studies.findings import Findings, find_out, text_of_file
+from stiction.studies.findings import ReportData, find_out, text_of_file
 
 # Columns whose cells are symbols and meanings of the table of quantities.
 _FORMULAS = ("symbol", "quantity", "group")
@@ -67,7 +67,7 @@ def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progr
     return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
-def as_html(findings: Findings, name: str, again: str, progress: Progress = silent) -> str:
+def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
     """The page; name: of the case file; again: the command line that makes it. The same findings give the same text but for the
     date."""
     import jinja2
@@ -113,7 +113,7 @@ def _as_link(text: str) -> str:
     return f"data:text/plain;charset=utf-8;base64,{base64.b64encode(text.encode()).decode('ascii')}"
 
 
-def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, list]]:
+def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, list]]:
     """The pictures, section by section."""
     from stiction.report.report_pictures import (
         pictures_of_answer,
@@ -135,7 +135,7 @@ def _pictures(findings: Findings, progress: Progress) -> Iterable[tuple[str, lis
         yield name, list(sections[name]())
 
 
-def report_record(findings: Findings) -> dict[str, Any]:
+def report_record(findings: ReportData) -> dict[str, Any]:
     """The answer as numbers and words, for JSON."""
     data, here = findings.data, findings.here
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
@@ -162,7 +162,7 @@ def report_record(findings: Findings) -> dict[str, Any]:
     }
 
 
-def _answer(findings: Findings) -> dict[str, Any] | None:
+def _answer(findings: ReportData) -> dict[str, Any] | None:
     if findings.prediction is not None:
         return answer_record(findings.prediction)
     return None if findings.case.is_several else model_record(findings.data)

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.pictures import BLUE, MU_LABEL, RED, SKY, canvas, finish, label
-from stiction.studies.paper.claims import CLAIMS, READINGS
+from stiction.studies.paper.claims import CLAIMS, VARIANTS
 from stiction.studies.paper.figures import in_words
 
 if TYPE_CHECKING:
@@ -57,13 +57,13 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each reading and for the film that is solved; here: theta and lam
+    """The map of the claims: a column for each, a row for each variant and for the film that is solved; here: theta and lam
     that are marked."""
-    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(READINGS)), layout="constrained")
-    grid = figure.subplots(len(READINGS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
+    figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
+    grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
     colours = matplotlib.colormaps["viridis"]
     norm = BoundaryNorm(np.linspace(0.0, 1.0, 11), colours.N)
-    for row, reading in enumerate(READINGS):
+    for row, variant in enumerate(VARIANTS):
         for column, claim in enumerate(CLAIMS):
             axes = grid[row, column]
             share = np.ma.masked_invalid(claims.share[column, row].T)
@@ -76,8 +76,8 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             if row == 0:
                 axes.set_title(f"({claim.key}) {textwrap.fill(claim.says, 36)}", fontsize=9)
             if column == 0:
-                axes.set_ylabel(f"{in_words(reading)}\nplastic adhesion index $\\lambda$")
-            if row == len(READINGS) - 1:
+                axes.set_ylabel(f"{in_words(variant)}\nplastic adhesion index $\\lambda$")
+            if row == len(VARIANTS) - 1:
                 axes.set_xlabel(r"elastic adhesion index $\theta$")
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=grid, shrink=0.8, pad=0.01)
     bar.set_label("share of its cases for which it holds (white: not comparable)")

@@ -132,7 +132,7 @@ def heading(data: "xarray.Dataset", title: str) -> str:
     used = data.attrs
     words = [
         "prediction" if used["model"] == RECOMMENDED else used["model"],
-        *(f"{used[name]} {name}" for name in ("reading", "branch") if name in used),
+        *(f"{used[name]} {name}" for name in ("variant", "branch") if name in used),
     ]
     if used.get("film", "none") != "none":
         words.append(f"film: {used['film']}")

@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 # What a result has -> the function that draws it; the first that fits.
 _DRAWN = {
-    "wishes": "design_pictures.design_figure",
+    "objectives": "design_pictures.design_figure",
     "profile_value": "fit_pictures.fit_figure",
     "displacement": "sliding_pictures.sliding_figure",
     "status": "model_pictures.models_figure",
     "cutoff": "method_pictures.resolution_figure",
-    "friction_coefficient_elasticity": "sensitivity_pictures.sensitivity_figure",
+    "friction_coefficient_log_sensitivity": "sensitivity_pictures.sensitivity_figure",
 }
 
 

@@ -13,7 +13,7 @@ from stiction.report.honest_digits import rounded
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.findings import Findings
+from stiction.studies.findings import ReportData
 
 if TYPE_CHECKING:
     import xarray
@@ -45,7 +45,7 @@ def interval_of(here: "xarray.Dataset") -> list[float]:
     return [end for end in ends if np.isfinite(end)]
 
 
-def question(findings: Findings) -> str:
+def question(findings: ReportData) -> str:
     """What is asked."""
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
@@ -63,18 +63,18 @@ def question(findings: Findings) -> str:
     return f"What is the {what} of {bodies}, rough, with a nominal area of {area}, {_where(findings)}?"
 
 
-def _where(findings: Findings) -> str:
+def _where(findings: ReportData) -> str:
     load = findings.load
     return "at its loads" if load is None else f"pressed together with {load_in_words(findings)}"
 
 
-def load_in_words(findings: Findings) -> str:
+def load_in_words(findings: ReportData) -> str:
     load = findings.load
     assert load is not None  # who asks has looked
     return value_in_words(findings.data["load"], load)
 
 
-def headline(findings: Findings) -> str:
+def headline(findings: ReportData) -> str:
     """The number, with as many digits as its uncertainty leaves it; the ends of several."""
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
@@ -102,7 +102,7 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
     return (float(known.min()), float(known.max())) if known.size else (np.nan, np.nan)
 
 
-def answer_in_words(findings: Findings) -> str:
+def answer_in_words(findings: ReportData) -> str:
     """One sentence with its validity warnings."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
@@ -124,7 +124,7 @@ def answer_in_words(findings: Findings) -> str:
     return f"{start} by the model {model}{_trusted(findings)}{band}."
 
 
-def _along(findings: Findings) -> str:
+def _along(findings: ReportData) -> str:
     """What there is to say of a curve, or of numbers that are several, without a working load."""
     data = findings.data
     dim = points_dimension(data)
@@ -145,12 +145,12 @@ def _span(data: "xarray.Dataset", name: str) -> str:
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
-def warnings_here(findings: Findings) -> list[ValidityWarning]:
+def warnings_here(findings: ReportData) -> list[ValidityWarning]:
     """The validity warnings of the result that is the answer."""
     return warnings_of(findings.result)
 
 
-def _trusted(findings: Findings) -> str:
+def _trusted(findings: ReportData) -> str:
     warnings = warnings_here(findings)
     if any(one.kind == "impossible" for one in warnings):
         return ", but what it says cannot be so (see Validity), and this is no answer"

@@ -22,7 +22,7 @@ from stiction.report.several_pictures import several_figure
 from stiction.report.several_tables import shown_quantity
 from stiction.report.share_pictures import part_in_words, share_figure, shares_of, stacks
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
-from stiction.studies.findings import Findings
+from stiction.studies.findings import ReportData
 
 if TYPE_CHECKING:
     import xarray
@@ -105,7 +105,7 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
     return f"At {ends[0][0]} it is {ends[0][1]}, at {ends[1][0]} it is {ends[1][1]}."
 
 
-def pictures_of_curve(findings: Findings) -> Iterator[Picture]:
+def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
     """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
     picture of what varies."""
     # Validity warnings stand in words on the page, and not below every picture.
@@ -138,7 +138,7 @@ def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
     return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
 
 
-def all_of_one(findings: Findings) -> list[str]:
+def all_of_one(findings: ReportData) -> list[str]:
     """What a picture of shares would be of one colour for."""
     data, lines = findings.data, []
     if findings.prediction is not None:
@@ -151,7 +151,7 @@ def all_of_one(findings: Findings) -> list[str]:
     return lines
 
 
-def pictures_of_answer(findings: Findings) -> Iterator[Picture]:
+def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
     """Yield mu along the load beside what its interval comes from, if there is a prediction."""
     data, prediction = findings.data, findings.recommended
     if prediction is not None:
@@ -159,7 +159,7 @@ def pictures_of_answer(findings: Findings) -> Iterator[Picture]:
         yield _picture(lambda: first_page_figure(data, prediction), "answer", caption, wide=True)
 
 
-def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
+def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
     """Models that agree at the working load, below the prediction."""
     told, data = findings.told, findings.recommended
     if told is None:
@@ -171,7 +171,7 @@ def pictures_of_comparison(findings: Findings) -> Iterator[Picture]:
     yield _picture(lambda: models_figure(told, groups_of(told), here), "models", words, wide=True)
 
 
-def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
+def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
     """The band of a named model over the inputs, and over the ways of finding asperities."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
@@ -183,7 +183,7 @@ def pictures_of_uncertainty(findings: Findings) -> Iterator[Picture]:
         yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
 
 
-def pictures_of_scan(findings: Findings, body: str) -> Iterator[Picture]:
+def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
     """Heights, spectrum and asperities of the scan of one body."""
     found = findings.analyses[body]
     surface = replace(found.surface, name="")

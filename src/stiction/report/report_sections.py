@@ -27,7 +27,7 @@ from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.findings import Findings, places_in
+from stiction.studies.findings import ReportData, places_in
 
 if TYPE_CHECKING:
     from stiction.case.uncertain import Uncertain
@@ -53,7 +53,7 @@ _MOMENTS = "surface."  # of a roughness: the asperities that theories of the who
 _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
 
 
-def groups_of_inputs(findings: Findings) -> list[Table]:
+def groups_of_inputs(findings: ReportData) -> list[Table]:
     """The inputs of a case, part by part, in the order in which a reader asks for them."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
@@ -73,7 +73,7 @@ def groups_of_inputs(findings: Findings) -> list[Table]:
     return [Table(_COLUMNS, rows, _title(subject, part), stacked=True) for part, rows in grouped.items() if rows]
 
 
-def groups_of_groups(findings: Findings) -> list[Table]:
+def groups_of_groups(findings: ReportData) -> list[Table]:
     """The dimensionless groups that follow from the bodies; none where they are what was given."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
@@ -117,7 +117,7 @@ def _source_of_material(material: Material, name: str, here: tuple[str, ...], pl
     return f"{stated} (as the case says)" if in_case and stated else stated or "the case"
 
 
-def _source(findings: Findings, dotted: str, here: tuple[str, ...], places: frozenset) -> str:
+def _source(findings: ReportData, dotted: str, here: tuple[str, ...], places: frozenset) -> str:
     measured = findings.case.measured
     if dotted.startswith("roughness.") and measured is not None:
         by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
@@ -143,13 +143,13 @@ def _warning_in_words(warning: ValidityWarning) -> str:
     return letters(f"{KINDS_OF_WARNING[warning.kind].capitalize()}: {warning}")
 
 
-def answer_table(findings: Findings) -> Table:
+def answer_table(findings: ReportData) -> Table:
     """Return the rows of the prediction."""
     assert findings.prediction is not None  # the template has looked
     return Table([Column(""), Column("")], answer_lines(findings.prediction), "What the number rests on")
 
 
-def card(findings: Findings, name: str) -> Markup:
+def card(findings: ReportData, name: str) -> Markup:
     """Return the card of the prediction, of a named model with its own number above; empty where there is none. name: of the
     case file."""
     if findings.recommended is None:
@@ -160,7 +160,7 @@ def card(findings: Findings, name: str) -> Markup:
     return Markup(found.html(why=False))  # which escapes what came in
 
 
-def main_inputs(findings: Findings) -> Table | None:
+def main_inputs(findings: ReportData) -> Table | None:
     """Return the six inputs that a reader asks for first; none of dimensionless groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
@@ -188,7 +188,7 @@ def main_inputs(findings: Findings) -> Table | None:
     return Table([Column("input"), Column("value")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
 
 
-def validity_line(findings: Findings) -> str:
+def validity_line(findings: ReportData) -> str:
     """Return in a line how far the answer may be trusted."""
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
@@ -200,7 +200,7 @@ def validity_line(findings: Findings) -> str:
     return letters(f"Outside its range of validity: {warnings[0].in_brief}{more} (see Validity).")
 
 
-def here_table(findings: Findings) -> Table | None:
+def here_table(findings: ReportData) -> Table | None:
     """Results at the working load, each with the validity warnings that are of this quantity; those of no quantity in the list
     stand beside the first."""
     here = findings.here
@@ -219,7 +219,7 @@ def here_table(findings: Findings) -> Table | None:
     return Table(columns, rows, caption, stacked=True)
 
 
-def model_lines(findings: Findings) -> list[str]:
+def model_lines(findings: ReportData) -> list[str]:
     """By which model and laws, and how well these are founded; nothing of a prediction, which says it in its rows."""
     used = findings.data.attrs
     if used.get("model", RECOMMENDED) == RECOMMENDED:
@@ -227,7 +227,7 @@ def model_lines(findings: Findings) -> list[str]:
     return [f"Model {model_line(used)}.", f"Grade {grade_line(used)}."]
 
 
-def curve_rows(findings: Findings) -> Table:
+def curve_rows(findings: ReportData) -> Table:
     """Some points of the curve, or of the numbers that are several."""
     data = findings.data
     if findings.prediction is not None:
@@ -239,7 +239,7 @@ def curve_rows(findings: Findings) -> Table:
     return on_page(curve_table(data, heads=HEADS | {"touching_asperities": "touching asperities"}), "Some points of the curve")
 
 
-def compared(findings: Findings) -> Table | None:
+def compared(findings: ReportData) -> Table | None:
     """Every model at the working load."""
     if findings.told is None:
         return None
@@ -248,7 +248,7 @@ def compared(findings: Findings) -> Table | None:
     return Table(columns, rows, "Every model at the working load, those first which the contact fits", stacked=True)
 
 
-def comparison_lines(findings: Findings) -> dict[str, Any]:
+def comparison_lines(findings: ReportData) -> dict[str, Any]:
     """What the criteria say, and which models are left out and why."""
     if findings.told is None:
         return {}
@@ -256,7 +256,7 @@ def comparison_lines(findings: Findings) -> dict[str, Any]:
     return {"lines": [letters(f"{line}.") for line in used["criteria"].splitlines()], "left_out": used["left_out"].splitlines()}
 
 
-def uncertainty_lines(findings: Findings) -> list[str]:
+def uncertainty_lines(findings: ReportData) -> list[str]:
     """What is uncertain, how it was drawn, and what is not known."""
     used = findings.data.attrs
     if findings.prediction is not None:
@@ -283,7 +283,7 @@ def _unknown(some: "list[Uncertain]") -> str:
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
 
 
-def validity_table(findings: Findings) -> Table | None:
+def validity_table(findings: ReportData) -> Table | None:
     """Every validity warning of the whole curve: the quantity, its value, what is claimed, and what that means."""
     found = warnings_of(findings.data)
     if not found:
@@ -305,7 +305,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
     return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{warning.why} ({KINDS_OF_WARNING[warning.kind]})"]
 
 
-def notes(findings: Findings) -> list[str]:
+def notes(findings: ReportData) -> list[str]:
     """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
     warnings = [f"Input warning: {one}" for one in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
@@ -313,7 +313,7 @@ def notes(findings: Findings) -> list[str]:
     return [*warnings, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
 
 
-def scan_parts(findings: Findings) -> list[tuple[str, Any, Table, list[str]]]:
+def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
     """Of each scan its title, facts, asperities by every method, and notes."""
     from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
@@ -346,7 +346,7 @@ def command(name: str, load: Any, ranges: bool | None) -> str:
     return shlex.join(words)
 
 
-def measured_table(findings: Findings) -> Table | None:
+def measured_table(findings: ReportData) -> Table | None:
     """sigma, R and N of a measured surface by every method, with the friction that follows."""
     if findings.case.measured is None:
         return None
@@ -356,7 +356,7 @@ def measured_table(findings: Findings) -> Table | None:
     return on_page(found, "The roughness of both bodies together by every method; the one taken is bold")
 
 
-def sources_of(findings: Findings) -> tuple[list[str], list[str], list[str]]:
+def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
     """Keys of the bibliography: what the answer used, what the numbers of its materials are from, and what only the models
     compared with it did."""
     measured = findings.case.measured

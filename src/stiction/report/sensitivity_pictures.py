@@ -128,4 +128,4 @@ def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _known(one: "xarray.Dataset", name: str, at: int) -> float:
-    return float(np.nan_to_num(one[f"{name}_elasticity"].values[at]))
+    return float(np.nan_to_num(one[f"{name}_log_sensitivity"].values[at]))

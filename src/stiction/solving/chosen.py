@@ -155,7 +155,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
         )
     film = find(key, FilmLaw)
     if not film.interchangeable:
-        raise InputError("film", key, "another film law; this one belongs to one reading of its model")
+        raise InputError("film", key, "another film law; this one belongs to one variant of its model")
     return film
 
 

@@ -36,13 +36,13 @@ def evaluate(
     n_E=None,
     n_H=None,
     tau=None,
-    reading: str = "corrected",
+    variant: str = "corrected",
     threads: int = 1,
 ) -> Evaluation:
     """Load, real contact area and friction force of the 2015 paper's model, for arrays that broadcast like a ufunc's.
 
     h: mean separation over sigma. theta, lam > 0: adhesion indices. 0 <= nu < 0.5. hardness_to_yield >= 1. n_E, n_H > 0 and
-    tau >= 0, all or none: modulus and hardness of a film over the substrate's, and its thickness over sigma. reading:
+    tau >= 0, all or none: modulus and hardness of a film over the substrate's, and its thickness over sigma. variant:
     "corrected", or "published" for the paper to the letter (its friction then has exp(-(h+x)^2/2) in place of phi; its
     contact area, which is not printed, is the analogue of eq. 1). threads >= 1: how many share the work; the results are the
     same, bit for bit.
@@ -59,7 +59,7 @@ def evaluate(
     if not missing:
         given |= film
     check_threads(threads)
-    choice = Choice(options={"reading": reading})
+    choice = Choice(options={"variant": variant})
     columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
     try:
         shape = np.broadcast_shapes(*(column.shape for column in columns))

@@ -14,7 +14,7 @@ from stiction.quantities.quotient import quotient
 from stiction.quantities.units import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import solve_pointwise
+from stiction.solving.pointwise import solve_batch
 
 if TYPE_CHECKING:
     import xarray
@@ -46,7 +46,7 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
     loads, keep = like["load"].drop_vars(list(like["load"].coords)), (_MU, "load", "touching_asperities")
     try:
-        found = solve_pointwise(contact, choice, load=loads, keep=keep, heights=heights)
+        found = solve_batch(contact, choice, load=loads, keep=keep, heights=heights)
     except InputError:
         return np.full((2, *like[_MU].shape), np.nan)
     tables = {name: xarray.DataArray(values, dims=dims) for name, (dims, values, _) in found.variables.items()}

@@ -34,7 +34,7 @@ NOT_COMPUTED = np.uint32(1 << 31)
 
 
 @dataclass(frozen=True)
-class Pointwise:
+class BatchResult:
     """Results of many contacts.
 
     variables: name -> dimensions, values in the units of the contact, attributes. validity_warnings: the dimensions, and bits
@@ -49,7 +49,7 @@ class Pointwise:
     attributes: dict[str, str]
 
 
-def solve_pointwise(
+def solve_batch(
     subject: Subject,
     choice: Choice,
     *,
@@ -57,7 +57,7 @@ def solve_pointwise(
     load: Any = None,
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
-) -> Pointwise:
+) -> BatchResult:
     """What `solve` gives, point by point, without a dataset; keep: names of results, by default all.
 
     Where `solve` refuses a load that is nowhere carried, there it is not a number, and so are the results of contacts that the
@@ -75,11 +75,11 @@ def solve_pointwise(
         validity_warnings |= left.astype(np.uint32) << np.uint32(bit)
     validity_warnings = np.where(refused, why_not, validity_warnings).reshape(points.wanted.shape)
     attributes = summary_of(problem.subject, problem, tables) if keep is None else {}
-    return Pointwise(variables, (tuple(points.dims), validity_warnings), rules_of(problem), problem.subject, attributes)
+    return BatchResult(variables, (tuple(points.dims), validity_warnings), rules_of(problem), problem.subject, attributes)
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return what each bit of `Pointwise.validity_warnings` means."""
+    """Return what each bit of `BatchResult.validity_warnings` means."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 

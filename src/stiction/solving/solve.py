@@ -44,7 +44,7 @@ def solve(
     of those that the model takes by itself, as asperity, tangential ("none" for contact only) or film;
     presliding="mindlin_1949" adds tangential_stiffness, that of the contact before anything slides; meniscus and ageing are
     taken where the contact states a liquid and a waiting time, "none" leaves them out; and options of the model or of these
-    laws, by name, such as reading="published", branch="unloading", transition="gradual"; None for a default. heights: a
+    laws, by name, such as variant="published", branch="unloading", transition="gradual"; None for a default. heights: a
     height distribution, or its name; by default the contact's own, or Gaussian. threads: how many share the work, which
     changes no digit.
 

@@ -54,19 +54,19 @@ _ROUNDING = 1e-12  # of a separation that was found, and given back
 def unload(
     contact: Subject,
     *,
-    pressed_to: Any = None,
-    pressed_with: Any = None,
+    min_separation: Any = None,
+    max_load: Any = None,
     separation: Any = None,
-    distance: Any = None,
+    separation_increase: Any = None,
     model: str = "greenwood_williamson_1966",
     heights: Heights | str | None = None,
     **laws: str | None,
 ) -> "xarray.Dataset":
     """Solve a contact that was pressed together and is being drawn apart.
 
-    contact: as in `solve`, without a film. pressed_to: the nearest mean separation that was reached; or pressed_with: the load
-    that was carried there. separation: mean separations on the way back, none nearer than that; or distance: how far the
-    surfaces have been drawn apart since. All in m or N for a Contact, normalised for Indices; numbers, sequences, or arrays
+    contact: as in `solve`, without a film. min_separation: the nearest mean separation that was reached; or max_load: the load
+    that was carried there. separation: mean separations on the way back, none nearer than that; or separation_increase: how far
+    the surfaces have been drawn apart since. All in m or N for a Contact, normalised for Indices; numbers, sequences, or arrays
     with named dimensions. model, heights, laws: as in `solve`; the model must be a sum over an asperity law, and tangential,
     for friction, a law of the interface, none unless given: what others need is not known of a flattened asperity.
 
@@ -75,22 +75,25 @@ def unload(
     are flatter, around an interference that stays. The parts of load and area by state are by what asperities were when
     they were pressed hardest.
 
-    Returns an xarray.Dataset like that of `solve`, with pressed_to and pull_off_force, the largest tension on the way back;
+    Returns an xarray.Dataset like that of `solve`, with min_separation and pull_off_force, the largest tension on the way back;
     with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
     Raises InputError for bad input, and for laws of which it is not known how they unload.
     """
     way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
     subject = way.pressed.subject
-    is_load = pressed_with is not None
-    turn_value = _one_of(subject, pressed_to=pressed_to, pressed_with=pressed_with)
+    is_load = max_load is not None
+    turn_value = _one_of(subject, min_separation=min_separation, max_load=max_load)
     turn = points_at(way.pressed, "load" if is_load else "mean_separation", turn_value)
-    point, factors = _one_of(subject, separation=separation, distance=distance), turn.factors
+    point, factors = _one_of(subject, separation=separation, separation_increase=separation_increase), turn.factors
     dims = dimensions([point], turn.dims)
     shape = tuple(dims.values())
     nearest = _nearest(turn)
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
+    is_increase = separation_increase is not None
     wanted = normalised(point, factors["m"], dims)
-    apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), distance is not None)
+    apart = _apart(
+        subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), separation_increase is not None
+    )
     results = way.at(way.rows(shape), turned, apart)
     validity_warnings = []
     if is_load:
@@ -111,9 +114,9 @@ def unload(
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.
 _DESCRIBED = {
-    "pressed_to": ("mean_separation", "nearest mean separation reached"),
-    "pressed_with": ("load", "net normal load at the nearest mean separation reached"),
-    "distance": ("mean_separation", "distance by which the surfaces have been drawn apart"),
+    "min_separation": ("mean_separation", "nearest mean separation reached"),
+    "max_load": ("load", "net normal load at the nearest mean separation reached"),
+    "separation_increase": ("mean_separation", "distance by which the surfaces have been drawn apart"),
     "pull_off_separation": ("mean_separation", "mean separation at the largest tension, undefined where there is none"),
     "zero_load_separation": (
         "mean_separation",
@@ -178,7 +181,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
-    name, quantity = given[0], "load" if given[0] == "pressed_with" else "mean_separation"
+    name, quantity = given[0], "load" if given[0] == "max_load" else "mean_separation"
     with field_named(name):
         value = points_asked(subject, quantity, either[name])
     if not np.size(value):
@@ -239,24 +242,24 @@ def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: 
 def _nearest(turn: Points) -> np.ndarray:
     """The nearest separations, over sigma, of the shape of these points."""
     if turn.name == "mean_separation":
-        check_reach(turn.wanted, "pressed_to")
+        check_reach(turn.wanted, "min_separation")
         return turn.wanted
     with in_words(turn):
         return solve_points(turn).tables["mean_separation"]
 
 
-def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_distance: bool) -> np.ndarray:
+def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_increase: bool) -> np.ndarray:
     """Distances from the nearest separations, where these distances or separations are wanted; all of one shape."""
-    distance = wanted if is_distance else wanted - nearest
-    short = distance < (0.0 if is_distance else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
+    distance = wanted if is_increase else wanted - nearest
+    short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
     if not np.abs(distance).max(initial=0.0) <= FARTHEST:
-        name = "distance" if is_distance else "separation"
+        name = "separation_increase" if is_increase else "separation"
         raise InputError(name, float(np.abs(distance).max()), f"{FARTHEST:g} times sigma at most")
     if short.any():
         at = tuple(np.argwhere(short)[0])
         given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))
-        if is_distance:
-            raise InputError("distance", given, "0 or more")
+        if is_increase:
+            raise InputError("separation_increase", given, "0 or more")
         raise InputError("separation", given, f"{pressed} or more: the surfaces were pressed to there")
     return np.maximum(distance, 0.0)
 
@@ -269,8 +272,8 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
         names = "pull_off_force", "pull_off_separation", "zero_load_separation"
         tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, found, strict=True)}
     own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
-    if "pressed_to" not in dims:  # there it is a coordinate
-        own["pressed_to"] = nearest
+    if "min_separation" not in dims:  # there it is a coordinate
+        own["min_separation"] = nearest
     subject = way.pressed.subject
     data = labelled(subject, tables, factors, dims, {})
     for name, table in own.items():

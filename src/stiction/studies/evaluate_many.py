@@ -13,7 +13,7 @@ from stiction.case.read import Case, case_of
 from stiction.case.several import Address
 from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import Pointwise, Region, bisected, solve_pointwise
+from stiction.solving.pointwise import BatchResult, Region, bisected, solve_batch
 
 Numbers = Mapping[Address, Any]
 
@@ -24,7 +24,7 @@ def evaluate_together(
     points: Mapping[str, Any] | None,
     model: Choice,
     keep: Sequence[str] | None = None,
-) -> tuple[Case, Pointwise]:
+) -> tuple[Case, BatchResult]:
     """Evaluate a case at these numbers, all of which must make a contact.
 
     Parameters
@@ -48,7 +48,7 @@ def evaluate_together(
     with np.errstate(all="ignore"):
         case = case_of(tables, numbers)
         points = {"separation": case.separation, "load": case.load} if points is None else points
-        return case, solve_pointwise(case.subject, model, **points, keep=keep)
+        return case, solve_batch(case.subject, model, **points, keep=keep)
 
 
 def evaluate_many(
@@ -59,7 +59,7 @@ def evaluate_many(
     keep: Sequence[str] | None = None,
     *,
     along: Sequence[str],
-) -> Iterator[tuple[Region, Case | None, Pointwise | None]]:
+) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
     """Yield (region, case, results) in batches; arguments as of `evaluate_together`.
 
     A region maps each dimension of `along` that the numbers or points have to a slice. A batch that raises is bisected along
@@ -68,7 +68,7 @@ def evaluate_many(
     varied = [*numbers.values(), *(points or {}).values()]
     sizes = {dim: size for dim, size in dimensions(varied).items() if dim in along}
 
-    def evaluated(region: Region) -> tuple[Case, Pointwise]:
+    def evaluated(region: Region) -> tuple[Case, BatchResult]:
         part = {dim: some for dim, some in region.items() if some != slice(0, sizes[dim])}
         some = None if points is None else {name: _part(value, part) for name, value in points.items()}
         return evaluate_together(tables, {path: _part(value, part) for path, value in numbers.items()}, some, model, keep)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Findings:
+class ReportData:
     """What a report tells.
 
     case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the model that is
@@ -56,7 +56,7 @@ class Findings:
         return self.data if self.here is None else self.here
 
 
-def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> Findings:
+def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """All that is said of a case. load: the working load [N]; by default the middle one of the case; of numbers that are
     several there is none, and models are not compared. progress: from a text, what wraps a list of steps. Raises InputError."""
     if case.is_several and load is not None:
@@ -74,7 +74,7 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
     predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at)
     told = None if at is None else compare_case(case, at, progress)
     asked = tuple(str(one) for one in input_warnings(case.subject))
-    return Findings(case, text, data, at, here, told, why, _analyses(case, progress), asked, predicted)
+    return ReportData(case, text, data, at, here, told, why, _analyses(case, progress), asked, predicted)
 
 
 def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":

@@ -33,17 +33,17 @@ _MOST_PREDICTED = 500  # loads of a prediction
 
 
 @dataclass(frozen=True)
-class Question:
+class Query:
     """A case as the page has it: its tables, the folder from which files are named, and the files that may be."""
 
     tables: Mapping[str, Any]
     folder: Path = Path()
     files: frozenset[str] = frozenset()
 
-    def with_tables(self, tables: Mapping[str, Any]) -> "Question":
+    def with_tables(self, tables: Mapping[str, Any]) -> "Query":
         return replace(self, tables=tables)
 
-    def at_load(self, load: Any) -> "Question":
+    def at_load(self, load: Any) -> "Query":
         """Return the question at one load, as a case file has it."""
         solve = {name: one for name, one in self.tables.get("solve", {}).items() if name not in ("load", "separation")}
         return self.with_tables({**self.tables, "solve": {**solve, "load": [load]}})
@@ -54,7 +54,7 @@ class Answer:
     """The result of a case: data, as `predict` or, with a model named, `solve_case` gives it; or the error in its place.
     input_warnings: about numbers that were hardly meant."""
 
-    question: Question
+    question: Query
     case: Case | None = None
     data: xarray.Dataset | None = None
     error: InputError | None = None
@@ -88,7 +88,7 @@ class Answer:
         return int(pressing[(len(pressing) - 1) // 2]) if len(pressing) else 0
 
 
-def case_asked(question: Question) -> Case:
+def case_asked(question: Query) -> Case:
     """The case of a question. Raises InputError, also for one that is too large for a page."""
     refuse_other_files(question.tables, question.files)
     case = case_in(question.tables, question.folder)
@@ -107,7 +107,7 @@ def case_asked(question: Question) -> Case:
     return case
 
 
-def solved(question: Question) -> Answer:
+def solved(question: Query) -> Answer:
     """Return the case, predicted or, with a model named, solved; an InputError is in the answer and not raised."""
     try:
         case = case_asked(question)
@@ -117,7 +117,7 @@ def solved(question: Question) -> Answer:
         return Answer(question, error=error)
 
 
-def compared(question: Question, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
+def compared(question: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
     """Return the case, every model and the prediction, None where there is none, at a load, SI or normalised as the case is; by
     default its middle one. Raises InputError."""
     case = case_asked(question)
@@ -144,7 +144,7 @@ def keys_by_choice(case: Case | None) -> dict[str, list[str]]:
     return keys | {"model": list(dict.fromkeys([*keys["model"], *names]))}
 
 
-def states_of(question: Question) -> list[str]:
+def states_of(question: Query) -> list[str]:
     """Return the states of the interface that the bodies of a question allow; all where the bodies are not known."""
     try:
         case = case_asked(question.with_tables(placed(question.tables, ("contact", "interface"), None)))

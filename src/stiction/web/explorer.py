@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from weakref import WeakSet
 
-from stiction.web.asked import Answer, Question, headline, solved
+from stiction.web.asked import Answer, Query, headline, solved
 from stiction.web.fields import got, placed
 from stiction.web.working import Latest
 
@@ -39,7 +39,7 @@ def close_all() -> None:
 class Explorer:
     """The case of one visitor, and whoever wants to know when it has a new answer."""
 
-    def __init__(self, question: Question, answer: Answer):
+    def __init__(self, question: Query, answer: Answer):
         self.question, self.answer = question, answer
         self.first = question.tables
         self._opened = question.tables  # the case that has the title

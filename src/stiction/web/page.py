@@ -8,7 +8,7 @@ from nicegui import context, ui
 from stiction.quantities.errors import InputError
 from stiction.web.address import packed, unpacked
 from stiction.web.answer_card import AnswerCard
-from stiction.web.asked import Question, solved
+from stiction.web.asked import Query, solved
 from stiction.web.asperity_tab import AsperityTab
 from stiction.web.compare_tab import CompareTab
 from stiction.web.contact_tab import ContactTab
@@ -88,7 +88,7 @@ TABS: dict[str, Callable[[Explorer], Any]] = {
 }
 
 
-async def make_page(question: Question, state: str) -> None:
+async def make_page(question: Query, state: str) -> None:
     """Build the page of one visitor. question: the case that is served; state: what the address holds, "" for nothing."""
     wrong = None
     asked = question

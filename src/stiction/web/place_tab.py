@@ -9,7 +9,7 @@ from nicegui import ui
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.report.paper_pictures import panel_figure
-from stiction.studies.paper.claims import CLAIMS, LAM, READINGS, THETA, ClaimMap, claim_map
+from stiction.studies.paper.claims import CLAIMS, LAM, THETA, VARIANTS, ClaimMap, claim_map
 from stiction.studies.paper.figures import PANELS, panel_curves
 from stiction.studies.paper.place import ADHESION_MATTERS, PLASTICITY, Place, place_of, plasticity_line
 from stiction.web.charts import COLOURS, add_cells, chart, line, mark
@@ -25,9 +25,9 @@ _kept: dict[str, ClaimMap] = {}  # the same for everybody: it depends on nothing
 
 
 @cache
-def _panel(at: int, reading: str, narrow: bool) -> tuple[str, str]:
+def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
     """The caption of a figure, and the figure."""
-    curves = panel_curves(PANELS[at], *_INDICES, reading)
+    curves = panel_curves(PANELS[at], *_INDICES, variant)
     return curves.caption, image_of(panel_figure(curves), narrow)
 
 
@@ -41,7 +41,7 @@ class PlaceTab:
             claims = {_NO_CLAIM: "no claim"} | {one.key: f"({one.key}) {one.says}" for one in CLAIMS}
             self._claim = ui.select(claims, value=_NO_CLAIM, label="claim of the 2015 paper", on_change=self._claimed)
             self._claim.classes("w-80").props("dense outlined")
-            self._reading = ui.toggle(list(READINGS), value=READINGS[0], on_change=self.opened).props("dense no-caps")
+            self._reading = ui.toggle(list(VARIANTS), value=VARIANTS[0], on_change=self.opened).props("dense no-caps")
         self._study = Study(None, "Judge the claims in the plane", self._judged, lambda _: self.show())
         self._plane = Picture("plane of the adhesion indices", "460px", 620)
         ui.label("Figures of the 2015 paper").classes("text-lg")
@@ -83,7 +83,7 @@ class PlaceTab:
         options = _plane_chart(place, self._explorer.view.dark)
         found = next((at for at, one in enumerate(CLAIMS) if one.key == self._claim.value), None)
         if found is not None and "map" in _kept:
-            share = _kept["map"].share[found, READINGS.index(self._reading.value)]
+            share = _kept["map"].share[found, VARIANTS.index(self._reading.value)]
             add_cells(options, CLAIMS[found].says, THETA, LAM, share, (1.0, "holds", "fails"))
         self._plane.show(options)
 
@@ -91,7 +91,7 @@ class PlaceTab:
         panel = PANELS[self._figure.value]
         theta, lam = _INDICES
         indices = {"theta": theta, "lam": lam, **panel.fixed, panel.along: list(panel.values)}
-        solve = {"separation": {"start": 4, "stop": -4, "count": 81}, "reading": self._reading.value}
+        solve = {"separation": {"start": 4, "stop": -4, "count": 81}, "variant": self._reading.value}
         await self._explorer.ask({"title": f"{panel.figure} of the 2015 paper", "indices": indices, "solve": solve})
         self._explorer.rebuild()
 

@@ -9,7 +9,7 @@ from nicegui import Client, app, ui
 from stiction.case.read import read_content
 from stiction.quantities.errors import InputError
 from stiction.web.address import files_named
-from stiction.web.asked import Question, keys_by_choice, option_values, solved
+from stiction.web.asked import Query, keys_by_choice, option_values, solved
 from stiction.web.explorer import close_all
 from stiction.web.fields import first_case
 from stiction.web.guard import Guard, names_for
@@ -19,17 +19,17 @@ _MOST_CONNECTIONS = 1000
 _PATIENCE = 600.0  # seconds for a page: other models have kernels of their own, compiled when they are first asked
 
 
-def question_of(case: Path | None) -> Question:
+def question_of(case: Path | None) -> Query:
     """The case that is served, by its file, or the one that the page begins with. Raises InputError.
 
     It is solved before there is a page: what is wrong with the file is said at once, and on a new installation kernels are
     compiled and laws imported here, so that the server, once it answers, answers soon.
     """
     if case is None:
-        question = Question(first_case())
+        question = Query(first_case())
     else:
         tables = read_content(case)
-        question = Question(tables, case.resolve().parent, frozenset(files_named(tables)))
+        question = Query(tables, case.resolve().parent, frozenset(files_named(tables)))
     answer = solved(question)
     if answer.error is not None:
         raise answer.error
@@ -51,7 +51,7 @@ def check_port(host: str, port: int) -> None:
         raise InputError("--port", port, f"a port of {host} that is free, 1024 to 65535 ({why})") from None
 
 
-def serve(question: Question, host: str, port: int) -> None:
+def serve(question: Query, host: str, port: int) -> None:
     """Serve the page of a case, behind its guard, until it is interrupted."""
     app.add_middleware(Guard, names=names_for(host), visitors=lambda: len(Client.instances))
 

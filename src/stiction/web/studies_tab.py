@@ -1,4 +1,4 @@
-"""The tab Studies: what to measure better, design for a wish, calibration; those that take less than a minute."""
+"""The tab Studies: what to measure better, design for an objective, calibration; those that take less than a minute."""
 
 import math
 from collections.abc import Callable
@@ -10,7 +10,7 @@ from nicegui import ui
 from stiction.case.read import case_in
 from stiction.quantities.errors import InputError
 from stiction.report.view import View
-from stiction.web.asked import Question, case_asked
+from stiction.web.asked import Query, case_asked
 from stiction.web.drawn import attributes, upload_button
 from stiction.web.explorer import Explorer
 from stiction.web.fields import Number, got, numbers_of, parts_of, placed
@@ -19,7 +19,7 @@ from stiction.web.studying import Study
 from stiction.web.working import Progress
 
 
-def what_matters(question: Question, progress: Progress) -> View:
+def what_matters(question: Query, progress: Progress) -> View:
     """Which input should be measured better. Raises InputError."""
     from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.sensitivity.run import sensitivity
@@ -27,20 +27,25 @@ def what_matters(question: Question, progress: Progress) -> View:
     return sensitivity_view(sensitivity(case_in(question.tables, question.folder), progress=progress))
 
 
-def designed(question: Question, load: str | float, wish: float, free: dict[str, Any], progress: Progress) -> View:
-    """The numbers, between their ends, at which the friction coefficient is next to a wish at a load. Raises InputError."""
+def designed(question: Query, load: str | float, objective: float, free: dict[str, Any], progress: Progress) -> View:
+    """The numbers, between their ends, at which the friction coefficient meets an objective at a load. Raises InputError."""
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
     from stiction.studies.design.run import run_design
 
-    if not 0.0 < wish < math.inf:
-        raise InputError("wished mu", wish, "a number above 0")
-    table = {"wish": {"target": "friction_coefficient", "value": wish}, "choose": free, "validity": "possible", "effort": 30}
+    if not 0.0 < objective < math.inf:
+        raise InputError("target mu", objective, "a number above 0")
+    table = {
+        "objective": {"target": "friction_coefficient", "value": objective},
+        "choose": free,
+        "validity": "possible",
+        "effort": 30,
+    }
     tables = {**question.at_load(load).tables, "design": table}
     return design_view(run_design(make_design_plan(tables, question.folder), progress.tell))
 
 
-def calibrated(question: Question, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
+def calibrated(question: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
     """Numbers of the case, fitted to measured series; load: at which a prediction is made. Raises InputError."""
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
@@ -68,7 +73,7 @@ class StudiesTab:
         with _card("Calibration on measured series", "stiction fit case.toml --data measured.csv, with a table [fit]"):
             self._calibration()
 
-    def _study(self, label: str, work: Callable[[Question, Progress], View]) -> None:
+    def _study(self, label: str, work: Callable[[Query, Progress], View]) -> None:
         """Add the button of a study; its result is shown below. work: from the question, which is not too large."""
         view = self._explorer.view
 
@@ -85,7 +90,7 @@ class StudiesTab:
         Study(self._explorer, label, result, show)
         below = ui.column().classes("w-full")
 
-    def _load(self, question: Question) -> str | float:
+    def _load(self, question: Query) -> str | float:
         """Return the load of the Contact tab as a case has it."""
         load = self._explorer.load
         return load if "indices" in question.tables else f"{load!r} N"
@@ -94,7 +99,7 @@ class StudiesTab:
         vary = "numbers of materials vary within their ranges"
         ranges = attributes(ui.switch(vary, value=True), aria_label=vary)
 
-        def asked(question: Question) -> Question:
+        def asked(question: Query) -> Query:
             varied = placed(question.tables, ("uncertainty", "ranges"), True)
             return question.with_tables(varied) if ranges.value else question
 
@@ -135,12 +140,16 @@ class StudiesTab:
     def _design(self) -> None:
         mu = self._explorer.good.at(self._explorer.here).get("friction_coefficient")
         near = 0.1 if mu is None or not float(mu) > 0.0 else float(f"{0.9 * float(mu):.2g}")
-        wish = ui.number("wished mu", value=near, min=0.0, format="%.4g").props("dense outlined")
+        objective = ui.number("target mu", value=near, min=0.0, format="%.4g").props("dense outlined")
         free = self._free_number("coating.thickness", "roughness.asperity_height_deviation")
 
-        def work(question: Question, progress: Progress) -> View:
+        def work(question: Query, progress: Progress) -> View:
             return designed(
-                question, self._load(question), math.nan if wish.value is None else float(wish.value), free(), progress
+                question,
+                self._load(question),
+                math.nan if objective.value is None else float(objective.value),
+                free(),
+                progress,
             )
 
         self._study("Design", work)
@@ -156,7 +165,7 @@ class StudiesTab:
         upload_button(self._explorer, "Upload measured series, .csv", uploaded, said.set_text, 2**21)
         free = self._free_number("interfacial_shear_strength", "work_of_adhesion")
 
-        def work(question: Question, progress: Progress) -> View:
+        def work(question: Query, progress: Progress) -> View:
             if not data:
                 raise InputError("measured series", None, "a .csv file with load and what was measured at it")
             ((path, name),) = data

@@ -22,7 +22,7 @@ from stiction.surfaces.prepare import prepared
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.targets import SelfAffine
-from stiction.web.asked import Question, headline, solved
+from stiction.web.asked import Query, headline, solved
 from stiction.web.charts import INK, SHADES, chart, line
 from stiction.web.fields import placed
 from stiction.web.pictures import image_of
@@ -74,7 +74,7 @@ def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
-def said_of_friction(question: Question, scan: Scan, band: Band, load: float) -> str:
+def said_of_friction(question: Query, scan: Scan, band: Band, load: float) -> str:
     """Friction at a load, SI, with the scan in a band as the first body of the case: a sentence."""
     if "contact" not in question.tables:
         return "Friction with this surface: of dimensionless groups there is none; begin with a case in units."

@@ -1,1 +1,1 @@
-"""strengthening at rest; none: without"""
+"""ageing_rate at rest; none: without"""

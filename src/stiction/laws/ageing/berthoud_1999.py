@@ -40,7 +40,7 @@ from stiction.records.sources import Source
 
 def factor(groups: Groups) -> np.ndarray:
     """Return the strength (n,) over its initial value, 1 + m ln(1 + t_w/t_c)."""
-    return 1.0 + groups.strengthening * np.log1p(groups.waiting)
+    return 1.0 + groups.ageing_rate * np.log1p(groups.waiting)
 
 
 def aged(groups: Groups) -> Groups:
@@ -64,7 +64,7 @@ RECORD = Ageing(
     ),
     aged=aged,
     verified="the creep law, inverted by quadrature at 20 digits; both parts of a law of the interface by hand",
-    needs=("shear_strength", "waiting", "strengthening"),
+    needs=("shear_strength", "waiting", "ageing_rate"),
     validity=(Validity("waiting", 0.0, _MEASURED, "the logarithm was followed over some five decades of time", "fit"),),
     notes="Both coefficients are to be measured: nothing here predicts them. contact_area is that before waiting.",
 )

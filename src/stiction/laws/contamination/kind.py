@@ -38,7 +38,7 @@ class Contamination(Addition, TangentialLaw):
     ) -> dict[str, np.ndarray]:
         """Return the standard deviation of mu: variances of the asperities' forces add up, and so do their loads."""
         assert asperities is not None  # the law needs what decides it
-        return {"friction_coefficient_spread": quotient(np.sqrt(summed(self) / asperities), results["load"])}
+        return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}
 
 
 KIND = Contamination

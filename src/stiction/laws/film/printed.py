@@ -1,6 +1,6 @@
 r"""The 2015 paper to the letter: bare, and with the soft film of eqs. (6) and (15). Kept to reproduce the print.
 
-*Assumes*: what the print says; the film law of the published reading only. *Source*: [soft_coating_2015], eqs. (1) to (15);
+*Assumes*: what the print says; the film law of the published variant only. *Source*: [soft_coating_2015], eqs. (1) to (15);
 [theory, section 5](theory.md#5-coated-surface). Bare, heights are weighed at the apparent displacement $x$ (D2),
 
 $$
@@ -9,7 +9,7 @@ $$
 
 the slip resistance is eq. (10) (D6), and the resistance lacks the $1/\sqrt{2\pi}$ of the density (D3). With a film: film
 terms in the film's own units (D4), the substrate's elastic term from $\tau+x_0$ with its law unshifted, its plastic term from
-$w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected reading (D12), and the contact area, which the
+$w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected variant (D12), and the contact area, which the
 paper does not define as a sum over heights.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
@@ -100,7 +100,7 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="printed",
-    title="Soft film to the letter of the 2015 paper; the film law of the published reading",
+    title="Soft film to the letter of the 2015 paper; the film law of the published variant",
     grade="C",
     sources=(Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed but D7-D11; C1..C7 reconstructed"),),
     regimes=regimes,

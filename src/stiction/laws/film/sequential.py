@@ -1,4 +1,4 @@
-r"""A soft film that deforms alone until it is pressed by its own thickness: the corrected reading of the 2015 paper.
+r"""A soft film that deforms alone until it is pressed by its own thickness: the corrected variant of the 2015 paper.
 
 *Assumes*: the film deforms alone, as a half-space, until it is pressed by its own thickness; beyond, it keeps the load and
 resistance it had then, and the substrate answers the rest. *Source*: [soft_coating_2015], eqs. (6) and (15), corrected:

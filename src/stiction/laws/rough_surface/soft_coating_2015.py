@@ -8,7 +8,7 @@ $$
 \mu(h)=\frac{\int T(w)\,\varphi(h+w)\,dw}{\int P(w)\,\varphi(h+w)\,dw}
 $$
 
-Every equation, and every departure from the print, is in [theory](theory.md). With `reading="published"` it is what the print
+Every equation, and every departure from the print, is in [theory](theory.md). With `variant="published"` it is what the print
 says, [`printed`](#printed); with `transition="gradual"` an asperity turns plastic by degrees, as in [`graded`](#graded).
 *Reconstructed*: the coefficients of eq. (11), departure D12.
 """
@@ -24,14 +24,14 @@ from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, FilmLaw, Limit, R
 from stiction.records.sources import Source
 
 
-def regimes(groups: Groups, law: Law, film: FilmLaw | None, reading: str, transition: str) -> list[Regime]:
+def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
     """Return regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
-    printed, gradual = reading == "published", transition == "gradual"
+    printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
-        allowed = "loading; unloading is for the corrected reading of a bare surface that jumps"
+        allowed = "loading; unloading is for the corrected variant of a bare surface that jumps"
         raise InputError("branch", "unloading", allowed)
     if gradual and (printed or groups.has_film):
-        allowed = "jump; gradual is for the corrected reading of a bare surface; the graded film is gradual by itself"
+        allowed = "jump; gradual is for the corrected variant of a bare surface; the graded film is gradual by itself"
         raise InputError("transition", transition, allowed)
     if (printed or gradual) and law.options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
         raise InputError(JUNCTIONS, law.options[JUNCTIONS], f"{NO_JUNCTIONS}, for these options")
@@ -73,7 +73,7 @@ RECORD = RoughSurface(
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9),
         Limit("fuller_tabor_1975", {"lam": 1e30}, ("load", "contact_area"), 1e-9, {"branch": "unloading"}),
     ),
-    own_options={"reading": ("corrected", "published"), "transition": ("jump", "gradual")},
+    own_options={"variant": ("corrected", "published"), "transition": ("jump", "gradual")},
     default_film="sequential",
     film_by_option={"published": "printed"},
 )

@@ -60,13 +60,13 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """What was wished, and what did not come true."""
+    """The objectives, and which are missed."""
     used = data.attrs
-    yield Text("wished: " + "; ".join(used["wishes"].split("\n")))
+    yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:
         yield Text("limits: " + "; ".join(used["limits"].split("\n")))
     if used["uncertain"]:
-        yield Text(f"of what is uncertain ({used['uncertain']}) wishes and limits hold for 95 %")
+        yield Text(f"of what is uncertain ({used['uncertain']}) objectives and limits hold for 95 %")
     for words in filter(None, used["missed"].split("\n")):
         yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
     if used["verdict"]:
@@ -99,7 +99,7 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
         yield from (design_table(data, "design"), "", *design_notes(data))
         if data.sizes.get("front"):
-            yield from ("", "none is better in both wishes than any of these", design_table(data, "front"))
+            yield from ("", "none is better in both objectives than any of these", design_table(data, "front"))
 
     files: dict[str, Any] = {}
     for along in ("design", *(["front"] if data.sizes.get("front") else [])):
@@ -108,5 +108,5 @@ def design_view(found: "Designing", folder: Path | None = None) -> View:
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
-    pictures = {"design.png": picture("designs by how near they come to the wish", "design_pictures.design_figure", data)}
+    pictures = {"design.png": picture("designs by how near they come to the objective", "design_pictures.design_figure", data)}
     return View("design", data, parts, lambda: record(data.drop_dims("asked"), {}), files, pictures, tuple(missed))

@@ -15,15 +15,15 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
-    """The claims map in words: for each claim and reading the share of the plane where it holds, and where. here: the indices
+    """The claims map in words: for each claim and variant the share of the plane where it holds, and where. here: the indices
     at which the last column tells the share of films for which it holds."""
     some, not_comparable, there = numbers("for some", "not com-\nparable", here, wrap=True)
-    columns = [Column("claim"), Column("reading"), Column("holds for all films", wrap=True), some,
+    columns = [Column("claim"), Column("variant"), Column("holds for all films", wrap=True), some,
                Column("for none", wrap=True), not_comparable, there]  # fmt: skip
     cells = [
         (
             f"({row['claim']})",
-            row["reading"],
+            row["variant"],
             f"{row['holds_for_all']:.0%}: {row['where_all']}",
             f"{row['holds_for_some']:.0%}",
             f"{row['holds_for_none']:.0%}: {row['where_none']}",
@@ -41,7 +41,7 @@ def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
     return facts((f"({key})", text) for key, text in unique.items())
 
 
-def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[str, float], reading: str) -> View:
+def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[str, float], variant: str) -> View:
     """Return what figures 1 to 3 and the claims show. here: theta and lam of the figures."""
     theta, lam = here["theta"], here["lam"]
     rows = summary(claims, theta, lam)
@@ -59,5 +59,5 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
         f"{one.panel.name}.png": picture(f"figure {one.panel.name[3:]}", "paper_pictures.panel_figure", one) for one in panels
     }
     pictures["claims.png"] = picture("where each claim holds", "paper_pictures.claims_figure", claims, here)
-    found = {"theta": theta, "lambda": lam, "reading": reading, "claims": rows}
+    found = {"theta": theta, "lambda": lam, "variant": variant, "claims": rows}
     return View("figures", None, parts, lambda: found, files, pictures)

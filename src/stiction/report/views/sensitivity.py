@@ -82,7 +82,9 @@ def elasticities_table(data: "xarray.Dataset") -> Table:
     """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
     one, names = at_working_load(data), results_of(data, "elasticity")
     order: Any = ranked(one, names[0], "elasticity", "number") if names else []
-    rows = [[str(one["number"].values[at]), *(_signed(float(one[f"{name}_elasticity"][at])) for name in names)] for at in order]
+    rows = [
+        [str(one["number"].values[at]), *(_signed(float(one[f"{name}_log_sensitivity"][at])) for name in names)] for at in order
+    ]
     return Table(
         [Column("input raised by 1 %"), *numbers(*(f"{_HEADS[name]} changes by [%]" for name in names))], rows, ranked=True
     )
@@ -143,7 +145,9 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
     def found() -> dict[str, Any]:
         if _SHARE not in data:
             return record(data, groups or {})
-        slopes = dict(zip(data["number"].values.tolist(), data["friction_coefficient_elasticity"].values.tolist(), strict=True))
+        slopes = dict(
+            zip(data["number"].values.tolist(), data["friction_coefficient_log_sensitivity"].values.tolist(), strict=True)
+        )
         return {"answer": answer_record(data), "elasticities": slopes}
 
     files = {

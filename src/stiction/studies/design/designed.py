@@ -29,7 +29,7 @@ def dataset_of(found: "Designing") -> "xarray.Dataset":
     best = found.best()
     data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
     data["violated"] = ("design", _violated(found, best), {"long_name": "limits and ranges of validity that are broken"})
-    if len(found.plan.wishes) == 2:
+    if len(found.plan.objectives) == 2:
         front = found.front()
         chosen = (
             front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
@@ -38,11 +38,15 @@ def dataset_of(found: "Designing") -> "xarray.Dataset":
         )
         more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
         data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
-    _, wishes, worst, _ = found.archive.table()
-    good = np.where(worst <= TOLERANCE, wishes[:, 0], np.inf)
+    _, objectives, worst, _ = found.archive.table()
+    good = np.where(worst <= TOLERANCE, objectives[:, 0], np.inf)
     every = _columns(found, np.arange(len(worst)), "asked")
     data = data.merge(xarray.Dataset({f"asked_{name}": column for name, column in every.items()}))
-    data["best_so_far"] = ("asked", np.minimum.accumulate(good), {"long_name": "first wish of the best design, less is better"})
+    data["best_so_far"] = (
+        "asked",
+        np.minimum.accumulate(good),
+        {"long_name": "first objective of the best design, less is better"},
+    )
     return data.assign_attrs(_attributes(found, best))
 
 
@@ -86,7 +90,7 @@ def _attributes(found: "Designing", best: np.ndarray) -> dict[str, Any]:
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
         "model": RECOMMENDED if found.space.is_predicted else found.space.choice.name,
-        "wishes": "\n".join(one.words for one in plan.wishes),
+        "objectives": "\n".join(one.words for one in plan.objectives),
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
@@ -110,7 +114,7 @@ def designed_case(found: "Designing", out: Path) -> str:
     plan = found.plan
     best = int(found.best()[0])
     shares, _, worst, known = found.archive.table()
-    comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.wishes)}."]
+    comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
         comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]

@@ -18,7 +18,7 @@ from stiction.quantities.errors import InputError, field_below, nearest
 from stiction.quantities.inputs import require_names
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.studies.design.table import Design, Wish
+from stiction.studies.design.table import Design, Objective
 
 LOAD = ("solve", "load")
 _NAMED = ("material", "bodies", "first", "second")  # what may be chosen that is no number
@@ -60,8 +60,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """A design, ready to be searched. content: the tables of the case without studies; given: as they were written. wishes with
-    the value of a target in SI units. uncertain: numbers of the contact that are drawn."""
+    """A design, ready to be searched. content: the tables of the case without studies; given: as they were written. objectives
+    with the value of a target in SI units. uncertain: numbers of the contact that are drawn."""
 
     content: Mapping[str, Any]
     given: Mapping[str, Any]
@@ -69,7 +69,7 @@ class DesignPlan:
     title: str
     free: tuple[Free, ...]
     options: tuple[Options, ...]
-    wishes: tuple[Wish, ...]
+    objectives: tuple[Objective, ...]
     targets: tuple[float, ...]
     limits: tuple[Limit, ...]
     validity: str
@@ -90,7 +90,7 @@ def quantity_of(name: str) -> str:
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     require_names(content)
-    wanted = 'a table [design] with wish = { minimise = "friction_coefficient" } and [design.choose]'
+    wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'
     design: Design = study_table(content, "design", wanted)
     plain, several = opened(without_studies(content), folder)
     for one in several.values():
@@ -98,7 +98,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
             raise InputError(one.where, one.words, "one number; of several one is chosen under [design.choose]")
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
-    wishes, targets = _wishes(design)
+    objectives, targets = _objectives(design)
     return DesignPlan(
         content=plain,
         given=dict(content),
@@ -106,7 +106,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
         title=str(content.get("title", "")),
         free=free,
         options=options,
-        wishes=wishes,
+        objectives=objectives,
         targets=targets,
         limits=tuple(_limit(name, entry) for name, entry in design.limits.items()),
         validity=design.validity,
@@ -172,21 +172,23 @@ def _options(path: Address, entries: list, where: str) -> Options:
     return Options(path, tuple(entries), words, False)
 
 
-def _wishes(design: Design) -> tuple[tuple[Wish, ...], tuple[float, ...]]:
-    given = design.wish if isinstance(design.wish, list) else [design.wish]
+def _objectives(design: Design) -> tuple[tuple[Objective, ...], tuple[float, ...]]:
+    given = design.objective if isinstance(design.objective, list) else [design.objective]
     if not 1 <= len(given) <= 2:
-        raise InputError("design.wish", f"{len(given)} wishes", "one or two")
-    wishes, targets = [], []
+        raise InputError("design.objective", f"{len(given)} objectives", "one or two")
+    objectives, targets = [], []
     for at, one in enumerate(given):
-        where = "design.wish" + (f"[{at}]" if len(given) > 1 else "")
+        where = "design.objective" + (f"[{at}]" if len(given) > 1 else "")
         if not isinstance(one, Mapping):
             raise InputError(where, one, 'a table, e.g. { minimise = "friction_coefficient" }')
         with field_below(where):
-            wish = Wish(**one)
-        _check_quantity(wish.quantity, where)
-        wishes.append(wish)
-        targets.append(number_of(wish.value, quantity_of(wish.quantity), f"{where}.value") if wish.target else float("nan"))
-    return tuple(wishes), tuple(targets)
+            objective = Objective(**one)
+        _check_quantity(objective.quantity, where)
+        objectives.append(objective)
+        targets.append(
+            number_of(objective.value, quantity_of(objective.quantity), f"{where}.value") if objective.target else float("nan")
+        )
+    return tuple(objectives), tuple(targets)
 
 
 def _check_quantity(name: str, where: str) -> None:

@@ -1,4 +1,4 @@
-"""Design: the coating, thickness, roughness and load that come nearest to what is wished, and keep all limits."""
+"""Design: the coating, thickness, roughness and load that come nearest to the objective, and keep all limits."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched, of a model
-_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one wish
+_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
 _TOGETHER, _PER_ROUND = (
     64,
     12,
@@ -32,17 +32,17 @@ _ALIKE = 1e-10  # range of a population at which a search ends
 _QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search ends, of a model and of a prediction
 _GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
 _MET = 1e-3  # over a target: so near it a prediction, which is known to two digits, is not searched on
-_BEYOND_ALL = 1e100  # more than any wish: the cost of a design that breaks its limits
+_BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks its limits
 _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
 @dataclass
 class Archive:
-    """Every design that was asked for: shares (n, d), wishes (n, w), how far beyond its limits each is (n,), and what is
+    """Every design that was asked for: shares (n, d), objectives (n, w), how far beyond its limits each is (n,), and what is
     known."""
 
     shares: list[np.ndarray] = field(default_factory=list)
-    wishes: list[np.ndarray] = field(default_factory=list)
+    objectives: list[np.ndarray] = field(default_factory=list)
     worst: list[np.ndarray] = field(default_factory=list)
     known: list[dict[str, np.ndarray]] = field(default_factory=list)
     count: int = 0
@@ -51,7 +51,7 @@ class Archive:
         """All of them as arrays."""
         names = self.known[0] if self.known else {}
         known = {name: np.concatenate([one[name] for one in self.known]) for name in names}
-        return np.concatenate(self.shares), np.concatenate(self.wishes), np.concatenate(self.worst), known
+        return np.concatenate(self.shares), np.concatenate(self.objectives), np.concatenate(self.worst), known
 
 
 @dataclass
@@ -68,17 +68,17 @@ class Designing:
 
     def best(self) -> np.ndarray:
         """Numbers in the archive of the designs worth showing: of each way to choose from lists the one that is nearest to the
-        first wish, the best first; where none keeps the limits those that break them least."""
-        shares, wishes, worst, _ = self.archive.table()
-        order = np.lexsort((wishes[:, 0], np.maximum(worst - TOLERANCE, 0.0)))
+        first objective, the best first; where none keeps the limits those that break them least."""
+        shares, objectives, worst, _ = self.archive.table()
+        order = np.lexsort((objectives[:, 0], np.maximum(worst - TOLERANCE, 0.0)))
         way = self.space.way(shares[order])
         _, first = np.unique(way, axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
-        """Numbers in the archive of the designs that keep the limits and of which none is better in both wishes."""
-        _, wishes, worst, _ = self.archive.table()
-        return _front(wishes, worst)
+        """Numbers in the archive of the designs that keep the limits and of which none is better in both objectives."""
+        _, objectives, worst, _ = self.archive.table()
+        return _front(objectives, worst)
 
     def data(self) -> "xarray.Dataset":
         return dataset_of(self)
@@ -89,14 +89,14 @@ class Designing:
 
 
 def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
-    """Search the design of a case that comes nearest to what is wished, under its limits.
+    """Search the design of a case that comes nearest to the objective, under its limits.
 
     case: path of a case file with a table [design], or its tables as a dict. tell: told how many designs were asked, and the
     best so far.
 
     Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
-    is chosen, what is wished and limited, `kept`, `violated`, the limits that are broken, one a line, and `broken`, by how
-    much, over their size; with two wishes also over `front` the designs of which none is better in both. Raises InputError.
+    is chosen, the objective and limited, `kept`, `violated`, the limits that are broken, one a line, and `broken`, by how
+    much, over their size; with two objectives also over `front` the designs of which none is better in both. Raises InputError.
     """
     require_callable(tell, "tell")
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
@@ -114,13 +114,13 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)
-        if len(plan.wishes) == 2 and found.space.is_predicted:
+        if len(plan.objectives) == 2 and found.space.is_predicted:
             _spread(found, tell)
             return found
-        for number in range(len(plan.wishes)):
+        for number in range(len(plan.objectives)):
             _searched(found, number, None, tell)
             _refined(found, number, tell)
-        if len(plan.wishes) == 2:
+        if len(plan.objectives) == 2:
             _search_front(found, tell)
     except KeyboardInterrupt:
         if not keep_on_interrupt or not found.archive.count:
@@ -133,7 +133,7 @@ def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
     """What is known of designs (n, d); it is kept."""
     answers, archive = found.space.answers(shares), found.archive
     archive.shares.append(shares.copy())
-    archive.wishes.append(answers.wishes)
+    archive.objectives.append(answers.objectives)
     archive.worst.append(answers.worst)
     archive.known.append(answers.known)
     archive.count += len(shares)
@@ -143,7 +143,7 @@ def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
 
 def _drawn(found: Designing) -> np.ndarray:
     """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
-    plan, most = found.plan, _FEW_DRAWN * len(found.plan.wishes) ** 2 if found.space.is_predicted else _DRAWN
+    plan, most = found.plan, _FEW_DRAWN * len(found.plan.objectives) ** 2 if found.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
         return sobol_points(len(plan.free), most, plan.seed)
@@ -160,8 +160,8 @@ def _drawn(found: Designing) -> np.ndarray:
 
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
-    """Differential evolution (Storn & Price 1997) of one wish, designs that keep the limits before all that do not (Deb
-    2000), on from the best that are known: for each of the best ways to choose from lists. ceiling: of the other wish."""
+    """Differential evolution (Storn & Price 1997) of one objective, designs that keep the limits before all that do not (Deb
+    2000), on from the best that are known: for each of the best ways to choose from lists. ceiling: of the other objective."""
     if not found.plan.free and found.archive.count:
         return  # every design was asked
     from scipy.optimize import differential_evolution
@@ -188,10 +188,10 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
 
 
 def _ends(found: Designing, number: int) -> "_Quiet":
-    """Return what ends the search of a wish."""
+    """Return what ends the search of an objective."""
     if not found.space.is_predicted:
         return _Quiet(_GAIN, _QUIET)
-    met = _MET * abs(found.plan.targets[number]) if found.plan.wishes[number].target else -np.inf
+    met = _MET * abs(found.plan.targets[number]) if found.plan.objectives[number].target else -np.inf
     return _Quiet(_GAIN_OF_DRAWS, _QUIET_OF_DRAWS, met)
 
 
@@ -216,23 +216,27 @@ class _Quiet:
 
 
 def _cost(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
-    """The wish of designs (n, d); of those beyond limits and ceiling how far, above that of all others."""
+    """The objective of designs (n, d); of those beyond limits and ceiling how far, above that of all others."""
     answers = _ask(found, shares, tell)
-    broken = _beyond(answers.wishes, answers.worst, number, ceiling)
-    return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.wishes[:, number])
+    broken = _beyond(answers.objectives, answers.worst, number, ceiling)
+    return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
 
-def _beyond(wishes: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
-    """How far beyond the limits, and the ceiling of the other wish; 0 within the tolerance."""
-    over = np.zeros(len(worst)) if ceiling is None else np.maximum(wishes[:, 1 - number] - ceiling, 0.0) / (abs(ceiling) or 1.0)
+def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
+    """How far beyond the limits, and the ceiling of the other objective; 0 within the tolerance."""
+    over = (
+        np.zeros(len(worst))
+        if ceiling is None
+        else np.maximum(objectives[:, 1 - number] - ceiling, 0.0) / (abs(ceiling) or 1.0)
+    )
     total = np.maximum(worst, over)
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
 def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
     """For each of the best ways to choose from lists the best designs that are known, and some at random (size, d)."""
-    shares, wishes, worst, _ = found.archive.table()
-    order = np.lexsort((wishes[:, number], _beyond(wishes, worst, number, ceiling)))
+    shares, objectives, worst, _ = found.archive.table()
+    order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
     few = found.space.is_predicted
     size = max(_FEW if few else _POPULATION, (3 if few else 6) * found.space.dimension)
     _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
@@ -262,13 +266,13 @@ def _refine(found: Designing, number: int, start: np.ndarray, tell: Tell) -> Non
 
     def at(x: np.ndarray) -> Answers:
         whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
-        if whole.tobytes() not in known:  # the wish and the limits are asked for one after the other
+        if whole.tobytes() not in known:  # the objective and the limits are asked for one after the other
             known[whole.tobytes()] = _ask(found, whole[None, :], tell)
         return known[whole.tobytes()]
 
-    size = abs(float(at(start[first:]).wishes[0, number])) or 1.0
+    size = abs(float(at(start[first:]).objectives[0, number])) or 1.0
     minimize(
-        lambda x: float(at(x).wishes[0, number]) / size,
+        lambda x: float(at(x).objectives[0, number]) / size,
         start[first:],
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
@@ -278,20 +282,20 @@ def _refine(found: Designing, number: int, start: np.ndarray, tell: Tell) -> Non
 
 
 def _best_ways(found: Designing, number: int) -> list[int]:
-    shares, wishes, worst, _ = found.archive.table()
-    order = np.lexsort((wishes[:, number], np.maximum(worst - TOLERANCE, 0.0)))
+    shares, objectives, worst, _ = found.archive.table()
+    order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
     _, first = np.unique(found.space.way(shares[order]), axis=0, return_index=True)
     return [int(order[at]) for at in np.sort(first)]
 
 
 def _search_front(found: Designing, tell: Tell) -> None:
-    """Designs between the best for either wish: the first wish, where the other is held below a ceiling (Haimes, Lasdon &
-    Wismer 1971), for a row of ceilings."""
+    """Designs between the best for either objective: the first objective, where the other is held below a ceiling (Haimes,
+    Lasdon & Wismer 1971), for a row of ceilings."""
     front = found.front()
     if not front.size or not found.plan.free:
         return
-    _, wishes, _, _ = found.archive.table()
-    low, high = wishes[front, 1].min(), wishes[front, 1].max()
+    _, objectives, _, _ = found.archive.table()
+    low, high = objectives[front, 1].min(), objectives[front, 1].max()
     count = 2 + _FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
@@ -299,8 +303,8 @@ def _search_front(found: Designing, tell: Tell) -> None:
 
 
 def _spread(found: Designing, tell: Tell) -> None:
-    """Search predictions for two wishes: rounds of normal steps from the front, as of an evolution strategy (Rechenberg 1973),
-    each shorter than the last; where no design keeps the limits, from those that break them least."""
+    """Search predictions for two objectives: rounds of normal steps from the front, as of an evolution strategy (Rechenberg
+    1973), each shorter than the last; where no design keeps the limits, from those that break them least."""
     rng = np.random.default_rng(found.plan.seed)
     step, named = _FIRST_STEP, found.space.named
     if not found.plan.free:
@@ -316,10 +320,10 @@ def _spread(found: Designing, tell: Tell) -> None:
         step *= _SHRUNK
 
 
-def _front(wishes: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Numbers of those within the tolerance of which none is at least as good in both wishes and better in one, by the
+def _front(objectives: np.ndarray, worst: np.ndarray) -> np.ndarray:
+    """Numbers of those within the tolerance of which none is at least as good in both objectives and better in one, by the
     first."""
-    kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(wishes).all(axis=1))
-    order = kept[np.lexsort((wishes[kept, -1], wishes[kept, 0]))]
-    lowest = np.minimum.accumulate(np.concatenate([[np.inf], wishes[order, -1]]))[:-1]
-    return order[wishes[order, -1] < lowest]
+    kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(objectives).all(axis=1))
+    order = kept[np.lexsort((objectives[kept, -1], objectives[kept, 0]))]
+    lowest = np.minimum.accumulate(np.concatenate([[np.inf], objectives[order, -1]]))[:-1]
+    return order[objectives[order, -1] < lowest]

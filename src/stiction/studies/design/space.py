@@ -1,4 +1,4 @@
-"""Many designs at once: what is wished of each, and by how much it breaks what it must keep."""
+"""Many designs at once: the objective of each, and by how much it breaks what it must keep."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from stiction.records.claims import Validity
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
-from stiction.solving.pointwise import WHY_NOT, Pointwise, Region, solve_pointwise
+from stiction.solving.pointwise import WHY_NOT, BatchResult, Region, solve_batch
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
 from stiction.studies.design.plan import LOAD, DesignPlan, quantity_of
@@ -29,16 +29,16 @@ from stiction.studies.prediction.predict import is_predicted
 TOLERANCE = 1e-6  # of a limit: by so much, times its size, it may be broken
 _REFUSED = 1e6  # how far beyond all limits a design is that is refused
 _DESIGN, _SAMPLE = "design", "sample"
-_SURE = 0.95  # with which probability limits hold, and wishes are met, where numbers are uncertain
+_SURE = 0.95  # with which probability limits hold, and objectives are met, where numbers are uncertain
 _SAMPLES = 32
 
 
 @dataclass(frozen=True)
 class Answers:
-    """Of designs (n,): wishes (n, 1 or 2), less is better; broken (n, limits and one for validity), how far beyond each limit,
-    over its size, 0 or below where it is kept; known: name -> what is shown of each (n,)."""
+    """Of designs (n,): objectives (n, 1 or 2), less is better; broken (n, limits and one for validity), how far beyond each
+    limit, over its size, 0 or below where it is kept; known: name -> what is shown of each (n,)."""
 
-    wishes: np.ndarray
+    objectives: np.ndarray
     broken: np.ndarray
     known: dict[str, np.ndarray]
 
@@ -59,7 +59,7 @@ class Space:
     is_predicted: bool = field(init=False)
 
     def __post_init__(self):
-        wanted = [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]
+        wanted = [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]
         self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
         self.case = case_of(self.plan.content)
         self.is_predicted = is_predicted(self.case)
@@ -75,7 +75,7 @@ class Space:
         return len(self.plan.unknowns)
 
     def _choice(self) -> Choice:
-        """The model, asked for the first design. Raises InputError where it does not know what is wished or limited."""
+        """The model, asked for the first design. Raises InputError where it does not know the objective or limited."""
         shares = np.full((1, self.dimension), 0.5)
         content, numbers, points = self._contacts(shares, np.arange(1))
         if self.is_predicted:
@@ -85,8 +85,8 @@ class Space:
         choice = choice_of(self.case.choice.model, given, subject)
         for name in set(self.names) & set(YIELDED):
             require_states(make_problem(subject, choice), name)
-        solved = solve_pointwise(subject, choice, load=float(points["load"].values.flat[0]))
-        for name in [*(one.quantity for one in self.plan.wishes), *(one.quantity for one in self.plan.limits)]:
+        solved = solve_batch(subject, choice, load=float(points["load"].values.flat[0]))
+        for name in [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result that {choice.model_key} gives here, or a group of the contact")
         return choice
@@ -96,7 +96,7 @@ class Space:
         subject = case_of(content, numbers).subject
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
-                allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be wished"
+                allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be objectives"
                 raise InputError("design", name, allowed)
         return Choice(RECOMMENDED)
 
@@ -143,7 +143,7 @@ class Space:
         """What is known of designs (n, d). Those that are refused are far beyond all limits."""
         shares = np.atleast_2d(shares)
         count, limits = len(shares), len(self.plan.limits) + 1
-        wishes, broken = np.full((count, len(self.plan.wishes)), _REFUSED), np.full((count, limits), _REFUSED)
+        objectives, broken = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
         known = {name: np.full(count, np.nan) for name in self.names}
         for some in self._alike(shares):
             try:
@@ -155,10 +155,10 @@ class Space:
                     continue
                 rows = some[region.get(_DESIGN, slice(None))]
                 part = self._judged(case.subject, solved, len(rows), points["load"].sizes.get("load", 1))
-                wishes[rows], broken[rows] = part.wishes, part.broken
+                objectives[rows], broken[rows] = part.objectives, part.broken
                 for name, values in part.known.items():
                     known[name][rows] = values
-        return Answers(wishes, broken, known)
+        return Answers(objectives, broken, known)
 
     def _taken(self, content: Mapping, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Yield the same, nothing where all are refused."""
@@ -244,36 +244,36 @@ class Space:
         shares = sobol_points(len(together), _SAMPLES, self.plan.seed)
         return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
-    def _judged(self, subject: Any, solved: Pointwise, designs: int, loads: int) -> Answers:
+    def _judged(self, subject: Any, solved: BatchResult, designs: int, loads: int) -> Answers:
         shape = _shape(subject, designs, loads)
         tables = self._tables(subject, solved, shape)
-        wishes = [
-            _wished(wish, tables[wish.quantity], target)
-            for wish, target in zip(self.plan.wishes, self.plan.targets, strict=True)
+        objectives = [
+            _cost_of(objective, tables[objective.quantity], target)
+            for objective, target in zip(self.plan.objectives, self.plan.targets, strict=True)
         ]
         broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
         broken.append(_as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape))
         return Answers(
-            np.column_stack([_worst(one) for one in wishes]),
+            np.column_stack([_worst(one) for one in objectives]),
             np.column_stack([_worst(one) for one in broken]),
-            self._shown(tables, wishes, broken),
+            self._shown(tables, objectives, broken),
         )
 
-    def _tables(self, subject: Any, solved: Pointwise, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
+    def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
         """Return every result and group that is asked for (designs, samples, loads), by name."""
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
-    def _shown(self, tables: Mapping, wishes: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
-        """What is shown of each result (designs,): where a limit or a wish of it is kept worst; else in the middle."""
+    def _shown(self, tables: Mapping, objectives: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
+        """What is shown of each result (designs,): where a limit or an objective of it is kept worst; else in the middle."""
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
-        names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.wishes)]
-        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *wishes], strict=True):
+        names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
+        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *objectives], strict=True):
             rows, sample, load = _place_of_worst(worst)
             found[name] = tables[name][rows, sample, load]
         return found
 
-    def _table(self, name: str, solved: Pointwise, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
+    def _table(self, name: str, solved: BatchResult, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         """A result or a group (designs, samples, loads)."""
         if name in solved.variables:
             dims, values, _ = solved.variables[name]
@@ -285,7 +285,7 @@ class Space:
             return np.full(shape, np.nan)
         return _as_table(getattr(value, "dims", ()), np.asarray(value, dtype=float), shape)
 
-    def _yielded(self, name: str, solved: Pointwise, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
+    def _yielded(self, name: str, solved: BatchResult, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
         problem = make_problem(subject, self.choice)
         dims, separation, _ = solved.variables["mean_separation"]
         sigma = problem.subject.scales().separation
@@ -308,9 +308,9 @@ def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.
     return np.broadcast_to(arranged(values, dims, (_DESIGN, _SAMPLE, "load")), shape)
 
 
-def _wished(wish: Any, table: np.ndarray, target: float) -> np.ndarray:
+def _cost_of(objective: Any, table: np.ndarray, target: float) -> np.ndarray:
     """What is to be least."""
-    return np.abs(table - target) if wish.target else -table if wish.maximise else table
+    return np.abs(table - target) if objective.target else -table if objective.maximise else table
 
 
 def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
@@ -320,13 +320,13 @@ def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
     return np.maximum(over, under)
 
 
-def _outside(solved: Pointwise, validity: str) -> np.ndarray:
+def _outside(solved: BatchResult, validity: str) -> np.ndarray:
     """Count at each point the ranges of validity that are left and must not be."""
     bits = solved.validity_warnings[1]
     return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
 
 
-def _validity_bits(solved: Pointwise, validity: str) -> dict[np.uint32, str]:
+def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
     """Return the bits of the ranges that must not be left, each with its words; those of refusals always count."""
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):

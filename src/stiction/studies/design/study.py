@@ -1,7 +1,7 @@
-"""Choose materials, thickness, roughness or load so that a wish comes true and limits are kept.
+"""Choose materials, thickness, roughness or load so that an objective comes true and limits are kept.
 
-The case says in [design] what is wished, in [design.choose] what may be chosen, in [design.limits] what must hold.
-With two wishes, also the designs of which none is better in both. With --out: designed.toml, a case that `stiction run`
+The case says in [design] the objective, in [design.choose] what may be chosen, in [design.limits] what must hold.
+With two objectives, also the designs of which none is better in both. With --out: designed.toml, a case that `stiction run`
 takes, design.csv, front.csv, design.png, design.nc. Interrupted, it keeps the best so far.
 """
 
@@ -25,4 +25,4 @@ def _run(plan: tuple[Any, ...], tell: Callable[[str], None]) -> tuple[Any, ...]:
     return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs asked")), plan[1]
 
 
-STUDY = Study("design", __doc__, "Case file with a table [design]: choices, wishes, limits.", _plan, _run)
+STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, limits.", _plan, _run)

@@ -8,8 +8,8 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 
 
-class Wish(Input):
-    """What is wished of a result: that it is least, most, or next to a value."""
+class Objective(Input):
+    """The objective for a result: that it is least, most, or next to a value."""
 
     minimise: str | None = Field(None, description="the name of a result")
     maximise: str | None = Field(None, description="the name of a result")
@@ -39,14 +39,14 @@ class Wish(Input):
 
 
 class Design(Input):
-    """What is chosen, and what is wished of it.
+    """What is chosen, and the objective of it.
 
-    wish: one wish, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one is taken.
-    limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be left but
-    those that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one
+    is taken. limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be
+    left but those that are about statistics, "possible" where none may be that makes a result impossible, "any".
     """
 
-    wish: Any = Field(description='a wish, { minimise = "friction_coefficient" }, or a list of two')
+    objective: Any = Field(description='an objective, { minimise = "friction_coefficient" }, or a list of two')
     choose: dict[str, Any] = Field(description="a table of numbers of the contact with their ends, or lists")
     limits: dict[str, Any] = Field(default_factory=dict, description="a table of results, each with its low or high end")
     validity: Literal["claimed", "possible", "any"] = Field("claimed", description="claimed, possible, any")
@@ -54,4 +54,4 @@ class Design(Input):
     seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
 
 
-TABLE = (Design, "what `stiction design` chooses, and what is wished of it")
+TABLE = (Design, "what `stiction design` chooses, and the objective of it")

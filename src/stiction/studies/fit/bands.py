@@ -11,7 +11,7 @@ from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import sobol_points
-from stiction.solving.pointwise import Pointwise
+from stiction.solving.pointwise import BatchResult
 from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
 from stiction.studies.fit.model import Parameter, derived, result_of
@@ -145,7 +145,7 @@ def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[Address]) -> d
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 
 
-def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any]]:
+def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, Any]]:
     import xarray
 
     along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
@@ -161,7 +161,7 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[Pointwise, dict[str, Any
     return solved, coords
 
 
-def _of(solved: Pointwise, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
+def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
     """A measured quantity as a table (sets, its other dimensions)."""
     result = result_of(name)
     dims, values, _ = solved.variables[result]

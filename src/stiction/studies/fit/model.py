@@ -13,7 +13,7 @@ from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
-from stiction.solving.pointwise import solve_pointwise
+from stiction.solving.pointwise import solve_batch
 from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 
@@ -176,7 +176,7 @@ def _check_answers(forward: Forward, subject: Any) -> None:
     """InputError where the model has nothing to say of what was measured."""
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
-    known = set(solve_pointwise(subject, forward.choice, **point).variables)
+    known = set(solve_batch(subject, forward.choice, **point).variables)
     for name in forward.data.quantities:
         if result_of(name) not in known:
             raise InputError("model", forward.choice.model_key, f"a model that knows {name}, which was measured")

@@ -10,7 +10,7 @@ at the same load, as in the paper's figures, over its films and its separations 
   surface has no friction.
 
 Claim (d) fails nearly everywhere: what looks level on linear axes is friction that has become small and goes on falling.
-The paper prints no contact area; that of its reading, for (e), is the analogue of its eq. (1).
+The paper prints no contact area; that of its variant, for (e), is the analogue of its eq. (1).
 """
 
 from collections.abc import Callable, Iterable
@@ -23,7 +23,7 @@ from stiction.quantities.quotient import quotient
 from stiction.studies.paper.figures import FILM_VALUES, H_RANGE
 
 # The paper's two readings, and its asperities on a film that is solved.
-READINGS = ("corrected", "published", "layered")
+VARIANTS = ("corrected", "published", "layered")
 THETA = np.geomspace(1.0, 1e4, 25)
 LAM = np.geomspace(1e-3, 1e4, 25)
 LIGHT, MODERATE = 1e-3, 1e-2  # over the reference load
@@ -194,17 +194,17 @@ class ClaimMap:
     worst: np.ndarray
 
 
-def surfaces_at(theta: float, lam: np.ndarray, reading: str) -> Surfaces:
+def surfaces_at(theta: float, lam: np.ndarray, variant: str) -> Surfaces:
     """Every surface of the paper at one theta and each of lam (n,)."""
     from stiction.solving.evaluate import evaluate
     from stiction.studies.paper.layered import LAYERED
 
-    if reading == LAYERED:
+    if variant == LAYERED:
         return _layered_surfaces(theta, np.asarray(lam, dtype=float))
     lam = np.asarray(lam, dtype=float).reshape(-1, 1, 1, 1, 1)
     film: dict[str, Any] = {"n_E": _N_E[:, None, None, None], "n_H": _N_H[:, None, None], "tau": _TAU[:, None]}
-    bare = evaluate(_H, theta, lam, reading=reading)
-    return Surfaces(Curves(*bare), Curves(*evaluate(_H, theta, lam, **film, reading=reading)))
+    bare = evaluate(_H, theta, lam, variant=variant)
+    return Surfaces(Curves(*bare), Curves(*evaluate(_H, theta, lam, **film, variant=variant)))
 
 
 def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
@@ -220,10 +220,10 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
     """Judge every claim at every pair of theta and lam, in both readings and with a film that is solved. progress: wraps the
     loop, to show how far it is."""
-    results = np.empty((2, len(CLAIMS), len(READINGS), len(theta), len(lam)))
-    steps = [(row, column) for row in range(len(READINGS)) for column in range(len(theta))]
+    results = np.empty((2, len(CLAIMS), len(VARIANTS), len(theta), len(lam)))
+    steps = [(row, column) for row in range(len(VARIANTS)) for column in range(len(theta))]
     for row, column in progress(steps):
-        surfaces = surfaces_at(float(theta[column]), lam, READINGS[row])
+        surfaces = surfaces_at(float(theta[column]), lam, VARIANTS[row])
         for at, claim in enumerate(CLAIMS):
             results[:, at, row, column] = claim.judge(surfaces)
     return ClaimMap(np.asarray(theta), np.asarray(lam), *results)
@@ -265,12 +265,12 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 
 
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
-    """One record for each claim and reading: shares of the plane where it holds for all, some and none of its cases or is
+    """One record for each claim and variant: shares of the plane where it holds for all, some and none of its cases or is
     not comparable; where it holds for all and for none; and how it stands at the given theta and lam."""
     rows = []
-    here = [surfaces_at(theta, np.array([lam]), reading) for reading in READINGS]
+    here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]
     for at, claim in enumerate(CLAIMS):
-        for row, reading in enumerate(READINGS):
+        for row, variant in enumerate(VARIANTS):
             share = claims.share[at, row]
             share_here, worst_here = (None if np.isnan(value[0]) else float(value[0]) for value in claim.judge(here[row]))
             rows.append(
@@ -278,7 +278,7 @@ def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
                     "claim": claim.key,
                     "says": claim.says,
                     "definition": claim.definition,
-                    "reading": reading,
+                    "variant": variant,
                     "holds_for_all": float(np.mean(share == 1.0)),
                     "holds_for_some": float(np.mean((share > 0.0) & (share < 1.0))),
                     "holds_for_none": float(np.mean(share == 0.0)),
@@ -294,10 +294,10 @@ def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
 
 def claim_rows(claims: ClaimMap) -> tuple[list[str], list[list]]:
     """Heads and rows of the map as a table; nan where nothing compares."""
-    heads = ["claim", "reading", "theta", "lambda", "share_holding", "worst"]
+    heads = ["claim", "variant", "theta", "lambda", "share_holding", "worst"]
     rows = []
     for (at, row, i, j), share in np.ndenumerate(claims.share):
         claim, worst = CLAIMS[at], claims.worst[at, row, i, j]
         place = [float(claims.theta[i]), float(claims.lam[j])]
-        rows.append([claim.key, READINGS[row], *place, float(share), float(worst)])
+        rows.append([claim.key, VARIANTS[row], *place, float(share), float(worst)])
     return heads, rows

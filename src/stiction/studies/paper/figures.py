@@ -53,18 +53,18 @@ class PanelCurves:
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"
-        return f"{self.panel.figure} of the 2015 paper, {in_words(groups['reading'])}: {fixed}\n{chosen}, h = 4 to -4"
+        return f"{self.panel.figure} of the 2015 paper, {in_words(groups['variant'])}: {fixed}\n{chosen}, h = 4 to -4"
 
 
-def in_words(reading: str) -> str:
-    """What a reading of the paper is called in pictures."""
+def in_words(variant: str) -> str:
+    """What a variant of the paper is called in pictures."""
     from stiction.studies.paper.layered import LAYERED
 
-    return "its film solved" if reading == LAYERED else f"{reading} reading"
+    return "its film solved" if variant == LAYERED else f"{variant} variant"
 
 
-def panel_curves(panel: Panel, theta: float, lam: float, reading: str) -> PanelCurves:
-    """Solve one panel. theta, lam > 0; reading "corrected", "published" or "layered" (`paper_layered`). Raises InputError."""
+def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelCurves:
+    """Solve one panel. theta, lam > 0; variant "corrected", "published" or "layered" (`paper_layered`). Raises InputError."""
     from stiction.contact.contact import Indices
     from stiction.quantities.units import axis
     from stiction.solving.solve import solve
@@ -72,25 +72,25 @@ def panel_curves(panel: Panel, theta: float, lam: float, reading: str) -> PanelC
 
     h = np.linspace(*H_RANGE, _POINTS)
     film = {**panel.fixed, panel.along: axis(panel.along, panel.values)}
-    film |= film_groups(film["tau"]) if reading == LAYERED else {}
+    film |= film_groups(film["tau"]) if variant == LAYERED else {}
 
     def solved(**groups: Any) -> "xarray.Dataset":
-        laws = choice(bool(groups)).arguments() if reading == LAYERED else {"reading": reading}
+        laws = choice(bool(groups)).arguments() if variant == LAYERED else {"variant": variant}
         return solve(Indices(theta=theta, lam=lam, **groups), separation=h, **laws)
 
-    return PanelCurves(panel, solved(**film), solved().assign_attrs(theta=theta, lam=lam, reading=reading))
+    return PanelCurves(panel, solved(**film), solved().assign_attrs(theta=theta, lam=lam, variant=variant))
 
 
 def curve_rows(panels: Iterable[PanelCurves]) -> tuple[list[str], Iterator[list]]:
     """Heads and rows of a table of all curves, normalised; n_E, n_H and tau are empty for the uncoated surface."""
     names = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
-    return ["figure", "reading", "theta", "lambda", *FILM_VALUES, *names], _rows_of(panels, names)
+    return ["figure", "variant", "theta", "lambda", *FILM_VALUES, *names], _rows_of(panels, names)
 
 
 def _rows_of(panels: Iterable[PanelCurves], names: Iterable[str]) -> Iterator[list]:
     for curves in panels:
         panel, used = curves.panel, curves.bare.attrs
-        head = [panel.name, used["reading"], used["theta"], used["lam"]]
+        head = [panel.name, used["variant"], used["theta"], used["lam"]]
         films = [({**panel.fixed, panel.along: value}, curves.coated.sel({panel.along: value})) for value in panel.values]
         for film, data in [({}, curves.bare), *films]:
             groups = [film.get(name, "") for name in FILM_VALUES]

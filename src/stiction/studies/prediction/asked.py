@@ -29,9 +29,9 @@ _INTERFACE = (
     "pressure_coefficient",
     "peeling",
     "strength_variation",
-    "waiting_time",
-    "cut_off_time",
-    "strengthening",
+    "hold_time",
+    "reference_time",
+    "ageing_rate",
 )
 
 

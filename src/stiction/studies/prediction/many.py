@@ -13,7 +13,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
-from stiction.solving.pointwise import REFUSED, Pointwise, Region, bisected, pieces
+from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
@@ -46,7 +46,7 @@ def predict_many(
     level: float = 0.9,
     count: int = COUNT,
     along: Sequence[str] | None = None,
-) -> Iterator[tuple[Region, Case | None, Pointwise | None]]:
+) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
     """Yield predictions of a case at many sets of numbers, as `evaluate_many` yields results of one model.
 
     Parameters
@@ -78,7 +78,7 @@ def predict_many(
         load = DataArray(np.atleast_1d(load), dims=("load",))
     numbers, load = {path: _apart(value) for path, value in numbers.items()}, _apart(load)
 
-    def predicted(region: Region) -> tuple[Case, Pointwise]:
+    def predicted(region: Region) -> tuple[Case, BatchResult]:
         some = {path: _part(value, region) for path, value in numbers.items()}
         return _together(tables, some, _part(load, region), tuple(uncertain), level, count)
 
@@ -107,7 +107,7 @@ def _named(dim: str) -> str:
     return SAMPLE if dim == _CONTACTS else dim
 
 
-def _named_back(found: Pointwise) -> Pointwise:
+def _named_back(found: BatchResult) -> BatchResult:
     """Return results along the dimensions of the numbers that were given."""
     variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in found.variables.items()}
     return replace(
@@ -123,7 +123,7 @@ def _part(value: Any, region: Region) -> Any:
 
 def _together(
     tables: Mapping[str, Any], numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
-) -> tuple[Case, Pointwise]:
+) -> tuple[Case, BatchResult]:
     """Return the case with these numbers, and its results. Raises InputError, ArithmeticError where any contact is refused."""
     with np.errstate(all="ignore"):
         case = case_of(tables, numbers)
@@ -142,7 +142,7 @@ def _together(
     shape, dims = tuple(asked.dims.values()), tuple(asked.dims)
     variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in found.items()}
     refused = np.isnan(found["friction_coefficient"][0]).reshape(shape)
-    return case, Pointwise(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
+    return case, BatchResult(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
 
 
 def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":

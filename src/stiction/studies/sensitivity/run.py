@@ -44,8 +44,8 @@ def sensitivity(
     """Which input should be measured better.
 
     Of a prediction, where neither the case nor `models` name a model: over `input`, friction_coefficient_share, the share of
-    the variance of ln mu at the working load that comes from it; over `number`, friction_coefficient_elasticity, d ln mu/d ln x
-    of the median at the nominal numbers. Of models, at nine of the loads of a case at most, what follows.
+    the variance of ln mu at the working load that comes from it; over `number`, friction_coefficient_log_sensitivity, d ln mu/d
+    ln x of the median at the nominal numbers. Of models, at nine of the loads of a case at most, what follows.
 
     case: path of a case file, its tables as a dict, or a Case. load: only at this one. models: names of models as `compare`
     shows them, among which is drawn evenly; none for that of the case alone. ranges: whether numbers of materials vary within
@@ -56,8 +56,8 @@ def sensitivity(
     y_first_order and y_total_order, Sobol indices of ln y, each with its 95 % interval (_low, _high): the share of the variance
     of ln y that goes if the input were known, and that stays if all others were; y_effect, the mean size of the elementary
     effects of Morris on ln y, from the 2.5 % to the 97.5 % end of the input, with y_effect_error and y_effect_deviation.
-    Over `number`, which are all numbers of the contact: y_elasticity, d ln y/d ln x at the nominal numbers by the model of the
-    case. Attributes: `working_load`, the `models` that are drawn and their weights, `validity_warnings_of_points`. Where
+    Over `number`, which are all numbers of the contact: y_log_sensitivity, d ln y/d ln x at the nominal numbers by the model of
+    the case. Attributes: `working_load`, the `models` that are drawn and their weights, `validity_warnings_of_points`. Where
     nothing is uncertain there are elasticities only. Raises InputError for bad input.
     """
     require_callable(progress, "progress")
@@ -89,7 +89,7 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     slope = {"units": "1", "long_name": "elasticity of the friction coefficient, d ln mu/d ln x"}
     variables = {
         "friction_coefficient_share": ("input", list(shares.values()), said),
-        "friction_coefficient_elasticity": ("number", list(slopes.values()), slope),
+        "friction_coefficient_log_sensitivity": ("number", list(slopes.values()), slope),
     }
     found = xarray.Dataset(variables, coords={"input": list(shares), "number": list(slopes), "load": answer["load"]})
     found = found.assign({name: answer[name] for name in answer if answer[name].ndim == 0})
@@ -158,7 +158,7 @@ def _with_elasticities(said: "xarray.Dataset", slopes: Elasticities) -> "xarray.
             continue  # what is asked for
         text = f"elasticity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
-        variables[f"{name}_elasticity"] = (dims, table, {"units": "1", "long_name": text})
+        variables[f"{name}_log_sensitivity"] = (dims, table, {"units": "1", "long_name": text})
         variables[f"{name}_elasticity_error"] = (dims, slopes.errors[name], {"units": "1", "long_name": f"error of the {text}"})
         variables[name] = said[name].variable
     coords = {str(name): one for name, one in said.coords.items() if name in ("load", "mean_separation", "separation")}

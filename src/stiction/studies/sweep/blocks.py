@@ -8,7 +8,7 @@ import numpy as np
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.quotient import quotient
 from stiction.solving.choice import RECOMMENDED, Choice
-from stiction.solving.pointwise import Pointwise, Region
+from stiction.solving.pointwise import BatchResult, Region
 from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.prediction.many import count_of, predict_many
 from stiction.studies.sweep.plan import Plan
@@ -39,7 +39,7 @@ def solve_block(
     return results, validity_warnings
 
 
-def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, Pointwise]]:
+def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, BatchResult]]:
     """Places within a block that can be solved, with their results."""
     first = plan.region(block)
     for piece in plan.pieces(block):
@@ -50,7 +50,7 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
                 yield {dim: slice(some.start + start, some.stop + start) for dim, (some, start) in moved.items()}, solved
 
 
-def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, Pointwise | None]]:
+def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
     """Yield regions within a piece with their results: of a model, or of the prediction."""
     arrays = plan.arrays(piece)
     if choice.model == RECOMMENDED:

@@ -15,7 +15,7 @@ from stiction.quantities.sampling import sobol_points
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.choice import Choice
 from stiction.solving.conditions import excludes
-from stiction.solving.pointwise import WHY_NOT, Pointwise, meanings_of
+from stiction.solving.pointwise import WHY_NOT, BatchResult, meanings_of
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
 # What is asked of contacts that are drawn.
@@ -143,7 +143,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     return found
 
 
-def _keep(found: Draws, rows: np.ndarray, solved: Pointwise | None) -> None:
+def _keep(found: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
     if solved is None:
         found.validity_warnings[WHY_NOT[0]] += len(rows) * found.points
         return
