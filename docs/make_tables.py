@@ -328,7 +328,7 @@ NAMES = {
     "composites": "composite",
     "stiffness before sliding": "presliding",
     "menisci": "meniscus",
-    "ageing_rate at rest": "ageing",
+    "strengthening at rest": "ageing",
     "junctions that differ": "contamination",
     "criteria": "criterion",
     "ways of finding asperities": "asperity method",

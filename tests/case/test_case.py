@@ -95,7 +95,7 @@ def test_points_of_indices_are_plain(read):
 
 
 def test_settings(read):
-    case = read(INDICES + 'separation = [1]\nreading = "published"\nfilm = "graded"\nbranch = "unloading"')
+    case = read(INDICES + 'separation = [1]\nvariant = "published"\nfilm = "graded"\nbranch = "unloading"')
     options = {"variant": "published", "branch": "unloading"}
     assert case.choice == Choice(film="graded", options=options)
     laws = 'model = "greenwood_williamson_1966"\nasperity = "jkr"\ntangential = "none"\ntransition = "jump"\n'
@@ -157,7 +157,7 @@ def test_settings(read):
         ("separation = [1]", "", "solve.separation or load: not given; allowed: one of them"),
         (
             "separation = [1]",
-            "separation = [1]\nreading = 1",
+            "separation = [1]\nvariant = 1",
             "solve.variant: 1; allowed: corrected, published",
         ),
     ],

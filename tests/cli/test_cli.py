@@ -245,7 +245,7 @@ BAD = {
     "unknown variant": (GOOD + 'variant = "own"\n', "variant"),
     "a model that knows no films": (GOOD + 'model = "greenwood_williamson_1966"\n', "model"),
     "an option that the model does not have": (
-        "[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = 1\nmodel = 'rough_dmt'\nreading = 'published'\n",
+        "[indices]\ntheta = 40\nlam = 10\n[solve]\nseparation = 1\nmodel = 'rough_dmt'\nvariant = 'published'\n",
         "variant",
     ),
 }

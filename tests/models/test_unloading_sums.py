@@ -283,7 +283,7 @@ def test_of_a_contact_in_si():
     pair = contact(work_of_adhesion=energies)
     apart = ["0 nm", "1 nm", "20 nm"]
     found = st.unload(pair, max_load=["1 N", "100 N"], separation_increase=apart, asperity="thornton_ning_1998")
-    assert found["load"].dims == ("work_of_adhesion", "max_load", "distance")
+    assert found["load"].dims == ("work_of_adhesion", "max_load", "separation_increase")
     assert found["pull_off_force"].dims == ("work_of_adhesion", "max_load")
     assert_allclose(found["load"].isel(separation_increase=0), [[1.0, 100.0]] * 2, rtol=1e-9)
     assert_allclose(found["separation_increase"], [0.0, 1e-9, 20e-9])
@@ -327,12 +327,12 @@ REFUSED = {
     "closed form": ({"model": "bush_gibson_thomas_1975"}, ("model", "bush_gibson_thomas_1975")),
     "branch": ({"asperity": "jkr", "branch": "loading"}, ("branch", "loading")),
     "film law": ({"film": "soft_coating_2015"}, ("film", "soft_coating_2015")),
-    "nearer": ({"separation": [0.5, 0.2], "distance": None}, ("separation", "0.2", "0.3")),
-    "negative": ({"distance": -0.1}, ("distance", "-0.1", "0")),
-    "no distance": ({"distance": None}, ("separation or distance",)),
+    "nearer": ({"separation": [0.5, 0.2], "separation_increase": None}, ("separation", "0.2", "0.3")),
+    "negative": ({"separation_increase": -0.1}, ("separation_increase", "-0.1", "0")),
+    "no distance": ({"separation_increase": None}, ("separation or separation_increase",)),
     "two turns": ({"max_load": 0.1}, ("min_separation or max_load",)),
-    "no number": ({"distance": math.inf}, ("distance", "inf")),
-    "too far": ({"distance": 1e7}, ("distance", "1e+06")),
+    "no number": ({"separation_increase": math.inf}, ("separation_increase", "inf")),
+    "too far": ({"separation_increase": 1e7}, ("separation_increase", "1e+06")),
     "too near": ({"min_separation": -1e7}, ("min_separation", "1e+06")),
     "load nowhere carried": ({"min_separation": None, "max_load": -0.1}, ("load", "-0.1", "0")),
     "no load": ({"min_separation": None, "max_load": 0.0}, ("load", "0")),
@@ -343,7 +343,7 @@ REFUSED = {
 def test_refusals(case):
     changes, expected = REFUSED[case]
     with refusal(*expected):
-        st.unload(INDICES, **{"min_separation": 0.3, "distance": 0.1} | changes)
+        st.unload(INDICES, **{"min_separation": 0.3, "separation_increase": 0.1} | changes)
 
 
 def test_refused_with_a_film():

@@ -15,7 +15,7 @@ from tables import column, read
 
 
 def unload(contact, min_separation, **more):
-    return st.unload(contact, **{"asperity": "jkr", "min_separation": min_separation, "distance": 0.0} | more)
+    return st.unload(contact, **{"asperity": "jkr", "min_separation": min_separation, "separation_increase": 0.0} | more)
 
 
 @pytest.mark.parametrize("min_separation", (-4.9, -9.0))

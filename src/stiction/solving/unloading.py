@@ -91,9 +91,7 @@ def unload(
     turned = np.broadcast_to(nearest.reshape(nearest.shape + (1,) * (len(shape) - nearest.ndim)), shape)
     is_increase = separation_increase is not None
     wanted = normalised(point, factors["m"], dims)
-    apart = _apart(
-        subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), separation_increase is not None
-    )
+    apart = _apart(subject, turned, wanted, np.broadcast_to(aligned(factors["m"], dims), shape), is_increase)
     results = way.at(way.rows(shape), turned, apart)
     validity_warnings = []
     if is_load:

@@ -1,1 +1,1 @@
-"""ageing_rate at rest; none: without"""
+"""strengthening at rest; none: without"""
