@@ -135,7 +135,7 @@ def test_it_says_what_solve_and_compare_say(reported):
     for name in told["model"].values[np.isfinite(told["friction_coefficient_at_load"].values)]:
         assert str(name) in page.text
     for word in (
-        "Query.",
+        "Question.",
         record["question"],
         record["answer_in_words"],
         f"stiction {st.__version__}",

@@ -111,11 +111,11 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
-    one, names = at_working_load(data), results_of(data, "elasticity")
+    one, names = at_working_load(data), results_of(data, "log_sensitivity")
     if not names:
         say(axes, "not known")
         return
-    order = ranked(one, names[0], "elasticity", "number")
+    order = ranked(one, names[0], "log_sensitivity", "number")
     order = np.array([at for at in order if any(abs(_known(one, name, at)) > 1e-4 for name in names)][:_SHOWN], dtype=int)
     y, height = np.arange(len(order))[::-1], 0.8 / len(names)
     for at, (name, colour) in enumerate(zip(names, _COLOURS, strict=False)):

@@ -80,8 +80,8 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 
 def elasticities_table(data: "xarray.Dataset") -> Table:
     """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
-    one, names = at_working_load(data), results_of(data, "elasticity")
-    order: Any = ranked(one, names[0], "elasticity", "number") if names else []
+    one, names = at_working_load(data), results_of(data, "log_sensitivity")
+    order: Any = ranked(one, names[0], "log_sensitivity", "number") if names else []
     rows = [
         [str(one["number"].values[at]), *(_signed(float(one[f"{name}_log_sensitivity"][at])) for name in names)] for at in order
     ]
