@@ -15,6 +15,7 @@ from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import canvas, finish, friction_panel
 from stiction.report.prediction_pictures import rests_panel
 from stiction.report.regime_pictures import negligible_load_of_jkr, pressure_of_first_flow, regime_figure
+from stiction.report.view import regime_picture
 
 LOADS = '[solve]\nmodel = "greenwood_williamson_1966"\nload = ["0.1 N", "1 N", "10 N"]\n'
 DESIGN = """
@@ -123,8 +124,12 @@ def test_the_maps_are_those_of_their_authors(path):
     assert dot.get_ydata()[0] == pytest.approx(1.0 / 1e-6 / contact.first.hardness)
 
 
-def test_the_plasticity_map_of_bare_bodies_is_not_drawn_for_a_film():
+def test_a_film_has_no_plasticity_map_of_bare_bodies():
     """The demo is plastic in its soft film, and elastic by the index of the steel below."""
     case = read_case(Path(__file__).parents[2] / "examples" / "soft_film.toml")
-    _, plasticity = regime_figure(case.subject, st.predict(case)).axes
-    assert not plasticity.lines and "does not apply to a film" in plasticity.texts[0].get_text()
+    data = st.predict(case)
+    assert not case.subject.work_of_adhesion and not regime_picture(case.subject, data, "")
+    adhering = case.subject.model_copy(update={"work_of_adhesion": 0.5})
+    (figure,) = regime_picture(adhering, data, "").values()
+    (adhesion,) = figure.draw().axes
+    assert "Tabor" in adhesion.get_xlabel()

@@ -1,5 +1,6 @@
 """Two maps with a contact as a dot: how adhesion acts on its asperities, and whether they are plastic."""
 
+from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -8,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.pictures import BLUE, GREY, RED, canvas, finish, say
+from stiction.report.pictures import BLUE, GREY, RED, canvas, finish
 
 if TYPE_CHECKING:
     import xarray
@@ -21,22 +22,24 @@ _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
-    """Return the map of Johnson and Greenwood for an asperity, and one of the plasticity index, at the largest load.
+    """Return the map of Johnson and Greenwood for an asperity that adheres, and that of the plasticity index for bare bodies.
 
-    contact: a single contact; data: its result, whose `touching_asperities`, if known, share the load.
+    contact: a single contact that adheres or is bare; data: its result, whose `touching_asperities`, if known, share the load.
     """
-    figure, (adhesion, plasticity) = canvas(8.53, 4.8, 1, 2)
     load = float(data["load"].max())
-    _adhesion(adhesion, contact, data, load)
-    _plasticity(plasticity, contact, load / contact.nominal_area)
+    drawn: list[Callable[[Axes], None]] = []
+    if contact.work_of_adhesion:
+        drawn.append(lambda axes: _adhesion(axes, contact, data, load))
+    if contact.coating is None:
+        drawn.append(lambda axes: _plasticity(axes, contact, load / contact.nominal_area))
+    figure, panels = canvas(8.53, 4.8, 1, len(drawn))
+    for draw, axes in zip(drawn, panels, strict=True):
+        draw(axes)
     figure.suptitle(title, fontsize=11)
     return figure
 
 
 def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: float) -> None:
-    if not contact.work_of_adhesion:
-        say(axes, "no work of adhesion is stated")
-        return
     tabor = float(contact.tabor_parameter())
     negligible = np.array([2.0 / _LEAST] * 2 + [negligible_load_of_jkr()] * 2)
     axes.fill_between(_TABOR, negligible, 1e9, color=GREY, alpha=0.2, linewidth=0.0)
@@ -72,9 +75,6 @@ def negligible_load_of_jkr() -> float:
 
 
 def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
-    if contact.coating is not None:
-        say(axes, "the plasticity index of bare bodies\ndoes not apply to a film")
-        return
     row, index = QUANTITIES["plasticity_index"], float(contact.plasticity_index)
     rough = contact.roughness
     density = rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation

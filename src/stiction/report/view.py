@@ -6,12 +6,15 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from stiction.contact.contact import Contact
 from stiction.report.files import write_folder, write_netcdf, write_picture
 from stiction.report.table import Table
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
+
+    from stiction.contact.subject import Subject
 
 MOST_LINES = 15  # that a command prints on a terminal of 80 columns, unless all of it is asked for
 _COLUMNS, _ROWS = 80, 5
@@ -60,6 +63,14 @@ def picture(told: str, place: str, *arguments: Any) -> Picture:
         return figure
 
     return Picture(told, draw)
+
+
+def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> dict[str, Picture]:
+    """Return the maps of adhesion and plasticity with the contact as a dot, by file name; a film without adhesion has none."""
+    if not isinstance(subject, Contact) or (subject.coating is not None and not subject.work_of_adhesion):
+        return {}
+    told = "the contact on maps of adhesion and of plasticity"
+    return {"regimes.png": picture(told, "regime_pictures.regime_figure", subject, data, title)}
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from stiction.report.files import comment_lines, record, write_csv
 from stiction.report.several_tables import several_table
 from stiction.report.table import facts
 from stiction.report.tables import curve_table
-from stiction.report.view import MOST_LINES, View, lines_of, picture
+from stiction.report.view import MOST_LINES, View, lines_of, picture, regime_picture
 
 if TYPE_CHECKING:
     import xarray
@@ -49,8 +49,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         return _several_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}
-    told = "the contact on maps of adhesion and of plasticity"
-    pictures["regimes.png"] = picture(told, "regime_pictures.regime_figure", case.subject, data, case.title)
+    pictures |= regime_picture(case.subject, data, case.title)
     return View("curve", plain(data), parts, found, files, pictures, is_brief=True)
 
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import in_columns
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
@@ -16,7 +15,7 @@ from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
 from stiction.report.table import Table, notes, numbers, short, some
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
-from stiction.report.view import Picture, View, picture
+from stiction.report.view import Picture, View, picture, regime_picture
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:
@@ -128,9 +127,8 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
     drawn = "several_pictures.several_figure" if case.is_several else "pictures.curve_figure"
     pictures = {"curve.png": picture("friction, contact area and load", drawn, data, case.title)}
-    if isinstance(case.subject, Contact) and not case.is_several:
-        told = "the contact on maps of adhesion and of plasticity"
-        pictures["regimes.png"] = picture(told, "regime_pictures.regime_figure", case.subject, data, case.title)
+    if not case.is_several:
+        pictures |= regime_picture(case.subject, data, case.title)
     if "friction_coefficient_by_method" in data and not case.is_several:
         told = "friction by every way of finding asperities"
         pictures["band.png"] = picture(told, "method_pictures.method_spread_figure", data, case.title)
