@@ -265,7 +265,7 @@ def asked_of_each(some, known, drawn: Drawn):
 
 
 def asked_of_films(known, drawn: Drawn):
-    """Every film; and both readings of the paper."""
+    """Every film; and both variants of the paper."""
     yield from asked_of_each(films(known), known, drawn)
     for (key, model), heights in itertools.product(known["rough surface"].items(), HEIGHTS):
         if model["asperity"]:
@@ -366,7 +366,7 @@ def asked_otherwise(known, drawn: Drawn):
             groups = drawn.groups(law, theta=drawn.number(1, 3, True), shear_strength=0.1)
             given = {"asperity": key, "tangential": "bowden_tabor_1943"} | options
             yield {"call": "unload", "indices": groups, "with": given | {"min_separation": 0.2, "separation": [0.2, 0.5]}}
-            yield {"call": "unload", "indices": groups, "with": given | {"max_load": 0.1, "distance": 0.15}}
+            yield {"call": "unload", "indices": groups, "with": given | {"max_load": 0.1, "separation_increase": 0.15}}
     for load, more in ((0.1, {}), (10.0, {}), (1.0, {"coating": SILVER}), (10.0, {"work_of_adhesion": 1.0, "coating": SILVER})):
         yield {"call": "compare", "contact": contact_of(**more), "with": {"load": load}}
     spectrum = {"hurst": 0.8, "rolloff": 1e-5, "shortest": 1e-6, "deviation": 8e-9}
