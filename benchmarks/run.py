@@ -311,7 +311,7 @@ def other_rows() -> list[tuple[str, float]]:
     own_nu = np.random.default_rng(5).uniform(0, 0.499, 200_000)
     return [
         ("scattered, every input its own nu, evaluations/s", speed_scattered(nu=own_nu)),
-        ("scattered, published, evaluations/s", speed_scattered(reading="published")),
+        ("scattered, published, evaluations/s", speed_scattered(variant="published")),
         ("scattered, sequential film, evaluations/s", speed_scattered(**FILM)),
         ("grid, sequential film, evaluations/s", speed_on_grid(**FILM)),
         ("solved at one load each, bare corrected, contacts/s", designs_at_a_load()),

@@ -379,7 +379,7 @@ def test_energy_given_back_is_that_of_the_asperities():
     assert found == pytest.approx(expected, rel=1e-6)
 
 
-def test_pressed_with_nothing():
+def test_a_largest_load_of_nothing():
     """Where nothing is drawn apart yet the load is the one that was asked for, not what a search made of it."""
     found = unload("jkr", max_load=[0.0, 0.01], separation_increase=[0.0, 0.1], tangential="bowden_tabor_1943")
     assert list(found["load"][:, 0]) == [0.0, 0.01]
