@@ -490,23 +490,18 @@ def test_an_interface_is_chosen_from_its_menu_and_what_is_old_is_said_until_the_
     assert not page.get_by_text("Computing: the numbers shown are of the case before.").is_visible()
 
 
-def test_a_knob_moves_by_keyboard_and_its_text_and_number_at_once(of_model):
-    """With a loose bound, for machines that do other things too."""
+def test_a_knob_moves_by_keyboard_and_its_text_and_number_follow(of_model):
     page = of_model
-    page.evaluate(WATCH)
     slider = page.get_by_role("slider", name="asperity tip radius R")
     slider.locator("[tabindex='0']").focus()
-    times = []
     for at in range(5):
-        before = page.evaluate("window.seen = [], document.querySelector('[role=status]').innerText")
+        before = page.evaluate("document.querySelector('[role=status]').innerText")
         page.keyboard.press("ArrowRight")
         page.wait_for_function("before => document.querySelector('[role=status]').innerText !== before", arg=before)
-        times.append(page.evaluate("window.seen[0] - window.began"))
         radius = f"{10.0 ** (0.01 * round(100 * math.log10(50.0)) + 0.01 * (at + 1)):.4g} µm"  # on the steps of the slider
         page.wait_for_function("said => document.querySelector('input[aria-label=\"asperity tip radius R\"]').value === said",
                                arg=radius)  # fmt: skip
         assert slider.get_attribute("aria-valuetext") == radius
-    assert sorted(times)[len(times) // 2] < SECOND, json.dumps(times)
 
 
 def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_beside_its_field(of_model, browser, address):
