@@ -11,6 +11,7 @@ from .engine.heights import height_distribution as height_distribution
 from .quantities.errors import InputError as InputError
 from .quantities.errors import InputWarning as InputWarning
 from .quantities.units import axis as axis
+from .report.export import export as export
 from .report.html_report import write_report as write_report
 from .report.notebook import summary as summary
 from .solving.evaluate import Evaluation as Evaluation

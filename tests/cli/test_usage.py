@@ -26,8 +26,8 @@ CASES = {
     "run case.toml -x": ("option: '-x'", "--model"),
     "run case.toml --json=3": ("--json: 'with a value'", "without a value"),
     "--bad": ("option: '--bad'", "--version, --install-completion, --show-completion, --help"),
-    "no-such-command --out x": ("command: 'no-such-command'", f"sweep, {STUDIES}, report, validate, surface"),
-    "--": ("command: not given", f"sweep, {STUDIES}, report, validate, surface"),
+    "no-such-command --out x": ("command: 'no-such-command'", f"sweep, {STUDIES}, report, validate, export, surface"),
+    "--": ("command: not given", f"sweep, {STUDIES}, report, validate, export, surface"),
 }
 
 

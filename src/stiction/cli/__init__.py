@@ -9,7 +9,7 @@ from stiction.cli.interrupting import ended_by_interrupts
 with ended_by_interrupts():
     # isort: off
     # In the order of the help.
-    from stiction.cli import run, serve, sweep, studies, surface, figures, lists  # noqa: F401
+    from stiction.cli import run, serve, sweep, studies, export, surface, figures, lists  # noqa: F401
 
     # isort: on
     from stiction.cli.output import readable, said_if_unwritable

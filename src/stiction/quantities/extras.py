@@ -8,6 +8,7 @@ from stiction.quantities.errors import InputError
 EXTRA_OF = {
     "matplotlib": "pictures",
     "SurfaceTopography": "scans",
+    "openpyxl": "spreadsheet",
     "zarr": "sweep",
     "distributed": "cluster",
     "nicegui": "web",

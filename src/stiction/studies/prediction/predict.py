@@ -27,7 +27,7 @@ from stiction.studies.pressing_loads import pressing_loads
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["COUNT", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
+__all__ = ["COUNT", "case_given", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
 
 COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
 _UNTOLD = 0.8  # of the width of the stated interval, above which measured values tell nothing of a number
@@ -88,7 +88,7 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     """
     if level is not None and not 0.0 < level < 1.0:
         raise InputError("level", level, "a share above 0 and below 1, e.g. 0.9")
-    case = _case_given(contact, load)
+    case = case_given(contact, load)
     level = case.uncertainty.coverage if level is None else level
     if (refusal := refusal_of(case)) is not None:
         raise refusal
@@ -137,7 +137,7 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
     return predict(case, load=load)
 
 
-def _case_given(given: Any, load: Any) -> Case:
+def case_given(given: Any, load: Any) -> Case:
     """Return the case that is given, at these loads if any are. Raises InputError."""
     if isinstance(given, Contact):
         if load is None:

@@ -1,0 +1,16 @@
+"""Hold the formats of other programs, a file each: `content(table)` is what is written, its docstring cites the document."""
+
+import pkgutil
+
+# Consistent units: length [m] and force [N] of each, with the words for length, force and pressure.
+UNITS = {
+    "m-kg-s": (1.0, 1.0, ("m", "N", "Pa")),
+    "mm-N-MPa": (1e-3, 1.0, ("mm", "N", "MPa")),
+    "um-uN-MPa": (1e-6, 1e-6, ("um", "uN", "MPa")),
+    "in-lbf-psi": (0.0254, 4.4482216152605, ("in", "lbf", "psi")),
+}
+
+
+def export_formats() -> list[str]:
+    """Return the names of the formats, those of the files in this folder."""
+    return [one.name for one in pkgutil.iter_modules(__path__)]

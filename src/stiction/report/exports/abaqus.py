@@ -1,0 +1,29 @@
+"""Abaqus input: a *SURFACE INTERACTION with *FRICTION against pressure and, of bare bodies, *SURFACE BEHAVIOR.
+
+Document: Abaqus Keywords Reference Guide, "*FRICTION" (ELASTIC SLIP; data lines: friction coefficient, slip rate, contact
+pressure), "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; data lines: pressure, overclosure) and "*SURFACE INTERACTION".
+An empty slip rate: mu does not depend on it. ELASTIC SLIP is one number, that at the stated load; only Abaqus/Standard reads
+it. Overclosure is counted from the separation at which the table, continued in a line, has no pressure.
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return the lines of an input file."""
+    pressure, mu = table["nominal_pressure"].values, table["friction_coefficient"].values
+    lines = [f"** {text}" for text in table.attrs["comments"]]
+    lines += ["*SURFACE INTERACTION, NAME=STICTION"]
+    slip = ""
+    if "elastic_slip" in table:
+        slip = f", ELASTIC SLIP={float(table['elastic_slip'][table.attrs['working_row']]):.6g}"
+        gap = table["mean_separation"].values
+        touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
+        lines += [f"** overclosure 0: the mean planes are {touch:.6g} {table['mean_separation'].attrs['units']} apart"]
+        lines += ["*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR", "0., 0."]
+        lines += [f"{p:.8g}, {touch - h:.8g}" for p, h in zip(pressure, gap, strict=True)]
+    lines += [f"*FRICTION{slip}", *(f"{m:.8g}, , {p:.8g}" for m, p in zip(mu, pressure, strict=True))]
+    return "\n".join(lines) + "\n"

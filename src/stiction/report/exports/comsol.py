@@ -1,0 +1,19 @@
+"""COMSOL Multiphysics: a table for an interpolation function, in the spreadsheet format.
+
+Document: COMSOL Programming Reference Manual, "Spreadsheet Data Format" (columns, arguments first, functions after them; "%"
+begins a comment) and Reference Manual, "Interpolation" (several functions from one file). The first column is the pressure.
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return the lines of the text file."""
+    names = [name for name in table if name != "load"]
+    heads = [f"{name} [{table[name].attrs['units']}]" for name in names]
+    lines = [f"% {text}" for text in (*table.attrs["comments"], "   ".join(heads))]
+    rows = zip(*(table[name].values for name in names), strict=True)
+    return "\n".join([*lines, *("   ".join(f"{value:.8g}" for value in row) for row in rows)]) + "\n"

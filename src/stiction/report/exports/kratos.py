@@ -1,0 +1,18 @@
+"""Kratos Multiphysics: parameters of a frictional contact process, in JSON, with mu at the stated load.
+
+Document: Kratos, "Contact Process Settings Reference" (contact_type "Frictional", frictional_law "Coulomb" and
+friction_coefficients by interface, one number each: a table in pressure is not read).
+"""
+
+import json
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return the keys that belong into "Parameters" of the contact process."""
+    mu = round(float(table["friction_coefficient"][table.attrs["working_row"]]), 8)
+    parameters = {"contact_type": "Frictional", "frictional_law": "Coulomb", "friction_coefficients": {"0": mu}}
+    return json.dumps(parameters, indent=4) + "\n"

@@ -1,0 +1,29 @@
+"""Constants of LuGre's and Dahl's friction models at each load, for multibody programs, in JSON.
+
+Document: Altair MotionSolve, "Friction Formulation" (LuGre: bristle stiffness sigma_0, static friction; Dahl as its subset).
+The kinetic force, the Stribeck velocity and the damping sigma_1 and sigma_2 are not predicted. MotionSolve takes constants per
+normal force.
+"""
+
+import json
+from typing import TYPE_CHECKING
+
+from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return lists over the load. Raises InputError where no stiffness is known."""
+    if "elastic_slip" not in table:
+        why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
+        raise InputError("to", "lugre", f"another format: {why}")
+    load = table["load"].values
+    force = table["friction_coefficient"].values * load
+    stiffness = force / table["elastic_slip"].values
+    units = {name: table[name].attrs["units"] for name in ("load", "elastic_slip")}
+    columns = {"load": load, "sigma_0": stiffness, "static_force": force}
+    found = {"comments": table.attrs["comments"], "force_unit": units["load"], "length_unit": units["elastic_slip"]}
+    found |= {name: [float(f"{value:.9g}") for value in values] for name, values in columns.items()}
+    return json.dumps(found, indent=2) + "\n"

@@ -1,0 +1,21 @@
+"""MOOSE: a [Functions] block, mu against contact pressure, for `function_friction` of a frictional mortar constraint.
+
+Document: MOOSE, "PiecewiseLinear" (x, y, axis) and "ComputeFrictionalForceLMMechanicalContact" (function_friction, "function to
+evaluate friction with values from contact pressure and relative tangential velocities": pressure stands in place of x).
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return the block of an input file."""
+    columns = (table["nominal_pressure"].values, table["friction_coefficient"].values)
+    x, y = (" ".join(f"{value:.8g}" for value in column) for column in columns)
+    lines = [f"# {text}" for text in table.attrs["comments"]]
+    lines += ["# in the frictional constraint: function_friction = stiction"]
+    lines += ["[Functions]", "  [stiction]", "    type = PiecewiseLinear", "    axis = x"]
+    lines += [f"    x = '{x}'", f"    y = '{y}'", "  []", "[]"]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,24 @@
+"""Excel workbook (Office Open XML), written with openpyxl: one sheet, units in the first row, no comment lines."""
+
+import io
+from typing import TYPE_CHECKING
+
+from stiction.quantities.extras import require
+from stiction.report.exports.csv import heads_and_rows
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def content(table: "xarray.Dataset") -> bytes:
+    """Return the workbook. Raises InputError without openpyxl."""
+    require("--to xlsx", "openpyxl")
+    import openpyxl
+
+    book, made = openpyxl.Workbook(), io.BytesIO()
+    book.active.title = "friction"
+    for row in heads_and_rows(table):
+        book.active.append(row)
+    book.active.freeze_panes = "A2"
+    book.save(made)
+    return made.getvalue()

@@ -1,0 +1,225 @@
+"""Tables for other programs are read back by parsers written from the documents of their readers."""
+
+import csv
+import io
+import json
+import re
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stiction as st
+import stiction.report.export as writer
+from stiction.quantities.errors import InputError
+from stiction.report.exports import export_formats
+
+BARE = """
+contact.first = "silicon"
+contact.second = "silicon"
+contact.interface = "ceramic"
+contact.roughness = { rms_height = "20 nm", finish = "polished" }
+contact.nominal_area = "2 cm^2"
+solve.load = "10 N"
+"""
+FILM = Path(__file__).parents[2] / "examples" / "soft_film.toml"
+AREA = 2e-4  # m^2
+# Pa in a unit of pressure, m in a unit of length and N in a unit of force, by hand.
+SYSTEMS = {"m-kg-s": (1.0, 1.0, 1.0), "mm-N-MPa": (1e6, 1e-3, 1.0), "in-lbf-psi": (6894.757293168, 0.0254, 4.4482216152605)}
+LOADS = [0.17, 1.3, 10.0, 77.0, 610.0]
+
+
+@pytest.fixture(scope="module")
+def case(tmp_path_factory):
+    path = tmp_path_factory.mktemp("case") / "bare.toml"
+    path.write_text(BARE, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def predicted(case):
+    return st.predict(case, load=LOADS).friction_coefficient.values
+
+
+@pytest.fixture(autouse=True)
+def table_made_once(monkeypatch):
+    monkeypatch.setattr(writer, "friction_table", TABLE)
+
+
+TABLE = cache(writer.friction_table)
+
+
+def keyword_lines(text):
+    """Abaqus: lines of data by keyword, with its parameters; "**" begins a comment, an empty field is None."""
+    found = {}
+    for line in text.splitlines():
+        if line.startswith("**"):
+            continue
+        if line.startswith("*"):
+            keyword, *parameters = [part.strip() for part in line[1:].split(",")]
+            found[keyword] = (dict(one.partition("=")[::2] for one in parameters), [])
+        else:
+            found[keyword][1].append([float(field) if field.strip() else None for field in line.split(",")])
+    return found
+
+
+def abaqus(text):
+    _, data = keyword_lines(text)["FRICTION"]
+    assert all(rate is None for _, rate, _ in data)
+    return [row[2] for row in data], [row[0] for row in data]
+
+
+def ansys(text):
+    """Ansys: a number of TBDATA belongs to the field that TBFIELD set last."""
+    table, pressure, pairs = None, None, []
+    for line in text.splitlines():
+        words = line.partition("!")[0].split(",")
+        if words[0] == "TB":
+            table = words[1:]
+        elif words[0] == "TBFIELD":
+            assert words[1] == "NPRES"
+            pressure = float(words[2])
+        elif words[0] == "TBDATA":
+            pairs.append((pressure, float(words[2])))
+    assert table == ["FRIC", "1", "", "", "ISO"]
+    return zip(*pairs, strict=True)
+
+
+def comsol(text):
+    return np.loadtxt(io.StringIO(text), comments="%").T[:2]
+
+
+def moose(text):
+    """MOOSE: parameters of a block, "[name]" begins and "[]" ends one."""
+    found, path = {}, []
+    for line in text.splitlines():
+        word = line.partition("#")[0].strip()
+        if word == "[]":
+            path.pop()
+        elif word.startswith("["):
+            path.append(word.strip("[]"))
+        elif word:
+            name, _, value = word.partition("=")
+            found["/".join([*path, name.strip()])] = value.strip().strip("'")
+    assert not path and found["Functions/stiction/type"] == "PiecewiseLinear" and found["Functions/stiction/axis"] == "x"
+    return ([float(one) for one in found[f"Functions/stiction/{name}"].split()] for name in "xy")
+
+
+def of_rows(rows):
+    heads, *rows = rows
+    at = [next(place for place, head in enumerate(heads) if head.startswith(name)) for name in ("nominal", "friction")]
+    return np.array([[float(row[one]) for one in at] for row in rows]).T
+
+
+def xlsx(content):
+    openpyxl = pytest.importorskip("openpyxl")
+    return of_rows(openpyxl.load_workbook(io.BytesIO(content)).active.values)
+
+
+READERS = {"abaqus": abaqus, "ansys": ansys, "comsol": comsol, "moose": moose, "xlsx": xlsx}
+READERS["csv"] = lambda text: of_rows(csv.reader(io.StringIO(text)))
+
+
+@pytest.mark.parametrize("units", SYSTEMS)
+@pytest.mark.parametrize("name", READERS)
+def test_a_reader_finds_the_prediction(case, predicted, name, units):
+    text = st.export(case, name, units=units).text
+    pressure, mu = (np.array(column, dtype=float) for column in READERS[name](text))
+    assert (np.diff(pressure) > 0.0).all()
+    read = np.interp(np.array(LOADS) / AREA / SYSTEMS[units][0], pressure, mu)
+    np.testing.assert_allclose(read, predicted, rtol=1e-3)
+
+
+@pytest.mark.parametrize("units", SYSTEMS)
+def test_constants_of_multibody_programs(case, predicted, units):
+    """Dahl's force-displacement curve begins with the stiffness of the asperities and ends at the friction force."""
+    _, length, force = SYSTEMS[units]
+    found = json.loads(st.export(case, "lugre", units=units).text)
+    read = np.interp(np.array(LOADS) / force, found["load"], found["static_force"]) * force
+    np.testing.assert_allclose(read / LOADS, predicted, rtol=1e-3)
+    stiffness = np.interp(10.0 / force, found["load"], found["sigma_0"]) * force / length
+    own = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
+    curve = st.slide(st.read_case(case).subject.as_numbers(), load=10.0, displacement=[1e-12], **own)
+    assert stiffness == pytest.approx(float(curve["tangential_force"].squeeze()) / 1e-12, rel=2e-3)
+
+
+def test_kratos_takes_one_coefficient(case, predicted):
+    found = json.loads(st.export(case, "kratos").text)
+    assert found["friction_coefficients"]["0"] == pytest.approx(predicted[LOADS.index(10.0)], rel=1e-6)
+    assert (found["contact_type"], found["frictional_law"]) == ("Frictional", "Coulomb")
+
+
+@pytest.mark.parametrize("units", SYSTEMS)
+def test_abaqus_gets_the_compliance_of_the_interface(case, units):
+    """Overclosure is the change of the mean separation; elastic slip is stress over stiffness."""
+    of_pressure, length, _ = SYSTEMS[units]
+    found = keyword_lines(st.export(case, "abaqus", units=units).text)
+    parameters, rows = found["SURFACE BEHAVIOR"]
+    assert parameters == {"PRESSURE-OVERCLOSURE": "TABULAR"} and rows[0] == [0.0, 0.0]
+    pressure, closure = np.array(rows).T
+    assert (np.diff(pressure) > 0.0).all() and (np.diff(closure) > 0.0).all()
+    own = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
+    gap = st.solve(st.read_case(case).subject.as_numbers(), load=[1.3, 77.0], **own).mean_separation.values
+    read = np.interp(np.array([1.3, 77.0]) / AREA / of_pressure, pressure, closure) * length
+    assert np.diff(read) == pytest.approx(-np.diff(gap), rel=0.02)
+    table = st.export(case, "csv")
+    at = table.attrs["working_row"]
+    slip = float(table.friction_coefficient[at] * table.nominal_pressure[at] / table.tangential_stiffness[at])
+    assert float(found["FRICTION"][0]["ELASTIC SLIP"]) * length == pytest.approx(slip, rel=1e-4)
+
+
+def test_ansys_gets_the_stiffness_at_the_stated_load(case):
+    table = st.export(case, "ansys", units="mm-N-MPa")
+    told = re.search(r"FKT of the contact elements: (\S+), in N/mm\^3", table.text)
+    expected = table.tangential_stiffness[table.attrs["working_row"]]
+    assert float(told[1]) == pytest.approx(-float(expected), rel=1e-5)
+
+
+def test_a_bound_is_an_end_of_the_interval(case):
+    answer = st.predict(case, load=10.0, level=0.9)
+    ends = {0.05: answer.friction_coefficient_low, 0.95: answer.friction_coefficient_high}
+    for level, end in ends.items():
+        found = json.loads(st.export(case, "kratos", level=level).text)["friction_coefficients"]["0"]
+        assert found == pytest.approx(float(end), rel=1e-6)
+
+
+def test_the_table_spans_the_loads_of_the_case(case):
+    table = st.export(FILM, "csv")
+    assert table["load"].values[[0, -1]] == pytest.approx([0.1, 10.0])
+    assert "tangential_stiffness" not in table  # how film and body share a displacement is not known
+    assert any(line.startswith("no stiffness") for line in table.attrs["comments"])
+    assert st.export(case, "csv")["load"].values[[0, -1]] == pytest.approx([0.1, 1000.0])
+    hard = st.export(case, "csv", load="1 MN")  # ten times that would flatten the faces
+    assert hard["load"].values[[0, -1]] == pytest.approx([1e4, 1e6])
+
+
+@pytest.mark.parametrize(
+    ("given", "field"),
+    [({"to": "nastran"}, "to"), ({"units": "cgs"}, "units"), ({"level": 1.0}, "level"), ({"out": "no/such/file"}, "out")],
+)
+def test_refusals(case, given, field, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError) as told:
+        st.export(case, **{"to": "csv", **given})
+    assert told.value.field == field
+
+
+def test_no_stiffness_no_constants_of_multibody_programs():
+    with pytest.raises(InputError, match="no stiffness before sliding"):
+        st.export(FILM, "lugre")
+
+
+def test_every_format_is_read_here():
+    assert {*READERS, "lugre", "kratos"} == set(export_formats())
+
+
+def test_command(case, tmp_path):
+    words = ["export", case, "--to", "csv", "--out", tmp_path / "mu.csv", "--units", "mm-N-MPa", "--json"]
+    done = subprocess.run([sys.executable, "-m", "stiction", *map(str, words)], text=True, capture_output=True, check=True)
+    found = json.loads(done.stdout)
+    rows = list(csv.reader(io.StringIO((tmp_path / "mu.csv").read_text(encoding="utf-8"))))
+    assert rows[0][1] == "nominal_pressure [MPa]" and len(rows) - 1 == len(found["table"]["load"]["values"])
+    assert found["table"]["nominal_pressure"]["unit"] == "MPa"
