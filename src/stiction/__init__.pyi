@@ -28,6 +28,7 @@ from .studies.comparison.compare import compare as compare
 from .studies.comparison.validation import validate as validate
 from .studies.design.run import design as design
 from .studies.fit.run import fit as fit
+from .studies.prediction.one_value import predict_value as predict_value
 from .studies.prediction.predict import predict as predict
 from .studies.scans.analysis import analyse as analyse
 from .studies.scans.resolution import resolution_study as resolution_study

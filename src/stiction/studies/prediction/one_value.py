@@ -1,0 +1,94 @@
+"""Predict one number from names and values, for spreadsheets and other languages."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from stiction.case.read import parse_case, read_content
+from stiction.quantities.errors import InputError
+from stiction.quantities.table import QUANTITIES
+from stiction.studies.prediction.many import PREDICTED
+from stiction.studies.prediction.predict import predict
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["predict_value"]
+
+_MU = "friction_coefficient"
+
+
+def predict_value(output: str, *pairs: Any) -> float:
+    """Return one predicted number; a cell of a spreadsheet can call it.
+
+    Parameters
+    ----------
+    output : str
+        mu, friction_force [N] or contact_area [m^2]: the median; with _low or _high an end of the interval.
+    *pairs : str, number
+        Names, each followed by its value. Names are those of the table [contact] of a case file, with a dot for a table within
+        it ("roughness.rms_height"), "load", and "case", a case file that the others change. Numbers are in SI units; a text
+        has its unit ("0.2 um").
+
+    Returns
+    -------
+    float
+        In SI units.
+
+    Raises
+    ------
+    InputError
+        An unknown name or output, a value that is missing, out of bounds or without a prediction.
+
+    Notes
+    -----
+    Calls with the same pairs share one prediction, so that three cells with mu, mu_low and mu_high cost as much as one.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> pairs = ["first", "copper", "second", "copper", "interface", "oxidised metal", "nominal_area", 1e-4]
+    >>> pairs += ["roughness.rms_height", "0.2 um", "roughness.finish", "ground"]
+    >>> round(st.predict_value("mu", "load", 10, *pairs), 2)
+    0.43
+    """
+    name = _MU + output[2:] if output in ("mu", "mu_low", "mu_high") else output
+    if name not in PREDICTED:
+        raise InputError("output", output, ", ".join(PREDICTED).replace(_MU, "mu"))
+    if len(pairs) % 2:
+        raise InputError("pairs", f"{len(pairs)} words", "a value after each name")
+    given = dict(zip(pairs[::2], pairs[1::2], strict=True))
+    file = given.get("case")
+    changed = Path(str(file)).stat().st_mtime_ns if file is not None and Path(str(file)).is_file() else 0
+    found = _predicted(tuple(given.items()), changed)[name]
+    if found.size != 1:
+        raise InputError("pairs", f"{found.size} contacts or loads", 'one: add "load", 5')
+    return float(found.squeeze())
+
+
+@lru_cache(maxsize=1024)
+def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
+    """Return the prediction; `changed`, the time of the case file, makes a changed file a new question."""
+    pairs = dict(given)
+    file = pairs.pop("case", None)
+    tables: Any = {} if file is None else read_content(file)
+    for name, value in pairs.items():
+        path = ("solve", "load") if name == "load" else ("contact", *str(name).split("."))
+        tables = _with_value(tables, path, _with_unit(path[-1], value))
+    return predict(parse_case(tables, Path() if file is None else Path(file).parent))
+
+
+def _with_unit(name: str, value: Any) -> Any:
+    """Return a number as text with the SI unit of its quantity; a text as it is."""
+    if isinstance(value, str) or name not in QUANTITIES:
+        return value
+    return f"{float(value)!r} {QUANTITIES[name].unit}".rstrip()
+
+
+def _with_value(tables: Any, path: tuple[str, ...], value: Any) -> Any:
+    """Return the tables with a value at a place. A preset that stands where a table is wanted becomes the preset of that."""
+    if not path:
+        return value
+    table = tables if isinstance(tables, Mapping) else {} if tables is None else {"preset": tables}
+    return {**table, path[0]: _with_value(table.get(path[0]), path[1:], value)}
