@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import stiction as st
-from stiction.report.prediction_pictures import prediction_figure
+from stiction.report.prediction_pictures import prediction_figure, validation_panel
 
 HERE = Path(__file__).parent
 BLUE, RED, GREY = "#0072B2", "#D55E00", "0.45"
@@ -104,7 +104,16 @@ def models() -> Figure:
     return figure
 
 
+def measured() -> Figure:
+    """Return the prediction beside every measured series of validation/."""
+    entries = [HERE.parent / "validation" / f"{name}.toml" for name in ("dunkin_kim_1996", "silicone_on_pla_2024")]
+    figure, panels = plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    for axes, entry in zip(panels, entries, strict=True):
+        validation_panel(axes, st.validate(entry))
+    return figure
+
+
 if __name__ == "__main__":
     matplotlib.rcParams["svg.hashsalt"] = "stiction"  # the same picture, the same file
-    for draw in (answer, interfaces, roughness, models):
+    for draw in (answer, interfaces, roughness, models, measured):
         draw().savefig(HERE / "pictures" / f"{draw.__name__}.svg", metadata={"Date": None})

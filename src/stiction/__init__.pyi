@@ -25,7 +25,6 @@ from .studies.case_results import compare_case as compare_case
 from .studies.case_results import slide_case as slide_case
 from .studies.case_results import solve_case as solve_case
 from .studies.comparison.compare import compare as compare
-from .studies.comparison.validation import validate as validate
 from .studies.design.run import design as design
 from .studies.fit.run import fit as fit
 from .studies.prediction.one_value import predict_value as predict_value
@@ -35,6 +34,7 @@ from .studies.scans.resolution import resolution_study as resolution_study
 from .studies.sensitivity.run import sensitivity as sensitivity
 from .studies.stresses.film_stress import film_stresses as film_stresses
 from .studies.sweep.run import sweep as sweep
+from .studies.validation import validate as validate
 from .surfaces.finding import asperities as asperities
 from .surfaces.generate import gaussian_surface as gaussian_surface
 from .surfaces.generate import non_gaussian_surface as non_gaussian_surface

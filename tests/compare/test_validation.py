@@ -15,7 +15,7 @@ from cases import STEEL_ON_STEEL
 from refusals import refusal
 from stiction import cli
 from stiction.case.read import read_case
-from stiction.studies.comparison.validation import entries_in, read_entry
+from stiction.studies.validation import LEVELS, entries_in, read_entry
 
 VALIDATION = Path(__file__).parents[2] / "validation"
 SYNTHETIC = VALIDATION / "synthetic_boundary_film.toml"
@@ -106,6 +106,85 @@ def test_a_load_that_is_not_carried_leaves_the_others(tmp_path):
     assert np.all(np.diff(found["answered"].values) <= 0)
 
 
+# ---- ranges in place of points, and the prediction
+
+BAND = """
+[measured]
+kind = "measured"
+read = "printed"
+source = "Somebody, Journal 1 (2000)"
+place = "abstract"
+"""
+
+
+def with_bands(folder, *bands, contact=STEEL_ON_STEEL):
+    tables = [f'[[measured.band]]\nload = "{load}"\nlow = {low!r}\nhigh = {high!r}\n' for load, low, high in bands]
+    (folder / "band.toml").write_text(BAND + "".join(tables) + contact)
+    return folder / "band.toml"
+
+
+def test_which_interval_holds_a_range(tmp_path):
+    """Ranges that are made from quantiles of the prediction lie where they were put."""
+    samples = st.predict(steel(), load="1 N")["friction_coefficient_samples"].values
+    ends = ((0.3, 0.7), (0.1, 0.2), (0.2, 0.3), (0.01, 0.5), (0.97, 0.99))
+    bands = [("1 N", *np.nanquantile(samples, pair).tolist()) for pair in ends]
+    found = st.validate(with_bands(tmp_path, *bands))
+    assert found["within_50"].values.tolist() == ["inside", "outside", "partly", "partly", "outside"]
+    assert found["within_90"].values.tolist() == ["inside", "inside", "inside", "partly", "outside"]
+    np.testing.assert_allclose(found["prediction"].values[:, 0], np.nanquantile(samples, LEVELS), rtol=1e-9)
+    np.testing.assert_allclose(found["measured"], [math.sqrt(low * high) for _, low, high in bands], rtol=1e-12)
+
+
+def test_a_point_is_a_range_without_width(tmp_path):
+    found = st.validate(written(tmp_path, values="load [N],friction_coefficient\n1,1e-9\n"))
+    assert (found["within_90"].item(), found["measured_low"].item()) == ("outside", 1e-9)
+    found = st.validate(written(tmp_path, values="load [N],contact_area [um^2]\n1,100\n"))
+    assert found["within_90"].item() == "" and np.isnan(found["prediction"]).all()
+
+
+def test_an_uncertain_number_widens_the_prediction(tmp_path):
+    dry = STEEL_ON_STEEL.replace('work_of_adhesion = "0.1 J/m^2"\n', "") + 'kind = "ground"\n'
+    wide = dry.replace('"200 MPa"', '{ low = "20 MPa", high = "2 GPa" }')
+    assert wide != dry
+    known, unknown = (st.validate(with_bands(tmp_path, ("1 N", 0.1, 0.2), contact=one)) for one in (dry, wide))
+    ratio = [float(one["prediction"][-1, 0] / one["prediction"][0, 0]) for one in (known, unknown)]
+    assert ratio[1] > 1.3 * ratio[0]
+
+
+def test_the_command_shows_intervals(tmp_path):
+    path = with_bands(tmp_path, ("1 N", 0.1, 0.2))
+    shown = command("validate", path, "--out", tmp_path / "out")
+    assert "90% interval" in shown.stdout and "0.1 to 0.2" in shown.stdout
+    assert (tmp_path / "out" / "band.png").exists()
+    told = json.loads(command("validate", path, "--json").stdout)["band"]["rows"]
+    assert told["measured_high"] == [0.2] and set(told["prediction"]) == {f"{level:g}" for level in LEVELS}
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        (BAND, ("measured.file or band",)),
+        (BAND + '[[measured.band]]\nload = "1 N"\nlow = 0.4\nhigh = 0.3\n', ("measured.band.0.low", "0.4")),
+        (BAND + '[[measured.band]]\nload = "-1 N"\nlow = 0.2\nhigh = 0.3\n', ("measured.band.0.load", "-1 N")),
+        (MEASURED + '[[measured.band]]\nload = "1 N"\nlow = 0.2\nhigh = 0.3\n', ("measured.file or band", "both")),
+    ],
+)
+def test_bad_ranges_are_refused(tmp_path, entry, said):
+    with refusal(*said):
+        read_entry(written(tmp_path, entry + STEEL_ON_STEEL))
+
+
+def test_pages_say_how_many_measured_values_are_inside():
+    """README and the page of measurements print what the entries give."""
+    entries = [read_entry(path) for path in entries_in(VALIDATION)]
+    found = [st.validate(one) for one in entries if one.origin.kind == "measured"]
+    held = {share: sum(int((one[f"within_{share}"] == "inside").sum()) for one in found) for share in (50, 90)}
+    said = f"Of {sum(one.sizes['row'] for one in found)} values in {len(found)} measured series, the 90 % interval held "
+    said += f"{held[90]}, the 50 % interval {held[50] or 'none'}"
+    for page in ("README.md", "docs/explanation/compared-with-measurements.md"):
+        assert said in " ".join((VALIDATION.parent / page).read_text(encoding="utf-8").split()), (page, said)
+
+
 # ---- what an entry has to say
 
 
@@ -151,10 +230,11 @@ def test_a_folder_without_entries(tmp_path):
 def test_the_command(tmp_path):
     out = tmp_path / "out"
     shown = command("validate", VALIDATION, "--out", out)
-    assert shown.stdout.startswith("SYNTHETIC: these values were made up; nobody measured them.")
+    assert "SYNTHETIC: these values were made up; nobody measured them." in shown.stdout
     assert "persson_2001" in shown.stdout and "left out: ghaednia_2019" in shown.stdout
     rows = (out / "synthetic_boundary_film.csv").read_text().splitlines()
-    assert rows[0].startswith("quantity,sample,load,measured,error,persson_2001") and len(rows) == 7
+    levels = ",".join(f"prediction_{level}" for level in LEVELS)
+    assert rows[0].startswith(f"quantity,sample,load,measured,error,{levels},persson_2001") and len(rows) == 7
     assert not (out / "contact_mechanics_challenge.csv").exists()
 
 

@@ -110,15 +110,16 @@ def validate(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """Compare every model that applies with measured series: by what factor each is off.
+    """Compare the prediction and every model that applies with measured series: by what factor each is off.
 
     An entry is a TOML file with the tables [contact] of a case file and [measured], which says who measured what and where
-    that is printed, beside a CSV file of the values. Of a folder, every entry in it. With --out: a CSV file for each entry,
-    with what each model says of every value. The mean ratio is of predicted over measured.
+    that is printed, beside a CSV file of the values, or with ranges in [[measured.band]]. Of a folder, every entry in it. With
+    --out: a CSV file for each entry, with what each model says of every value, and a picture of the prediction. The mean ratio
+    is of predicted over measured.
     """
     with busy("Reading the measured series"):
-        from stiction.studies.comparison.validation import entries_in, read_entry
-        from stiction.studies.comparison.validation import validate as validated
+        from stiction.studies.validation import entries_in, read_entry
+        from stiction.studies.validation import validate as validated
 
         paths = entries_in(entry) if entry.is_dir() else [entry]
         entries = [read_entry(path) for path in paths]

@@ -39,6 +39,29 @@ def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> F
     return figure
 
 
+def validation_figure(data: "xarray.Dataset") -> Figure:
+    """Return a figure of measured friction and the prediction at each load."""
+    figure, (axes,) = canvas(7.0, 4.4)
+    validation_panel(axes, data)
+    return figure
+
+
+def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
+    """Draw measured friction, and beside it the predicted median with its 50 % (thick) and 90 % interval."""
+    data = data.isel(row=np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))))
+    load, quantiles = data["load"].values, data["prediction"].transpose("quantile", "row").values
+    axes.vlines(load, quantiles[0], quantiles[4], color=BLUE, linewidth=2, label="90 % interval")
+    axes.vlines(load, quantiles[1], quantiles[3], color=BLUE, linewidth=8, alpha=0.5, label="50 % interval")
+    axes.plot(load, quantiles[2], "o", color=BLUE, label="predicted")
+    beside = load * 1.12  # so that neither hides the other
+    axes.vlines(beside, data["measured_low"], data["measured_high"], color=RED, linewidth=5, label="measured")
+    axes.plot(beside, data["measured"], "_", color=RED, markersize=9)
+    axes.set(xscale="log", yscale="log", ylim=(None, 6.0 * quantiles.max()))  # room for the legend
+    finish(axes, xlabel="load $P$ [N]", ylabel=MU_LABEL, title=data.attrs["title"])
+    sparse(axes)
+    axes.legend(fontsize=8, ncols=2, loc="upper center")
+
+
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw error bars: the interval, and the share of it that each of the three largest parts of the variance has."""
     here = at_working_load(data)

@@ -192,7 +192,8 @@ def validity_line(findings: ReportData) -> str:
     """Return in a line how far the answer may be trusted."""
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
-        return f"Checked against {checked}." if checked else "Not checked against anything measured."
+        known = f"Checked against {checked}." if checked else "Not checked against anything measured."
+        return f"{known} No contact with measured friction had a measured roughness."
     warnings = warnings_of(findings.data)
     if not warnings:
         return "All along the curve the model is within the range that its authors claim."

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from stiction.quantities.units import span
 from stiction.report.files import rows_of, write_rows
-from stiction.report.table import Column, Table, notes, numbers, short
-from stiction.report.view import View
+from stiction.report.table import Column, Table, notes, numbers, short, shown
+from stiction.report.view import View, picture
 
 if TYPE_CHECKING:
     import xarray
@@ -55,11 +56,27 @@ def validation_table(data: "xarray.Dataset") -> Table:
     return Table(columns, rows, ruled=True, gap=1, whole=True)
 
 
+def prediction_table(data: "xarray.Dataset") -> Table | None:
+    """Row by row: the measured friction, the prediction, and which of its intervals hold what was measured."""
+    rows = []
+    for at in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
+        one = data.isel(row=at)
+        ends = {float(q): float(value) for q, value in zip(data["quantile"].values, one["prediction"].values, strict=True)}
+        measured = span((float(one["measured_low"]), float(one["measured_high"])))
+        intervals = [f"{ends[first]:.2g} to {ends[last]:.2g}" for first, last in ((0.25, 0.75), (0.05, 0.95))]
+        words = [f"{text}, {one[f'within_{share}'].item()}" for text, share in zip(intervals, (50, 90), strict=True)]
+        rows.append([shown(float(one["load"]), "load", 3), measured, f"{ends[0.5]:.2g}", *words])
+    columns = [Column("load"), *numbers("measured", "predicted"), *(Column(head) for head in ("50% interval", "90% interval"))]
+    return Table(columns, rows, ruled=True) if rows else None
+
+
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     """Heads and rows of a file: every measured value, and beside it what each model says, in SI units."""
     columns = ["quantity", "sample", "load", "measured", "error"]
-    rows = zip(rows_of(data, columns), data["predicted"].values.T.tolist(), strict=True)
-    return [*columns, *map(str, data["model"].values)], [[*row, *predicted] for row, predicted in rows]
+    levels = [f"prediction_{level:g}" for level in data["quantile"].values]
+    rows = zip(rows_of(data, columns), data["prediction"].values.T.tolist(), data["predicted"].values.T.tolist(), strict=True)
+    heads = [*columns, *levels, *map(str, data["model"].values)]
+    return heads, [[*row, *prediction, *predicted] for row, prediction, predicted in rows]
 
 
 def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
@@ -67,8 +84,10 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
     over_models = ("grade", "answered", "bias", "factor", "in_errors", "outside_validity")
     keys = ["model", *over_models, "predicted"]
     models = [dict(zip(keys, row, strict=True)) for row in rows_of(data, keys)]
-    rows = {name: data[name].values.tolist() for name in ("quantity", "sample", "load", "measured", "error")}
-    return {**data.attrs, "rows": rows, "models": models}
+    over_rows = ("quantity", "sample", "load", "measured", "error", "measured_low", "measured_high", "within_50", "within_90")
+    rows = {name: data[name].values.tolist() for name in over_rows}
+    prediction = {f"{level:g}": data["prediction"].sel(quantile=level).values.tolist() for level in data["quantile"].values}
+    return {**data.attrs, "rows": rows | {"prediction": prediction}, "models": models}
 
 
 def validation_view(found: "Mapping[str, xarray.Dataset]") -> View:
@@ -76,14 +95,22 @@ def validation_view(found: "Mapping[str, xarray.Dataset]") -> View:
 
     def parts() -> Iterator[Any]:
         for data in found.values():
-            yield from (*origin_lines(data), validation_table(data))
+            yield from origin_lines(data)
+            if (predicted := prediction_table(data)) is not None:
+                yield predicted
+            yield validation_table(data)
             yield from notes(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
 
     def record() -> dict[str, Any]:
         return {name: validation_record(data) for name, data in found.items()}
 
     files = {f"{name}.csv": partial(_write_rows, data) for name, data in found.items()}
-    return View("validation", None, parts, record, files)
+    pictures = {
+        f"{name}.png": picture("measured friction and its prediction", "prediction_pictures.validation_figure", data)
+        for name, data in found.items()
+        if np.isfinite(data["prediction"]).any()
+    }
+    return View("validation", None, parts, record, files, pictures)
 
 
 def _write_rows(data: "xarray.Dataset", path: Path) -> None:

@@ -1,10 +1,11 @@
 """Models against measured series: an entry says what was in contact, who measured what, and where that is printed.
 
-An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values.
+An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values; or with ranges
+of friction, [[measured.band]], where no more is printed.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -12,17 +13,21 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.read import case_of, opened, read_content
+from stiction.case.places import with_numbers
+from stiction.case.read import Case, case_of, opened, read_content
+from stiction.case.uncertain import Uncertain, named
+from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.laws.validity import warnings_of
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import reason_of
+from stiction.quantities.units import reason_of, to_si
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import candidates
 from stiction.solving.solve import solve
+from stiction.studies.prediction.predict import predict
 
 if TYPE_CHECKING:
     import xarray
@@ -30,17 +35,36 @@ if TYPE_CHECKING:
 # What is compared by ratios: of a separation there is none.
 _NOT_COMPARED = ("mean_separation",)
 _TABLES = ("title", "materials", "contact", "indices", "measured")
+# Levels of the quantiles of the prediction: the ends of its 50 % and 90 % intervals, and the median.
+LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
+
+
+class Band(Input):
+    """A range of the friction coefficient at a load, where no points are printed."""
+
+    load: str = Field(description='normal load with its unit, "0.98 mN"')
+    low: float = Field(description="lower end of the measured friction coefficient, above 0")
+    high: float = Field(description="upper end of the measured friction coefficient")
+
+    @model_validator(mode="after")
+    def _is_a_range(self):
+        if not 0.0 < self.low <= self.high:
+            raise InputError("low", self.low, f"above 0 and at most high, {self.high:g}")
+        if not to_si(self.load, "load") > 0.0:
+            raise InputError("load", self.load, "above 0 N: mu is friction over load")
+        return self
 
 
 class Origin(Input):
     """Who measured a series, and where it is printed.
 
-    file: the CSV file, from the folder of the entry. kind: synthetic values were made up, to show the format. source: authors,
-    title, where it appeared, year. place: page, and table, figure or section. read: how the values came into the file; values
-    read off a picture have the error of reading in theirs. Raises InputError.
+    file: the CSV file, from the folder of the entry; band: ranges in its place. kind: synthetic values were made up, to
+    show the format. source: authors, title, where it appeared, year. place: page, and table, figure or section. read: how
+    the values came into the file; values read off a picture have the error of reading in theirs. Raises InputError.
     """
 
-    file: str = Field(description="the CSV file with the values, from the folder of the entry")
+    file: str = Field("", description="the CSV file with the values, from the folder of the entry")
+    band: list[Band] = Field(default_factory=list, description="ranges of the friction coefficient, in place of a file")
     kind: Literal["measured", "synthetic"] = Field(description="measured, or synthetic: made up to show the format")
     source: str = Field(description="authors, title, where it appeared, year")
     place: str = Field("", description='page, and table, figure or section: "p. 57, Table 3"')
@@ -50,6 +74,8 @@ class Origin(Input):
 
     @model_validator(mode="after")
     def _says_where(self):
+        if bool(self.file) == bool(self.band):
+            raise InputError("file or band", "both" if self.file else None, "one of them: a CSV file, or [[measured.band]]")
         if not self.source.strip():
             raise InputError("source", self.source, "authors, title, where it appeared, year")
         if self.kind == "measured" and not self.place.strip():
@@ -61,20 +87,29 @@ class Origin(Input):
 
 @dataclass(frozen=True)
 class Entry:
-    """A measured series with its contact. content: the tables of a case, with scans and own materials read."""
+    """A measured series with its contact. content: the tables of a case, with scans and own materials read; uncertain: its
+    uncertain numbers, which the prediction draws."""
 
     title: str
     origin: Origin
     content: Mapping[str, Any]
     values: Measurements
+    uncertain: tuple[Uncertain, ...] = ()
 
-    def subjects(self) -> list[tuple[Subject, np.ndarray]]:
-        """The contacts that the series are of, each with its rows: one, unless the file gives numbers that differ."""
+    @property
+    def ends(self) -> np.ndarray:
+        """Return the ends of every measured value (2, n); of a point both are the value."""
+        bands = self.origin.band
+        return np.array([[one.low for one in bands], [one.high for one in bands]] if bands else [self.values.value] * 2)
+
+    def cases(self) -> list[tuple[Case, np.ndarray]]:
+        """Return the cases that the series are of, each with its rows: one, unless the file gives numbers that differ."""
         known = [tuple(sorted(one.items())) for one in self.values.known]
         found = []
         for one in dict.fromkeys(known):
             rows = np.array([at for at, other in enumerate(known) if other == one])
-            found.append((case_of(self.content, dict(one)).subject, rows))
+            tables = with_numbers(self.content, dict(one))
+            found.append((replace(case_of(tables), tables=tables, uncertain=self.uncertain), rows))
         return found
 
 
@@ -93,14 +128,24 @@ def read_entry(path: Any) -> Entry:
     tables = {name: value for name, value in content.items() if name != "measured"} | {"solve": load}
     folder = Path(path).parent
     asked, several = opened(tables, folder)
-    if several:
-        one = next(iter(several.values()))
+    uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
+    if len(uncertain) < len(several):
+        one = next(one for one in several.values() if not isinstance(one, Uncertain))
         raise InputError(one.where, one.words, "one number; what differs from row to row is a column of the file")
-    values = read_measurements(folder / origin.file, asked)
+    values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
-    entry = Entry(str(content.get("title", "")), origin, asked, values)
-    entry.subjects()  # so that a contact that is none is refused here
+    entry = Entry(str(content.get("title", "")), origin, asked, values, tuple(named(list(uncertain))))
+    entry.cases()  # so that a contact that is none is refused here
     return entry
+
+
+def _of_bands(bands: list[Band]) -> Measurements:
+    """Return the geometric means of ranges as measured values."""
+    count = len(bands)
+    load = np.array([float(to_si(one.load, "load")) for one in bands])
+    value = np.array([np.sqrt(one.low * one.high) for one in bands])
+    names = ("friction_coefficient",) * count
+    return Measurements(names, ("",) * count, load, value, np.full(count, np.nan), ({},) * count, tuple(range(1, count + 1)))
 
 
 def _check(values: Measurements, file: str) -> None:
@@ -128,17 +173,20 @@ def validate(entry: Any, *, progress: Steps = iter) -> "xarray.Dataset":
     over measured; `factor`, e to the root mean square of its logarithm: by what factor a prediction is off, as a rule;
     `in_errors`, the root mean square of the difference over the standard error; `answered`, how many rows; grade,
     `outside_validity` in words and `outside`, the symbols of the quantities. Models are in the order of how many rows they
-    answer, then of `factor`. Attributes: title, kind, source, place, doi, read, note, `left_out`: model: why, and `sources`.
-    Raises InputError for bad input.
+    answer, then of `factor`. Of friction also the prediction: `prediction` over `quantile` (LEVELS) and the rows, and
+    `within_50` and `within_90`, whether the measured value or band lies "inside", "partly" inside or "outside" the
+    interval; measured_low and measured_high are the ends of a band. Attributes: title, kind, source, place, doi, read,
+    note, `left_out`: model: why, and `sources`. Raises InputError for bad input.
     """
     one = entry if isinstance(entry, Entry) else read_entry(entry)
-    subjects = one.subjects()
+    cases = one.cases()
+    subjects = [(case.subject, rows) for case, rows in cases]
     answers = [_answer(each.name, one.values, subjects) for each in progress(candidates(subjects[0][0]))]
     shown = sorted(
         (each for each in answers if each["answered"]), key=lambda each: (-each["answered"], each["factor"], each["model"])
     )
     left_out = [f"{each['model']}: {each['why_not']}" for each in answers if not each["answered"]]
-    return _dataset(one, shown, left_out)
+    return _dataset(one, shown, left_out).assign(_predicted(one, cases))
 
 
 # Variables over the models.
@@ -183,6 +231,34 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
     }  # fmt: skip
 
 
+def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, Any]:
+    """Return the quantiles of the prediction at every measured friction, and whether its intervals hold what was measured."""
+    values, (low, high) = entry.values, entry.ends
+    table = np.full((len(LEVELS), len(values)), np.nan)
+    for case, rows in cases:
+        of_friction = rows[[values.quantity[row] == "friction_coefficient" for row in rows]]
+        if not of_friction.size or not isinstance(case.subject, Contact):
+            continue
+        try:
+            mu = predict(case, load=values.load[of_friction])["friction_coefficient_samples"].values
+        except InputError:  # as what is stated is known to no prediction; models then answer alone
+            continue
+        table[:, of_friction] = np.nanquantile(mu, LEVELS, axis=0)
+    within = {
+        f"within_{share}": ("row", [_within(*ends) for ends in zip(low, high, *table[[first, -1 - first]], strict=True)])
+        for share, first in ((50, 1), (90, 0))
+    }
+    ends = {"measured_low": ("row", low), "measured_high": ("row", high)}
+    return {"quantile": list(LEVELS), "prediction": (("quantile", "row"), table)} | ends | within
+
+
+def _within(low: float, high: float, least: float, most: float) -> str:
+    """Return where a measured range lies beside an interval; "" where nothing is predicted."""
+    if not np.isfinite(least):
+        return ""
+    return "inside" if least <= low and high <= most else "outside" if high < least or most < low else "partly"
+
+
 def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -> "xarray.Dataset":
     import xarray
 
@@ -199,7 +275,7 @@ def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -
         | {"predicted": (("model", "row"), predicted)},
         coords={"model": [one["model"] for one in answers]},
         attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
-        | entry.origin.model_dump(exclude={"file"}),
+        | entry.origin.model_dump(exclude={"file", "band"}),
     )
 
 
