@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from stiction.report.table import Column, Table, facts, notes, numbers, short, s
 from stiction.report.view import Picture, View, picture
 from stiction.studies.scans.analysis import Analysis, spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
+from stiction.surfaces.areal_parameters import areal_parameters
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spikes import SUSPICIOUS
 from stiction.surfaces.statistics import ProfileMoments
@@ -53,6 +54,7 @@ def surface_summary(analysis: Analysis) -> Table:
             ("done", "\n".join(surface.history)),
             ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
             ("", f"skewness Ssk = {round(found.Ssk, 4) + 0.0:g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
+            *([] if along else _areal_rows(surface)),
             ("rms slope", ", ".join(slopes)),
             ("rms curvature", ", ".join(curvatures)),
             ("reliable", reliable),
@@ -60,6 +62,18 @@ def surface_summary(analysis: Analysis) -> Table:
             ("", _moments(analysis.by_spectrum)),
         ]
     )  # fmt: skip
+
+
+def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
+    """Return the parameters of ISO 25178-2 beside those of the heights, with their names."""
+    found = asdict(areal_parameters(surface))
+    ratios = {"Sdr", "Str", "Smr1", "Smr2"}
+    texts = {
+        name: "not within the map" if value is None else short(value) if name in ratios else shown(value, "scan_size")
+        for name, value in found.items()
+    }
+    rows = [("ISO 25178-2", ("Sp", "Sv", "Sdr")), ("", ("Sal", "Str")), ("", ("Sk", "Spk", "Svk", "Smr1", "Smr2"))]
+    return [(head, ", ".join(f"{name} = {texts[name]}" for name in names)) for head, names in rows]
 
 
 def surface_in_short(analysis: Analysis) -> Table:

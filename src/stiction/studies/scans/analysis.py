@@ -9,6 +9,7 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Steps
 from stiction.solving.accuracy.solved_near import kind_of_map
+from stiction.surfaces.areal_parameters import areal_parameters
 from stiction.surfaces.finding import Asperities, asperities, methods
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
@@ -90,6 +91,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "suspected_spikes": analysis.spikes,
         "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
         "statistics": asdict(analysis.statistics),
+        "iso_25178_2": None if surface.is_profile else asdict(areal_parameters(surface)),
         "spectrum_of": analysis.of_spectrum or "the heights as prepared",
         "reliable_band": _band(analysis.spectrum),
         "moments": {
