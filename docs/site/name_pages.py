@@ -16,7 +16,7 @@ import stiction as st
 GROUPS = {
     "A contact": ("Contact", "Roughness", "Coating", "Material", "Liquid", "material", "work_of_adhesion", "Indices", "axis",
                   "height_distribution"),
-    "Friction": ("predict", "solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
+    "Friction": ("predict", "predict_value", "export", "solve", "unload", "slide", "evaluate", "Evaluation", "summary"),
     "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
     "Studies": ("compare", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
