@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+import shutil
 import subprocess
 import sys
 from functools import cache
@@ -146,6 +147,17 @@ def test_constants_of_multibody_programs(case, predicted, units):
     assert stiffness == pytest.approx(float(curve["tangential_force"].squeeze()) / 1e-12, rel=2e-3)
 
 
+@pytest.mark.parametrize("units", SYSTEMS)
+def test_calculix_takes_one_coefficient_and_a_stick_slope(case, predicted, units):
+    of_pressure, _, _ = SYSTEMS[units]
+    found = keyword_lines(st.export(case, "calculix", units=units).text)
+    ((mu, slope),) = found["FRICTION"][1]
+    assert mu == pytest.approx(predicted[LOADS.index(10.0)], rel=1e-6)
+    slip = float(keyword_lines(st.export(case, "abaqus", units=units).text)["FRICTION"][0]["ELASTIC SLIP"])
+    assert slope * slip == pytest.approx(mu * 10.0 / AREA / of_pressure, rel=1e-4)
+    assert found["SURFACE BEHAVIOR"][1][-1][0] == pytest.approx(1000.0 / AREA / of_pressure, rel=1e-6)
+
+
 def test_kratos_takes_one_coefficient(case, predicted):
     found = json.loads(st.export(case, "kratos").text)
     assert found["friction_coefficients"]["0"] == pytest.approx(predicted[LOADS.index(10.0)], rel=1e-6)
@@ -169,6 +181,79 @@ def test_abaqus_gets_the_compliance_of_the_interface(case, units):
     at = table.attrs["working_row"]
     slip = float(table.friction_coefficient[at] * table.nominal_pressure[at] / table.tangential_stiffness[at])
     assert float(found["FRICTION"][0]["ELASTIC SLIP"]) * length == pytest.approx(slip, rel=1e-4)
+
+
+BLOCKS = """
+*NODE, NSET=BELOW
+1, 0., 0., -0.1
+2, 1., 0., -0.1
+3, 1., 1., -0.1
+4, 0., 1., -0.1
+5, 0., 0., 0.
+6, 1., 0., 0.
+7, 1., 1., 0.
+8, 0., 1., 0.
+*NODE, NSET=ABOVE
+11, 0., 0., 0.
+12, 1., 0., 0.
+13, 1., 1., 0.
+14, 0., 1., 0.
+15, 0., 0., 0.1
+16, 1., 0., 0.1
+17, 1., 1., 0.1
+18, 0., 1., 0.1
+*NSET, NSET=TOP
+15, 16, 17, 18
+*ELEMENT, TYPE=C3D8, ELSET=EALL
+1, 1, 2, 3, 4, 5, 6, 7, 8
+2, 11, 12, 13, 14, 15, 16, 17, 18
+*MATERIAL, NAME=STIFF
+*ELASTIC
+1e6, 0.
+*SOLID SECTION, ELSET=EALL, MATERIAL=STIFF
+*SURFACE, NAME=MASTER
+1, S2
+*SURFACE, NAME=SLAVE
+2, S1
+*CONTACT PAIR, INTERACTION=STICTION, TYPE=NODE TO SURFACE
+SLAVE, MASTER
+*BOUNDARY
+BELOW, 1, 3
+ABOVE, 2, 2
+TOP, 1, 1
+*STEP, INC=1000
+*STATIC
+0.1, 1.
+*BOUNDARY
+TOP, 3, 3, {pressed:.6e}
+*END STEP
+*STEP, INC=1000
+*STATIC
+0.1, 1.
+*BOUNDARY
+TOP, 1, 1, {moved:.6e}
+*NODE PRINT, NSET=TOP, TOTALS=ONLY
+RF
+*END STEP
+"""
+
+
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX (ccx) is not installed")
+@pytest.mark.parametrize(("slips", "expected"), [(0.2, 0.2), (0.9, 0.9), (1.5, 1.0), (3.0, 1.0)])
+def test_a_block_sticks_and_slides_in_calculix(case, tmp_path, slips, expected):
+    """Two blocks of 1 mm^2 pressed to a closure: the normal force is that of the table, the shear force rises with the stick
+    slope to mu times it and stays there."""
+    table = st.export(case, "calculix", units="mm-N-MPa")
+    pressure, closure = np.array(keyword_lines(table.text)["SURFACE BEHAVIOR"][1]).T
+    row = table.isel(row=table.attrs["working_row"])
+    wanted = float(row["nominal_pressure"])
+    pressed = float(np.interp(wanted, pressure, closure))
+    deck = table.text + BLOCKS.format(pressed=-pressed, moved=slips * float(row["elastic_slip"]))
+    (tmp_path / "blocks.inp").write_text(deck, encoding="utf-8")
+    subprocess.run(["ccx", "blocks"], cwd=tmp_path, check=True, capture_output=True)
+    shear, _, normal = map(float, (tmp_path / "blocks.dat").read_text(encoding="utf-8").split()[-3:])
+    assert -normal == pytest.approx(wanted, rel=5e-3)
+    assert shear == pytest.approx(expected * float(row["friction_coefficient"]) * wanted, rel=5e-3)
 
 
 def test_ansys_gets_the_stiffness_at_the_stated_load(case):
@@ -207,13 +292,14 @@ def test_refusals(case, given, field, tmp_path, monkeypatch):
     assert told.value.field == field
 
 
-def test_no_stiffness_no_constants_of_multibody_programs():
+@pytest.mark.parametrize("name", ["calculix", "lugre"])
+def test_formats_that_want_a_stiffness_refuse_a_film(name):
     with pytest.raises(InputError, match="no stiffness before sliding"):
-        st.export(FILM, "lugre")
+        st.export(FILM, name)
 
 
 def test_every_format_is_read_here():
-    assert {*READERS, "lugre", "kratos"} == set(export_formats())
+    assert {*READERS, "calculix", "lugre", "kratos"} == set(export_formats())
 
 
 def test_command(case, tmp_path):

@@ -12,18 +12,22 @@ if TYPE_CHECKING:
     import xarray
 
 
+def surface_behavior(table: "xarray.Dataset") -> list[str]:
+    """Return the lines of *SURFACE BEHAVIOR, pressure against overclosure, of a table with the mean separation."""
+    pressure, gap = table["nominal_pressure"].values, table["mean_separation"].values
+    touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
+    lines = [f"** overclosure 0: the mean planes are {touch:.6g} {table['mean_separation'].attrs['units']} apart"]
+    lines += ["*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR", "0., 0."]
+    return lines + [f"{p:.8g}, {touch - h:.8g}" for p, h in zip(pressure, gap, strict=True)]
+
+
 def content(table: "xarray.Dataset") -> str:
     """Return the lines of an input file."""
-    pressure, mu = table["nominal_pressure"].values, table["friction_coefficient"].values
-    lines = [f"** {text}" for text in table.attrs["comments"]]
-    lines += ["*SURFACE INTERACTION, NAME=STICTION"]
+    lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION"]
     slip = ""
     if "elastic_slip" in table:
         slip = f", ELASTIC SLIP={float(table['elastic_slip'][table.attrs['working_row']]):.6g}"
-        gap = table["mean_separation"].values
-        touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
-        lines += [f"** overclosure 0: the mean planes are {touch:.6g} {table['mean_separation'].attrs['units']} apart"]
-        lines += ["*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR", "0., 0."]
-        lines += [f"{p:.8g}, {touch - h:.8g}" for p, h in zip(pressure, gap, strict=True)]
-    lines += [f"*FRICTION{slip}", *(f"{m:.8g}, , {p:.8g}" for m, p in zip(mu, pressure, strict=True))]
+        lines += surface_behavior(table)
+    rows = zip(table["friction_coefficient"].values, table["nominal_pressure"].values, strict=True)
+    lines += [f"*FRICTION{slip}", *(f"{mu:.8g}, , {pressure:.8g}" for mu, pressure in rows)]
     return "\n".join(lines) + "\n"

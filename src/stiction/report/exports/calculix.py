@@ -1,0 +1,29 @@
+"""CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, of bare bodies.
+
+Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume: no table in pressure)
+and "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION are those at
+the stated load. Outside the table the pressure stays constant. Version 2.20 was run: it holds 20 rows, and reads them for
+contact of nodes with a surface.
+"""
+
+from typing import TYPE_CHECKING
+
+from stiction.quantities.errors import InputError
+from stiction.report.exports.abaqus import surface_behavior
+from stiction.report.table import some
+
+if TYPE_CHECKING:
+    import xarray
+
+_MOST_ROWS = 20
+
+
+def content(table: "xarray.Dataset") -> str:
+    """Return the lines of an input file. Raises InputError where no stiffness is known: *FRICTION wants one."""
+    if "tangential_stiffness" not in table:
+        why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
+        raise InputError("to", "calculix", f"another format: {why}")
+    mu, slope = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "tangential_stiffness"))
+    few = table.isel(row=some(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
+    lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION", *surface_behavior(few)]
+    return "\n".join([*lines, "*FRICTION", f"{mu:.8g}, {slope:.8g}"]) + "\n"
