@@ -164,6 +164,17 @@ def test_kratos_takes_one_coefficient(case, predicted):
     assert (found["contact_type"], found["frictional_law"]) == ("Frictional", "Coulomb")
 
 
+def test_kratos_itself_takes_the_file(case):
+    kratos = pytest.importorskip("KratosMultiphysics")
+    process = pytest.importorskip("KratosMultiphysics.ContactStructuralMechanicsApplication.alm_contact_process")
+    model = kratos.Model()
+    model.CreateModelPart("Structure").ProcessInfo[kratos.DOMAIN_SIZE] = 2
+    table = st.export(case, "kratos")
+    made = process.ALMContactProcess(model, kratos.Parameters(table.text))
+    mu = made.contact_settings["friction_coefficients"]["0"].GetDouble()
+    assert mu == pytest.approx(float(table.friction_coefficient[table.attrs["working_row"]]), rel=1e-6)
+
+
 @pytest.mark.parametrize("units", SYSTEMS)
 def test_abaqus_gets_the_compliance_of_the_interface(case, units):
     """Overclosure is the change of the mean separation; elastic slip is stress over stiffness."""

@@ -63,7 +63,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     try:
         elastic = slide(numbers, load=loads, displacement=[0.0], **_STIFFNESS)
     except InputError as error:
-        comments.append(f"no stiffness before sliding and no separation: {error.field} is {error.value}")
+        comments.append(f"no stiffness before sliding and no separation: {error}")
     else:
         stiffness = elastic["tangential_stiffness"].values / area
         columns |= {
