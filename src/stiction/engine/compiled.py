@@ -13,9 +13,10 @@ from typing import Any
 
 import numba
 import numpy as np
-from numba.extending import register_jitable
+from numba.extending import overload, register_jitable, typeof_impl
 
 from stiction.engine.numba_internals import keep_on_disk, to_fixed_tuple
+from stiction.engine.tiers import interpreted
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
 # formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
@@ -23,10 +24,19 @@ from stiction.engine.numba_internals import keep_on_disk, to_fixed_tuple
 FORMULA: dict[str, Any] = {"fastmath": {"contract"}, "error_model": "numpy", "nogil": True}
 KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_model": "numpy", "nogil": True}
 
-# unpack(row, length): an array as a tuple, in kernels; the length must be a constant. Numba does not give its type.
-# NUMBA_DISABLE_JIT leaves formulas and kernels as plain Python: slow, and right.
-_PLAIN: bool = numba.config.DISABLE_JIT  # type: ignore[attr-defined]
-unpack: Any = (lambda row, length: tuple(row[:length])) if _PLAIN else to_fixed_tuple
+
+def unpack(row, length):
+    """Return the first numbers of an array as a tuple; in kernels the length must be a constant.
+
+    In plain Python they are Python's own floats, with which formulas run three times as fast as with NumPy's.
+    """
+    return tuple(row[:length].tolist())
+
+
+@overload(unpack, inline="always")
+def _unpack_compiled(row, length):
+    return lambda row, length: to_fixed_tuple(row, length)
+
 
 # What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
 _KNOWN = ("numpy", "numba", "math")
@@ -54,6 +64,44 @@ def kernel(function: Callable) -> Any:
     if compiled is not function:
         keep_on_disk(compiled, digest)
     return compiled
+
+
+class LazyKernel:
+    """A kernel that Python runs until it has filled so much that compiling pays.
+
+    Compiling takes a third of a second and more, the interpreter a thousandth for one contact. Where the interpreter refuses
+    what compiled code computes (a division by nothing that a formula deals with), the compiled kernel does the work at once:
+    hence a lazy kernel fills arrays, and never adds to them.
+    """
+
+    def __init__(self, function: Callable, worth: int):
+        self.compiled, self.py_func, self._left = kernel(function), function, worth
+        self.targetoptions = self.compiled.targetoptions
+
+    def __call__(self, *given: Any) -> Any:
+        last = given[-1]
+        self._left -= last.size if isinstance(last, np.ndarray) else 1
+        if interpreted(self._left >= 0):
+            try:
+                with np.errstate(divide="raise", invalid="raise", over="raise"):
+                    return self.py_func(*given)
+            except (ArithmeticError, TypeError, ValueError):
+                self._left = -1
+        return self.compiled(*given)
+
+
+@typeof_impl.register(LazyKernel)
+def _typeof_lazy(value, _):
+    return numba.types.Dispatcher(value.compiled)
+
+
+def lazy_kernel(worth: int) -> Callable:
+    """Return a decorator: as `kernel`, but compiled when it has filled so many elements of its last array, in all calls."""
+
+    def decorate(function: Callable) -> Any:
+        return function if numba.config.DISABLE_JIT else LazyKernel(function, worth)  # type: ignore[attr-defined]
+
+    return decorate
 
 
 def digest(function: Callable) -> str:

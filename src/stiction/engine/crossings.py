@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 
 SAMPLES, MOST = 24, 6  # on a piece; crossings that are looked for
 _STEPS, _SECANTS = 80, 24  # of a bracket: in all, and how many of them may be secants, each third of which halves
@@ -40,7 +40,7 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
     """The kernel that looks for the changes of sign of excess(u, row), row having so many parameters."""
     narrow = narrowing(excess)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
         """Where it changes between two edges (n, m): at most so many places as there is room for in out (n, k), the first edge
         for none. Edges are finite."""

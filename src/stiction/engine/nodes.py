@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.engine.compiled import kernel, unpack
+from stiction.engine.compiled import kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
 
@@ -79,7 +79,7 @@ class Evaluated(NamedTuple):
 def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
     """Return the kernel that fills a table with the values of a law at nodes; parameters, values: how many there are."""
 
-    @kernel
+    @lazy_kernel(worth=400_000)
     def evaluate(u, law, count, table, out):
         """Fill out[i] with the values at u[i, :count[i]], of the law number law[i]; counts are multiples of eight.
 
@@ -88,7 +88,7 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
         for i in range(law.size):
             places, row, found = u[i], unpack(table[law[i]], parameters), out[i]
             for node in range(8 * (count[i] // 8)):
-                state = along(places[node], *row)
+                state = along(float(places[node]), *row)
                 found[node] = state[0]
                 found[LONGEST + node] = state[1]
                 found[2 * LONGEST + node] = state[2]
@@ -104,10 +104,10 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 def inverting(coordinate: Callable, parameters: int) -> Any:
     """Return the kernel that fills an array with the coordinates of displacements."""
 
-    @kernel
+    @lazy_kernel(worth=10_000)
     def invert(w, law, table, out):
         for i in range(w.size):
-            out[i] = coordinate(w[i], *unpack(table[law[i]], parameters))
+            out[i] = coordinate(float(w[i]), *unpack(table[law[i]], parameters))
 
     return invert
 

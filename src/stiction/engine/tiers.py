@@ -1,10 +1,10 @@
-"""Which loops sum a regime: shared ones in stages, quick to compile, or one compiled for the regime, quicker to run."""
+"""How much is compiled: nothing yet, shared loops in stages, quick to compile, or one loop for a regime, quicker to run."""
 
 import os
 
 from stiction.quantities.errors import InputError
 
-TIERS = ("auto", "shared", "specialised")
+TIERS = ("auto", "interpreted", "shared", "specialised")
 VARIABLE = "STICTION_LOOPS"
 # So many pairs of a law and a separation are worth a loop of their own: it takes a second to compile and runs twice as fast.
 _WORTH_COMPILING = 100_000
@@ -23,3 +23,9 @@ def specialised(laws: int, pairs: int = 0) -> bool:
     """Return whether so many laws, at so many pairs of a law and a separation, are summed by a loop compiled for the regime."""
     wanted = tier()
     return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[2]
+
+
+def interpreted(little: bool) -> bool:
+    """Return whether Python itself runs what belongs to one law: where it is little work, or where that is wanted."""
+    wanted = tier()
+    return little if wanted == TIERS[0] else wanted == TIERS[1]

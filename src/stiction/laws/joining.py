@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import up_to
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.nodes import values_at
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sorting import sort_few
@@ -149,7 +149,7 @@ def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
     return out
 
 
-@kernel
+@lazy_kernel(worth=30_000)
 def _fill_sorted(edges, kinks, out):
     for i in range(out.shape[0]):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
@@ -176,7 +176,7 @@ def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Par
 
 @cache
 def _coordinates(normal: Callable, coordinate: Callable, parameters: int) -> Any:
-    @kernel
+    @lazy_kernel(worth=3_000)
     def fill_coordinates(w, table, edges, out):
         for i in range(w.size):
             row = unpack(table[i], parameters)
@@ -200,7 +200,7 @@ def _coordinates_at_area(normal: Callable, parameters: int) -> Any:
 
     search = up_to(narrower)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_coordinates_at_area(area, table, edges, out):
         for i in range(area.size):
             row = unpack(table[i], parameters)
@@ -211,7 +211,7 @@ def _coordinates_at_area(normal: Callable, parameters: int) -> Any:
 
 @cache
 def _resistances(resistance: Callable, parameters: int) -> Any:
-    @kernel
+    @lazy_kernel(worth=3_000)
     def fill_resistances(load, area, table, out):
         for i in range(load.shape[0]):
             row = unpack(table[i], parameters)

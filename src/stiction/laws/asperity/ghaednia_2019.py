@@ -46,7 +46,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
 from stiction.laws.piece import NormalPiece, root_of
@@ -132,7 +132,7 @@ def _is_narrow(w, given):
 _halve = halving(_is_narrow)
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _wide_as_high(w_c, B, sharpness, front, rate, out):
     """Return the first displacement beyond 1.9 omega_c at which a = R.
 

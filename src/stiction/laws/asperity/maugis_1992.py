@@ -50,7 +50,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.piece import NormalPiece, edges_at
 from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import AsperityLaw, Limit
@@ -162,7 +162,7 @@ def _unstable(s, lam):
 _halve = halving(_unstable)
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_first(lam, loading, out):
     for i in range(lam.size):
         high = coordinate(0.0, 1.0, lam[i])
@@ -172,7 +172,7 @@ def _fill_first(lam, loading, out):
             out[i] = _halve(0.0, high, lam[i]) if _unstable(0.0, lam[i]) else 0.0
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_displacement(s, g, lam, out):
     for i in range(s.size):
         out[i] = normal(s[i], g[i], lam[i])[0]

@@ -20,7 +20,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import jkr
 from stiction.laws.piece import NormalPiece, displaced, edges_at
 from stiction.laws.shared_claims import SHORT_RANGE
@@ -51,7 +51,7 @@ def largest_root(a, c):
     return scale * unit_root(a / (scale * scale))
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_unit_roots(a, out):
     for i in range(out.size):
         out[i] = unit_root(a[i])

@@ -44,7 +44,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within
 from stiction.laws.piece import NormalPiece, edges_at
@@ -193,7 +193,7 @@ def _is_lost(U, given):
 _halve = halving(_is_lost)
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
     """Fill U from which on asperities are still in contact.
 
@@ -216,7 +216,7 @@ def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
     return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_onset(theta, eta_y, out):
     for i in range(theta.size):
         out[i] = onset(eta_y[i], _adhesion(theta[i]))

@@ -32,7 +32,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
 from stiction.laws.piece import NormalPiece, displaced, root_of
@@ -98,7 +98,7 @@ def _onset(flows: Any) -> Any:
 
     halve = halving(holds)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def onset(table, out):
         """Find the least u = sqrt(w) at which the mean pressure reaches the hardness.
 

@@ -40,7 +40,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import kernel, unpack
+from stiction.engine.compiled import lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
@@ -65,7 +65,7 @@ _CUTS = np.array([20.0, 400.0, 8000.0])
 
 @cache
 def _first(unloading: bool) -> Any:
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_first(table, out):
         for i in range(out.size):
             row = unpack(table[i], EDGED)

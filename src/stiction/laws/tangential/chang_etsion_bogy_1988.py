@@ -38,7 +38,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates
 from stiction.laws.piece import NormalPiece, TangentialResistance
@@ -90,7 +90,7 @@ def _at_edge_first(w_ratio, given):
 _halve = halving(_at_edge_first)
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill_first_on_axis(nu, K_H, out):
     for i in range(nu.size):
         out[i] = _halve(0.5, 1.0, (nu[i], K_H[i]))

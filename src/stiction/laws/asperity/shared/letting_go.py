@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 from stiction.engine.bisection import up_to
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.joining import within
 from stiction.laws.piece import NormalPiece
@@ -108,7 +108,7 @@ def _freeing(normal: Callable, parameters: int) -> Any:
 
     search = up_to(held)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_free(distance, table, edges, out):
         """Fill the coordinates at which asperities are just free after unloading.
 
@@ -141,7 +141,7 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
     search = up_to(clamped)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_clamped(table, edges, out):
         """Fill the coordinates up to which the residual is clipped at zero.
 

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.sorting import sort_few
 from stiction.engine.vectorised import exponential
 from stiction.laws.film.shared.graded_law import ALONE, WHOLE, contact, depth_coordinate
@@ -58,7 +58,7 @@ def _add(out, count, u):
     return count
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _add_zeros(which, places, values, law, out, count):
     """Append the zeros of one signal that was sampled at `places`."""
     before = values[0]
@@ -93,7 +93,7 @@ def _sample_loads(law, edges, count, places, loads, slopes):
         slopes[k] = slope
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _summit(low, kink, high, at_high, law):
     """Find where the load stops rising.
 
@@ -112,7 +112,7 @@ def _summit(low, kink, high, at_high, law):
     return low if at_low <= 0.0 else zero(NUMBERS[SLOPE], low, at_low, high, at_high, law, 0.0)
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _descent(low, high, law):
     """Find a point between low and high where the load falls, and its slope there.
 
@@ -135,7 +135,7 @@ def _first_flowing(part, count):
     return first
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _regained(low, high, above, law, level):
     """Find where a load held at `level` is reached again.
 
@@ -145,7 +145,7 @@ def _regained(low, high, above, law, level):
     return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """Append the ends of the plateaus of the load to the sorted edges[:count]; levels: (start, level) of each."""
     out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
@@ -211,7 +211,7 @@ def _fixed_edges(law, tau, out):
     return start, top, through, count
 
 
-@kernel
+@lazy_kernel(worth=1_000_000)
 def _scan(start, top, law, places, values):
     """Sample the signals from `start` to `top`, and return the number of samples.
 
@@ -239,7 +239,7 @@ def _sample(j, law, places, values):
     values[0, j], values[1, j], values[2, j], values[3, j], values[4, j] = signals(places[j], law)
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _insert(kinks, law, places, values, size):
     """Add the kinks to the samples[:size], for as long as there is room: what is sought may turn there."""
     for u in kinks:
@@ -258,7 +258,7 @@ def _insert(kinks, law, places, values, size):
     return size
 
 
-@kernel
+@lazy_kernel(worth=1_200)
 def _fill(parameters, tau, edges, part, levels, branch):
     samples, scan = np.empty((5, NEAR + FAR + 2 + SPARE)), np.empty(NEAR + FAR + 2 + SPARE)
     places, loads, slopes = np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER), np.empty(CAPACITY * INNER)
@@ -289,7 +289,7 @@ def _fill(parameters, tau, edges, part, levels, branch):
             _name_parts(law, through, out, known, part[i])
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def _add_branches(start, at_start, law, out, first, count, branch):
     """Fill `branch` with the branch points of the yield resistance.
 
@@ -345,7 +345,7 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
     return edges, part, levels, branch
 
 
-@kernel
+@lazy_kernel(worth=3_000)
 def _gather(edges, part, wanted, out):
     for i in range(edges.shape[0]):
         at = 0

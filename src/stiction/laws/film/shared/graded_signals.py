@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity.shared.transition import FULLY_PLASTIC, plastic_share
 from stiction.laws.film.shared.graded_law import ALONE, contact, fading
 from stiction.laws.tangential.shared.edge_yield import coefficients
@@ -74,7 +74,7 @@ REAL, SQUEEZED, BALANCE, SLOPE, ABOVE = 2, 3, 4, 5, 6
 NUMBERS = np.arange(7)
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
     """Return a signal, the slope of the load, or the load less `level`."""
     if which < SLOPE:
@@ -83,7 +83,7 @@ def signal(which, u, law, level):
     return slope if which == SLOPE else load - level
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def zero(which, low, at_low, high, at_high, law, level):
     """Find a zero in a bracket by false position (Anderson & Bjorck 1973).
 
@@ -112,7 +112,7 @@ def zero(which, low, at_low, high, at_high, law, level):
     return u
 
 
-@kernel
+@lazy_kernel(worth=100_000)
 def beyond_zero(which, left, at_left, u, at, right, at_right, law):
     """Find where a signal crosses zero between two points of the same sign.
 

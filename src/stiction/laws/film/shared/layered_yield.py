@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.crossings import narrowing
 from stiction.engine.regime import columns
 from stiction.laws.joining import Law, normal_states
@@ -66,7 +66,7 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     narrow = narrowing(excess)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
         """Fill out[i] at yield: u, the modulus E_P, the hardness, z, and the depth.
 
@@ -176,7 +176,7 @@ def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
 
 @cache
 def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_places(w, table, edges, out):
         for i in range(w.shape[0]):
             row = unpack(table[i], parameters)

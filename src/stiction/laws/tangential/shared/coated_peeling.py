@@ -14,7 +14,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
@@ -97,7 +97,7 @@ def _largest(start, load, row, root, curve):
     return best
 
 
-@kernel
+@lazy_kernel(worth=300)
 def _fill(rows, root, curves, first, out):
     """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on.
 

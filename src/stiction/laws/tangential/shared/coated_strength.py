@@ -14,7 +14,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
@@ -72,7 +72,7 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     halve = halving(holds)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
         """Fill place[i] and out[i], the squared traction at the knots.
 

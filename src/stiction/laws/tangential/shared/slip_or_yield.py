@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import unit_roots
 from stiction.laws.tangential.shared.edge_yield import coefficients
 
@@ -153,7 +153,7 @@ def _unloading_kinks(out, level, shape):
     out[5] = _crossing(right, touch, level, shape, False)
 
 
-@kernel
+@lazy_kernel(worth=3_000)
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
     """Kinks (n, 3 or 9) in v where slip and yield are equal, on asperities that end at `end`."""
     touch = _TOUCH ** (1.0 / 3.0)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 
@@ -24,7 +24,7 @@ def _finding(signed: Callable, parameters: int) -> Any:
 
     halve = halving(holds)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill(table, edges, out):
         for i in range(out.shape[0]):
             row, first, last = unpack(table[i], parameters), edges[i, 0], edges[i, edges.shape[1] - 1]

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from stiction.engine.bisection import halving
-from stiction.engine.compiled import formula, kernel, unpack
+from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.piece import NormalPiece
 
@@ -22,7 +22,7 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
     halve = halving(pulled)
 
-    @kernel
+    @lazy_kernel(worth=300)
     def fill_zeros(table, edges, out):
         """Fill out[i] with the coordinate at which the load of law i becomes positive.
 
