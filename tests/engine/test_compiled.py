@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import stiction
-from stiction.engine.compiled import digest, formula, kernel, loop
+from stiction.engine.compiled import digest, formula, kernel, lazy_kernel, loop
 from stiction.quantities.notices import Notice, notice
 
 FORMULAS = '''
@@ -229,7 +229,9 @@ def test_a_formula_becomes_part_of_kernels_and_stays_plain_python(tmp_path, monk
 
 def test_one_file_alone_uses_what_numba_does_not_promise():
     """Its event interface is documented."""
-    promised = {"numba", "numba.extending.register_jitable", "numba.core.event"}
+    promised = {"numba", "numba.core.event"} | {
+        f"numba.extending.{name}" for name in ("register_jitable", "overload", "typeof_impl")
+    }
     used = {}
     for file in Path(stiction.__file__).parent.rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text())):
@@ -240,6 +242,39 @@ def test_one_file_alone_uses_what_numba_does_not_promise():
             if private:
                 used[file.name] = private
     assert used.keys() == {"numba_internals.py"}
+
+
+def halves():
+    @lazy_kernel(worth=6)
+    def halve(values, out):
+        for i in range(values.size):
+            out[i] = 1.0 / values[i]
+
+    return halve
+
+
+def test_a_lazy_kernel_is_compiled_when_its_work_pays(monkeypatch):
+    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+    halve, values, out = halves(), np.array([2.0, 4.0, 8.0]), np.empty(3)
+    for compiled in (0, 0, 1):
+        halve(values, out)
+        assert len(halve.compiled.signatures) == compiled
+        assert out.tolist() == [0.5, 0.25, 0.125]
+
+
+def test_what_the_interpreter_refuses_is_compiled(monkeypatch):
+    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+    halve, out = halves(), np.empty(2)
+    halve(np.array([0.0, -4.0]), out)
+    assert halve.compiled.signatures and out.tolist() == [np.inf, -0.25]
+
+
+def test_a_lazy_kernel_can_be_forced_either_way(monkeypatch):
+    for tier, compiled in (("interpreted", 0), ("shared", 1), ("specialised", 1)):
+        monkeypatch.setenv("STICTION_LOOPS", tier)
+        halve, out = halves(), np.empty(20)
+        halve(np.full(20, 2.0), out)
+        assert len(halve.compiled.signatures) == compiled and (out == 0.5).all()
 
 
 WITHOUT_COMPILER = """

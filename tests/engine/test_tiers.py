@@ -32,9 +32,9 @@ def regimes(model, count=60):
     return problem_of(groups, Choice(model)).regimes
 
 
-def by_both(monkeypatch, compute):
+def by_both(monkeypatch, compute, tiers=("shared", "specialised")):
     found = []
-    for tier in ("shared", "specialised"):
+    for tier in tiers:
         monkeypatch.setenv(VARIABLE, tier)
         found.append(compute())
     return found
@@ -54,6 +54,14 @@ def test_single_pairs_are_the_same(monkeypatch, model, heights):
     law = RNG.integers(0, 60, 240)
     shared, alone = by_both(monkeypatch, lambda: scattered(parts, h, HEIGHTS[heights], law))
     assert_same(shared, alone, (0, 1))
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_python_gives_what_compiled_loops_give(monkeypatch, model):
+    parts, h = regimes(model, 3), RNG.uniform(-4.0, 5.0, 6)
+    law = RNG.integers(0, 3, 6)
+    plain, compiled = by_both(monkeypatch, lambda: scattered(parts, h, gaussian(), law), ("interpreted", "shared"))
+    assert_same(plain, compiled, (0, 1))
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -83,5 +91,5 @@ def test_much_work_is_worth_compiling(monkeypatch):
     monkeypatch.setenv(VARIABLE, "specialised")
     assert specialised(1)
     monkeypatch.setenv(VARIABLE, "fast")
-    with refusal("STICTION_LOOPS", "fast", "auto", "shared", "specialised"):
+    with refusal("STICTION_LOOPS", "fast", "auto", "interpreted", "shared", "specialised"):
         specialised(1)

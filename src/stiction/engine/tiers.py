@@ -22,7 +22,7 @@ def tier() -> str:
 def specialised(laws: int, pairs: int = 0) -> bool:
     """Return whether so many laws, at so many pairs of a law and a separation, are summed by a loop compiled for the regime."""
     wanted = tier()
-    return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[2]
+    return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[-1]
 
 
 def interpreted(little: bool) -> bool:
