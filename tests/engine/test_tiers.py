@@ -8,7 +8,7 @@ from stiction.contact.indices import Groups, stiffness_group
 from stiction.engine.at_loads import starts
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
-from stiction.engine.tiers import VARIABLE, specialised
+from stiction.engine.tiers import VARIABLE, all_compiled, interpreted, specialised
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 
@@ -93,3 +93,11 @@ def test_much_work_is_worth_compiling(monkeypatch):
     monkeypatch.setenv(VARIABLE, "fast")
     with refusal("STICTION_LOOPS", "fast", "auto", "interpreted", "shared", "specialised"):
         specialised(1)
+
+
+def test_within_all_compiled_python_runs_nothing(monkeypatch):
+    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+    assert interpreted(little=True)
+    with all_compiled():
+        assert not interpreted(little=True)
+    assert interpreted(little=True)

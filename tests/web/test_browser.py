@@ -16,6 +16,7 @@ import zipfile
 from pathlib import Path
 
 import numpy as np
+import pandas
 import pytest
 
 import stiction as st
@@ -318,9 +319,9 @@ def test_what_is_downloaded_runs_to_the_same_numbers(page, tmp_path):
         files[name] = (tmp_path / name).read_text(encoding="utf-8")
     command = [sys.executable, "-m", "stiction", "run", "case.toml", "--out", "out"]
     subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=600)
-    rows = [[line for line in text.splitlines() if not line.startswith("#")]
-            for text in (files["curve.csv"], (tmp_path / "out" / "curve.csv").read_text(encoding="utf-8"))]  # fmt: skip
-    assert rows[0] == rows[1] and "<svg" in files["curve.svg"]
+    tables = [pandas.read_csv(path, comment="#") for path in (tmp_path / "curve.csv", tmp_path / "out" / "curve.csv")]
+    pandas.testing.assert_frame_equal(*tables, rtol=1e-13)
+    assert "<svg" in files["curve.svg"]
 
 
 def test_the_report_is_made_with_progress_and_a_stop_and_prints_on_its_paper(page, browser, tmp_path):

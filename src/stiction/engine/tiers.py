@@ -1,6 +1,9 @@
 """How much is compiled: nothing yet, shared loops in stages, quick to compile, or one loop for a regime, quicker to run."""
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 from stiction.quantities.errors import InputError
 
@@ -9,6 +12,18 @@ VARIABLE = "STICTION_LOOPS"
 # So many pairs of a law and a separation are worth a loop of their own: it takes a second to compile and runs twice as fast.
 _WORTH_COMPILING = 100_000
 _PAIRS_OF_A_LAW = 8  # at least: a law is summed more than once until its load is found
+
+_compiled = ContextVar("compiled", default=False)
+
+
+@contextmanager
+def all_compiled() -> Iterator[None]:
+    """Compile within what Python else runs at first: results then have the same bits, whichever process computes them."""
+    before = _compiled.set(True)
+    try:
+        yield
+    finally:
+        _compiled.reset(before)
 
 
 def tier() -> str:
@@ -28,4 +43,4 @@ def specialised(laws: int, pairs: int = 0) -> bool:
 def interpreted(little: bool) -> bool:
     """Return whether Python itself runs what belongs to one law: where it is little work, or where that is wanted."""
     wanted = tier()
-    return little if wanted == TIERS[0] else wanted == TIERS[1]
+    return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]

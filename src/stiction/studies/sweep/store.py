@@ -20,6 +20,7 @@ import numpy as np
 
 from stiction import __version__
 from stiction.case.read import case_of
+from stiction.engine.tiers import all_compiled
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.paths import require_place
 from stiction.quantities.uninterrupted import uninterrupted
@@ -80,7 +81,8 @@ class Store:
 
     def do(self, block: int) -> int:
         """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
-        results, validity_warnings = solve_block(self.plan, self._choice, block, self._results, self._points)
+        with all_compiled():
+            results, validity_warnings = solve_block(self.plan, self._choice, block, self._results, self._points)
         with uninterrupted():
             self._write(block, results, validity_warnings)
         return validity_warnings.size
