@@ -35,7 +35,7 @@ def unpack(row, length):
 
 @overload(unpack, inline="always")
 def _unpack_compiled(row, length):
-    return lambda row, length: to_fixed_tuple(row, length)
+    return lambda row, length: to_fixed_tuple(row, length)  # type: ignore[call-arg]
 
 
 # What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
