@@ -1,0 +1,1 @@
+"""Tangential contact of height maps: which points stick, which slip, and the force at which all have slipped."""

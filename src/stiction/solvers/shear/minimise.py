@@ -1,0 +1,155 @@
+"""The traction under a rigid shift: the minimum of a convex energy within the strength of every point.
+
+With u = C q the displacement of the traction q, b the rigid shift less the slip before, and s >= 0 the strength,
+
+    minimise  1/2 <q u> - <q b>    among all |q| <= s                                                                     (1)
+
+(Kalker 1990, Three-Dimensional Elastic Bodies in Rolling Contact, section 4.2, of frozen strengths). Its conditions are those
+of contact with friction: the slip r = b - u is 0 where |q| < s, and along q where |q| = s.
+
+The way there: conjugate gradients over the points that stick, prepared by the inverse of C for a map that sticks everywhere;
+points beyond their strength are brought back to it. Where the energy does not fall, the step is one along the gradient,
+projected and shortened until it does, which converges from anywhere (Bertsekas 1999, Nonlinear Programming, section 2.3).
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.solvers.shear.operators import ShearOperator
+
+_ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
+_AT = 1.0 - 1e-12  # of the strength: at it
+
+
+@dataclass(frozen=True)
+class Sheared:
+    """Solution of (1).
+
+    traction [Pa], slip [m]: (components, rows, columns), slip 0 where there is no strength; residual: how far the traction is
+    from the one that its slip asks for, summed over points, over the sum of strengths; steps; converged.
+    """
+
+    traction: np.ndarray
+    slip: np.ndarray
+    residual: float
+    steps: int
+    converged: bool
+
+
+def size_of(vectors: np.ndarray) -> np.ndarray:
+    """Return the lengths (rows, columns) of vectors (components, rows, columns)."""
+    return np.abs(vectors[0]) if len(vectors) == 1 else np.hypot(*vectors)
+
+
+def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
+    """Return the admissible traction nearest to this one: no longer than the strength at any point."""
+    if len(traction) == 1:
+        return np.clip(traction, -strength, strength)
+    length = size_of(traction)
+    return traction * np.divide(strength, length, out=np.ones_like(length), where=length > strength)
+
+
+def shear(
+    operator: ShearOperator, strength: np.ndarray, shift: np.ndarray, start: np.ndarray, *, tolerance: float, most: int
+) -> Sheared:
+    """Return the minimum of (1).
+
+    strength: (rows, columns) [Pa], 0 outside of contact; shift: b [m] and start: any traction [Pa], (components, rows,
+    columns); tolerance: of the residual; most: number of steps. Without convergence the last state is returned, and says so.
+    """
+    total = float(strength.sum())
+    touching = strength > 0.0
+    traction = within(start, strength)
+    gradient = np.where(touching, operator(traction) - shift, 0.0)
+    search = _Search(operator, strength, touching)
+    residual, steps = math.inf, 0
+    for steps in range(most + 1):
+        wanted = within(traction - gradient / operator.of_point, strength)
+        residual = float(size_of(traction - wanted).sum()) / total if total > 0.0 else 0.0
+        if residual <= tolerance or steps == most:
+            break
+        moved = search.conjugate(traction, gradient) or search.projected(traction, gradient)
+        if moved is None:
+            break  # no step lowers the energy: rounding
+        traction, gradient = moved
+    return Sheared(traction, -gradient, residual, steps, residual <= tolerance)
+
+
+class _Search:
+    """Steps that lower the energy, with what they remember of the steps before."""
+
+    def __init__(self, operator: ShearOperator, strength: np.ndarray, touching: np.ndarray):
+        self.operator, self.strength, self.touching = operator, strength, touching
+        self._last: tuple[np.ndarray, np.ndarray, float] | None = None
+
+    def conjugate(self, traction, gradient):
+        """Step along a conjugate direction; return traction and gradient, or None if the energy rises."""
+        outward = -np.sum(gradient * traction, axis=0)
+        bound = self.touching & (size_of(traction) >= self.strength * _AT) & (outward > 0.0)
+        free = np.where(self.touching & ~bound, gradient, 0.0)
+        prepared = np.where(bound, 0.0, self.operator.inverse(free))
+        prepared *= self.touching
+        stiffness = np.zeros(())
+        if len(traction) == 2:  # a point at its strength may turn; the longer its slip, the less
+            stiffness = np.divide(outward, self.strength**2, out=np.zeros_like(outward), where=bound)
+            turning = np.where(bound, _across(gradient, traction), 0.0)
+            free += turning
+            prepared += turning / (self.operator.of_point + stiffness)
+        direction = self._conjugated(-prepared, free, bound, traction)
+        bent_by = self.operator(direction)
+        bent = float(np.sum(direction * bent_by) + np.sum(stiffness * direction * direction))
+        if not bent > 0.0:
+            self._last = None
+            return None
+        step = -float(np.sum(direction * free)) / bent
+        trial = traction + step * direction
+        moved = within(trial, self.strength)
+        if np.array_equal(moved, trial):
+            return moved, gradient + np.where(self.touching, step * bent_by, 0.0)
+        found = self._lower(traction, gradient, moved)
+        if found is None:
+            self._last = None  # begin anew, along the gradient
+        return found
+
+    def projected(self, traction, gradient):
+        """Step along the gradient, projected and halved until the energy falls enough; None if none does."""
+        length = 1.0 / self.operator.of_point
+        for _ in range(60):
+            moved = within(traction - length * gradient, self.strength)
+            change = moved - traction
+            enough = _ENOUGH / length * float(np.sum(change * change))
+            found = self._lower(traction, gradient, moved, enough)
+            if found is not None:
+                return found
+            length *= 0.5
+        return None
+
+    def _lower(self, traction, gradient, moved, enough: float = 0.0):
+        """Return the moved traction and its gradient, if its energy is lower by more than this."""
+        change = moved - traction
+        turned = np.where(self.touching, self.operator(change), 0.0)
+        energy = float(np.sum(change * gradient) + 0.5 * np.sum(change * turned))
+        return (moved, gradient + turned) if energy < -enough else None
+
+    def _conjugated(self, direction, free, bound, traction):
+        """Combine with the direction before, by the rule of Polak & Ribiere, never negative."""
+        descent = -float(np.sum(direction * free))
+        if self._last is not None:
+            before, old_free, old_descent = self._last
+            share = (descent + float(np.sum(direction * old_free))) / old_descent if old_descent > 0.0 else 0.0
+            if share > 0.0:
+                kept = np.where(bound, _across(before, traction) if len(traction) == 2 else 0.0, before)
+                combined = direction + share * kept
+                if float(np.sum(combined * free)) < 0.0:
+                    direction = combined
+        self._last = direction, free, descent
+        return direction
+
+
+def _across(vectors: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Return the part of vectors (2, rows, columns) at right angles to others."""
+    square = np.sum(along * along, axis=0)
+    share = np.divide(np.sum(vectors * along, axis=0), square, out=np.zeros_like(square), where=square > 0.0)
+    return vectors - share * along

@@ -1,0 +1,150 @@
+"""From the shear traction on every point of a map to the displacement of every point, by fast Fourier transforms.
+
+Arrays are (components, rows, columns): one component, along x, or two, x and y. Sliding is along x, the columns. One component
+leaves out the traction across the direction of sliding, which Poisson's ratio alone causes.
+
+Periodic: symbol (2) of `compliance`; the mean displacement is left out, so that rigid shifts are relative to the mean plane.
+Mirrored: the map is a quarter of a period that its mirror images complete; q_x is even about every side, q_y odd.
+Free: nothing acts outside the map, on half-spaces. A uniform traction q_x on a pixel gives (Cerruti; Johnson 1985, Contact
+Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2)
+
+    2 pi u_x = (S - N) [x asinh(y/|x|) + y asinh(x/|y|)] + N y asinh(x/|y|),        2 pi u_y = -N r                      (1)
+"""
+
+import math
+
+import numpy as np
+from scipy.fft import irfft2, next_fast_len, rfft2
+
+from stiction.quantities.errors import InputError
+from stiction.solvers.boundary_elements.operators import components
+from stiction.solvers.shear.compliance import ShearCompliance
+
+
+class PeriodicShear:
+    """Displacements of one period of an endless surface.
+
+    shape: (rows, columns); size: (y, x) [m].
+    """
+
+    def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
+        self.shape = shape
+        ky, kx = components(shape, size)
+        k = np.hypot(ky, kx)
+        lowest = float(np.min(k[k > 0.0]))
+        k[0, 0] = lowest
+        along, across = compliance.times_k(k) / k
+        self._symbol = _tensor(along, across, kx / k, ky / k, shape)
+        self._inverse = _tensor(1.0 / along, 1.0 / across, kx / k, ky / k, shape)
+        for one in self._symbol:
+            one[0, 0] = 0.0
+        doubled = np.where((np.arange(k.shape[1]) > 0) & (2 * np.arange(k.shape[1]) < shape[1]), 2.0, 1.0)
+        self.of_point = float((self._symbol[0] * doubled).sum() / (shape[0] * shape[1]))
+
+    def __call__(self, traction: np.ndarray) -> np.ndarray:
+        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        return _through(traction, self.shape, self._symbol)
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the traction [Pa] under which a map that sticks everywhere moves so; it prepares conjugate gradients."""
+        return _through(displacement, self.shape, self._inverse)
+
+
+class MirroredShear:
+    """Displacements of a window that its mirror images continue.
+
+    shape: (rows, columns); size: (y, x) [m].
+    """
+
+    def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
+        self.shape = shape
+        self._period = PeriodicShear(compliance, (2 * shape[0], 2 * shape[1]), (2.0 * size[0], 2.0 * size[1]))
+        self.of_point = self._period.of_point
+
+    def __call__(self, traction: np.ndarray) -> np.ndarray:
+        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        return self._quarter(self._period(_mirrored(traction)))
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the traction of a map that sticks everywhere, as for a period."""
+        return self._quarter(self._period.inverse(_mirrored(displacement)))
+
+    def _quarter(self, field: np.ndarray) -> np.ndarray:
+        return field[:, : self.shape[0], : self.shape[1]].copy()
+
+
+class FreeShear:
+    """Displacements of a map with no traction outside.
+
+    shape: (rows, columns); size: (y, x) [m]. Raises InputError for bodies with films.
+    """
+
+    def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
+        if compliance.layered:
+            raise InputError("film", "on a map that ends", "none, or a map that is periodic or mirrored")
+        self.shape = shape
+        pitch = size[0] / shape[0], size[1] / shape[1]
+        self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
+        pixels = _of_pixels(self._doubled, pitch, *compliance.sums)
+        self._symbol = tuple(rfft2(kernel).real.copy() for kernel in pixels)  # even, or odd twice: no imaginary part
+        self.of_point = float(pixels[0][0, 0])
+        self._stuck = PeriodicShear(compliance, shape, size)
+
+    def __call__(self, traction: np.ndarray) -> np.ndarray:
+        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        return _through(traction, self._doubled, self._symbol)[:, : self.shape[0], : self.shape[1]].copy()
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the traction of a period that sticks everywhere; near enough to prepare conjugate gradients."""
+        return self._stuck.inverse(displacement)
+
+
+ShearOperator = PeriodicShear | MirroredShear | FreeShear
+
+
+def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the xx, xy and yy parts of across I + (along - across) k k^T/k^2; x, y: direction of the wave."""
+    both = (along - across) * x * y
+    if shape[0] % 2 == 0:
+        both[shape[0] // 2] = 0.0  # this wave and its opposite are one on the grid: the product of components has no sign
+    if shape[1] % 2 == 0:
+        both[:, -1] = 0.0
+    return across + (along - across) * x * x, both, across + (along - across) * y * y
+
+
+def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
+    """Multiply the zero-padded field with the symbol in wavevectors."""
+    xx, xy, yy = symbol
+    waves = rfft2(field, s=grid, workers=2 if grid[0] * grid[1] >= 1 << 17 else 1)
+    if len(field) == 1:
+        waves *= xx
+    else:
+        waves = np.stack([xx * waves[0] + xy * waves[1], xy * waves[0] + yy * waves[1]])
+    return irfft2(waves, s=grid, workers=2 if grid[0] * grid[1] >= 1 << 17 else 1, overwrite_x=True)
+
+
+def _mirrored(field: np.ndarray) -> np.ndarray:
+    """Return one period: the first component even about every side, the second odd about both."""
+    parts = []
+    for component, sign in zip(field, (1.0, -1.0), strict=False):
+        rows = np.concatenate([component, sign * component[::-1]])
+        parts.append(np.concatenate([rows, sign * rows[:, ::-1]], axis=1))
+    return np.stack(parts)
+
+
+def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (1) over q_x as xx and xy, and yy, on a periodic grid of distances."""
+    y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
+    xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)
+    for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):
+        for down, sign_y in ((0.5, 1.0), (-0.5, -1.0)):
+            at_x, at_y = x + across * pitch[1], (y + down * pitch[0])[:, None]
+            first, second = at_x * np.arcsinh(at_y / np.abs(at_x)), at_y * np.arcsinh(at_x / np.abs(at_y))
+            sign = sign_x * sign_y / (2.0 * math.pi)
+            xx += sign * ((S - N) * first + S * second)
+            yy += sign * ((S - N) * second + S * first)
+            xy -= sign * N * np.hypot(at_x, at_y)
+    for axis, count in enumerate(shape):
+        if count % 2 == 0:
+            np.moveaxis(xy, axis, 0)[count // 2] = 0.0  # as far to either side: odd
+    return xx, xy, yy

@@ -1,0 +1,170 @@
+"""The force on a map that is moved aside step by step: strength that falls with slip, history, and the largest force.
+
+Points keep the slip that they have made. With strength tau(s) that falls with slip, the strengths of a step are found from its
+slip and the slip from the strengths, in turns, beginning with the slip before: slip only grows on that way, so that it ends at
+the first equilibrium that the map meets. Where the force leaps down at one shift the map has ruptured, as it does on a stiff
+machine.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from stiction.quantities.errors import InputError, nearest
+from stiction.solvers.shear.minimise import Sheared, shear, size_of
+from stiction.solvers.shear.operators import ShearOperator
+
+TOLERANCE = 1e-6
+MOST_STEPS = 2000
+_MOST_TURNS = 400
+_SETTLED = 1e-3  # change of the sum of strengths within a turn, relative
+_FINER = 8  # steps between the neighbours of the largest force
+
+SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "linear": lambda slip: np.maximum(1.0 - slip, 0.0),
+    "exponential": lambda slip: np.exp(-slip),
+}
+"""Share of the strength above the residual one that is left after a slip, over the slip D_c."""
+
+
+@dataclass(frozen=True)
+class Weakening:
+    """Strength that falls with slip.
+
+    slip: D_c [m], > 0; residual: share of the strength that stays, 0 to 1; shape: one of SHAPES. Raises InputError otherwise.
+    """
+
+    slip: float
+    residual: float = 0.0
+    shape: str = "linear"
+
+    def __post_init__(self) -> None:
+        if not self.slip > 0.0:
+            raise InputError("weakening.slip", self.slip, "> 0 m")
+        if not 0.0 <= self.residual <= 1.0:
+            raise InputError("weakening.residual", self.residual, "0 to 1")
+        if self.shape not in SHAPES:
+            raise InputError("weakening.shape", self.shape, nearest(self.shape, list(SHAPES)))
+
+    def share(self, slip: np.ndarray) -> np.ndarray:
+        """Return the share of the strength that is left after slip [m] of any shape."""
+        return self.residual + (1.0 - self.residual) * SHAPES[self.shape](slip / self.slip)
+
+
+@dataclass(frozen=True)
+class State:
+    """A map at one rigid shift.
+
+    shift [m]; force: along x, sum of tractions over points [Pa]; traction [Pa], slip: since rest [m], (components, rows,
+    columns); slipped: length of the way of every point [m], (rows, columns); stick: share of the touching points; loss: work
+    lost to slip since rest, sum over points [Pa m]; converged.
+    """
+
+    shift: float
+    force: float
+    traction: np.ndarray = field(repr=False)
+    slip: np.ndarray = field(repr=False)
+    slipped: np.ndarray = field(repr=False)
+    stick: float
+    loss: float
+    converged: bool
+
+
+@dataclass(frozen=True)
+class SlidingPath:
+    """States at all shifts, and the one with the largest force; strength: (rows, columns) [Pa]; pixel [m2]."""
+
+    states: tuple[State, ...]
+    peak: State
+    strength: np.ndarray = field(repr=False)
+    pixel: float
+
+    @property
+    def efficiency(self) -> float:
+        """Return the largest force over the sum of strengths."""
+        return self.peak.force / float(self.strength.sum())
+
+    def array(self, name: str) -> np.ndarray:
+        """Return shift [m], stick [1], force [N] or loss [J] of all states."""
+        values = np.array([getattr(state, name) for state in self.states], dtype=float)
+        return values * self.pixel if name in ("force", "loss") else values
+
+
+def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
+    """Return a rigid shift [m] at which every point has slipped, and, linearly, lost all it can lose.
+
+    strength: (rows, columns) [Pa].
+    """
+    displaced = float(operator(strength[None])[0].max(where=strength > 0.0, initial=0.0))
+    return displaced + (weakening.slip if weakening is not None else 0.0)
+
+
+def slide_map(
+    operator: ShearOperator, strength: np.ndarray, shifts: Sequence[float], *, pixel: float,
+    weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,
+    done: Callable[[State], None] | None = None,
+) -> SlidingPath:  # fmt: skip
+    """Move a map aside through rigid shifts, in their order, from rest.
+
+    strength: (rows, columns) [Pa], 0 outside of contact; shifts: along x [m]; pixel: area of a point [m2]; weakening: of
+    strength with slip, None: none; directions: 1 leaves out the traction across the sliding direction, 2 does not; tolerance,
+    most_steps: of the traction at every shift; done: called with each state. With weakening, the steps around the largest
+    force are repeated in finer ones. Raises InputError for strengths that are negative, not finite, or all 0.
+    """
+    strength = np.asarray(strength, dtype=float)
+    if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
+        raise InputError("strength", "negative, not finite, or nowhere", ">= 0 Pa, finite, > 0 where points touch")
+    if directions not in (1, 2):
+        raise InputError("directions", directions, "1 or 2")
+
+    def advance(state: State, shift: float) -> State:
+        return _advance(operator, strength, weakening, state, shift, tolerance, most_steps)
+
+    zero = np.zeros((directions, *strength.shape))
+    states = [State(0.0, 0.0, zero, zero, np.zeros_like(strength), 1.0, 0.0, True)]
+    for shift in shifts:
+        states.append(advance(states[-1], float(shift)))
+        if done is not None:
+            done(states[-1])
+    top = max(range(len(states)), key=lambda at: states[at].force)
+    peak = states[top]
+    if weakening is not None and 0 < top < len(states) - 1:
+        state = states[top - 1]
+        for shift in np.linspace(state.shift, states[top + 1].shift, 2 * _FINER + 1)[1:-1]:
+            state = advance(state, float(shift))
+            peak = max(peak, state, key=lambda one: one.force)
+    return SlidingPath(tuple(states[1:]), peak, strength, pixel)
+
+
+def _advance(operator, strength, weakening, state: State, shift: float, tolerance: float, most: int) -> State:
+    """Return the state at the next shift."""
+    moved = np.zeros_like(state.slip)
+    moved[0] = shift
+    moved -= state.slip
+    traction, settled = state.traction, False
+    left = strength if weakening is None else strength * weakening.share(state.slipped)
+    for _ in range(_MOST_TURNS):
+        found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
+        traction = found.traction
+        if weakening is None:
+            settled = True
+            break
+        weaker = np.minimum(left, strength * weakening.share(state.slipped + size_of(found.slip)))
+        settled = float((left - weaker).sum()) <= _SETTLED * float(left.sum()) or not weaker.any()
+        left = weaker
+        if settled:
+            found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
+            break
+    return _after(state, found, left, strength > 0.0, shift, settled)
+
+
+def _after(state: State, found: Sheared, left, touching, shift: float, settled: bool) -> State:
+    """Add the slip of a step to what was before."""
+    way = np.where(touching, size_of(found.slip), 0.0)
+    sliding = touching & (size_of(found.traction) >= left * (1.0 - 1e-9))
+    stick = 1.0 - np.count_nonzero(sliding) / np.count_nonzero(touching)
+    loss = state.loss + float(np.sum(found.traction * found.slip))
+    slip = state.slip + np.where(touching, found.slip, 0.0)
+    force = float(found.traction[0].sum())
+    return State(shift, force, found.traction, slip, state.slipped + way, stick, loss, settled and found.converged)
