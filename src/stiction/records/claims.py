@@ -60,8 +60,9 @@ class Validity:
 
 @dataclass(frozen=True)
 class Limit:
-    """The model becomes `parent` (of the same kind) when these groups take these values: a test over the registry holds it to
-    that.
+    """State that the model becomes `parent` (of the same kind) at these values of groups.
+
+    A test over the registry checks it.
 
     groups: values of groups that make the limit. quantities: result names that must agree. within: relative difference.
     options: with which it does so.
@@ -134,7 +135,7 @@ class Parameter:
 
     @property
     def allowed(self) -> str:
-        """What is allowed, in words: "5, 9", ">= 0 m, finite", "any finite length in m"."""
+        """Return the allowed values in words: "5, 9", ">= 0 m, finite", "any finite length in m"."""
         if self.values:
             return ", ".join(map(str, self.values))
         if self.lower == -inf:
@@ -142,7 +143,7 @@ class Parameter:
         return f"{'>=' if self.lower_included else '>'} {self.lower:g}{' ' * bool(self.unit)}{self.unit}, finite"
 
     def allows(self, value: Any) -> bool:
-        """Whether a value, a length in metres, may be given."""
+        """Return whether a value (a length in metres) is allowed."""
         if self.values:
             return isinstance(value, str | Real) and value in self.values
         number: Any = value if isinstance(value, Real) else nan

@@ -18,14 +18,14 @@ from stiction.records.sources import Source
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """All that is said of one model; each kind adds what it computes.
+    """Describe one model; each kind adds what it computes.
 
     kind: what it is, in words; its folder has this name, in this room. keyword: by which a user chooses one, "" if nobody
     does. key: author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the
-    groups it depends on; takes: of others that count where they are given.
+    groups it depends on; takes: other groups, which count where they are given.
     own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
     with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
-    where kinks of a law are found by scanning. notes: what a user should know. entries: bibliography entries that the
+    where kinks of a law are found by scanning. notes: remarks for the user. entries: bibliography entries that the
     package does not have, key -> BibTeX.
     """
 
@@ -49,11 +49,11 @@ class Record:
 
     @property
     def options(self) -> Mapping[str, tuple[str, ...]]:
-        """Every option of it: name -> allowed values, the first is the default."""
+        """Return every option of the record: name -> allowed values, the first is the default."""
         return self.own_options
 
     def parts(self, options: Mapping[str, str]) -> list["Record"]:
-        """Other records that these options bring into it: they answer too, and are to be cited."""
+        """Return other records that these options use; they have to be cited, too."""
         return []
 
 
@@ -61,13 +61,13 @@ _R = TypeVar("_R", bound="Record")
 
 
 def _package(kind: type[Record]) -> str:
-    """The folder of the records of a kind."""
+    """Return the folder with the records of a kind."""
     return f"stiction.{kind.room}.{kind.kind.replace(' ', '_')}"
 
 
 @cache
 def _outside() -> tuple[tuple[Record, str], ...]:
-    """Records of other distributions, each with its module. One that cannot be had is named, and all else goes on."""
+    """Return the records of other distributions, each with its module; name those that cannot be loaded."""
     found = []
     for entry in entry_points(group="stiction"):
         try:
@@ -84,22 +84,24 @@ def _outside() -> tuple[tuple[Record, str], ...]:
 
 @cache
 def _inside(folder: str) -> tuple[Record, ...]:
-    """The records of one folder of this package."""
+    """Return the records of one folder of this package."""
     package = importlib.import_module(folder)
     modules = [importlib.import_module(one.name) for one in pkgutil.iter_modules(package.__path__, f"{folder}.")]
     return tuple(module.RECORD for module in modules if hasattr(module, "RECORD"))
 
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
-    """The records of one kind, in alphabetical order: key -> record. Those of other kinds are not loaded."""
+    """Load the records of one kind, in alphabetical order: key -> record."""
     everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))  # of two with one key ours is the last
     found = [one for one in everybody if isinstance(one, kind) and one.kind == kind.kind]
     return {one.key: one for one in sorted(found, key=lambda one: one.key)}
 
 
 def find(key: str, kind: type[_R]) -> _R:
-    """The record of this key and kind; InputError otherwise. One of the package is in the file of its name: the others are then
-    not loaded."""
+    """Return the record of this key and kind, or raise InputError.
+
+    A record of the package is in the file of its name, so that no other has to be loaded.
+    """
     module = f"{_package(kind)}.{key}"
     if isinstance(key, str) and key.isidentifier() and importlib.util.find_spec(module) is not None:
         record = getattr(importlib.import_module(module), "RECORD", None)
@@ -112,7 +114,7 @@ def find(key: str, kind: type[_R]) -> _R:
 
 
 def text_of(record: Record) -> str:
-    """What the file of a record says of it: equations with their source, assumptions, what was reconstructed; Markdown.
+    """Return the documentation of a record: equations with sources, assumptions, reconstructions; Markdown.
 
     It is the docstring of the module in which the record stands, of this package or of the project that brought it; "" if that
     has none.

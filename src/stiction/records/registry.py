@@ -46,16 +46,16 @@ JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Record):
-    """At which force one loaded asperity is sheared off.
+    """Compute the force at which one loaded asperity is sheared off.
 
     tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
     wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
-    of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it knows a film and
+    of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it treats a film and
     its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
     why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
     junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
-    gives them nothing. of_area: its force is the strength of the interface times the contact area, beside what goes with the
-    load. yielded: what junctions that have yielded resist, of YIELDED; "" if that is not said.
+    gives them nothing. of_area: its force is the strength of the interface times the contact area, plus a part that depends on
+    the load. yielded: what junctions that have yielded resist, of YIELDED; "" if the source does not state it.
     """
 
     kind = keyword = "tangential"
@@ -81,15 +81,15 @@ class TangentialLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class FilmLaw(Record):
-    """How a film and its substrate answer together.
+    """Describe how a film and its substrate carry load together.
 
     regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
-    of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law; that of
-    `law` is not used. one_body: film and substrate are one, with the film's surface: where that has a work of adhesion of its
-    own, that of the bodies does not count, nor what `law` takes beside its needs. solved_as_one: its elastic asperity is a
-    sphere on the layered solid, so that tangential laws that know it (`layered`) go with it, too. bares_substrate: a law of
-    the interface shears what is film of the contact, and the rest shears at the substrate's own strength. confined: the film
-    may bear more than its own hardness, up to the substrate's.
+    of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law and does not
+    use the one in `law`. one_body: film and substrate are one, with the film's surface: where the film has its own work of
+    adhesion, the work of adhesion of the bodies does not count, nor do the groups in `takes` of `law`. solved_as_one: its
+    elastic asperity is a sphere on the layered solid, so that tangential laws with `layered` go with it, too.
+    bares_substrate: a law of the interface shears what is film of the contact, and the rest shears at the substrate's own
+    strength. confined: the film may bear more than its own hardness, up to the substrate's.
     tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
     interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
     any that has what it wants may be taken in its place. interchangeable: False for a film of one variant only.
@@ -122,20 +122,20 @@ class FilmLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class RoughSurface(Record):
-    """A whole rough surface.
+    """Describe the contact of a whole rough surface.
 
     It sums an asperity law over heights, with a tangential law (keys; the defaults of the options of these names: any that
     suit each other may be taken), bare or, if default_film is given, with any film. tangential "none": contact only. Or,
     where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
     with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
     carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
-    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories that know no separation; with
+    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories without a separation; with
     it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
     and way(map or None) -> words, how the area is then found.
-    on_film: a theory in closed form of surfaces with a film, which it cannot do without; others know none.
+    on_film: a theory in closed form of surfaces with a film, which it requires; others allow none.
     of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it knows how contacts act on each other, so that no area of contact is too large for it. adheres:
-    a theory without an asperity law that knows the attraction of the surfaces; of a sum its asperity law says that.
+    found. up_to_full_contact: it includes the interaction of contacts, so that no area of contact is too large for it. adheres:
+    a theory without an asperity law that includes the attraction of the surfaces; of a sum its asperity law says that.
     regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
     that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
     of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
@@ -162,9 +162,9 @@ class RoughSurface(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Record):
-    """A property of film and substrate together, against the depth: for films that are one body of changing properties.
+    """Compute a property of film and substrate together, as a function of depth.
 
-    property, and value, a formula of scalars: "modulus", over that of the substrate, by value(film's over substrate's,
+    property, and value, a formula of scalars: "modulus", over the substrate's, by value(film's over substrate's,
     thickness over contact radius, nu of film and substrate); "hardness", likewise, by value(film's over substrate's, depth
     over thickness, constant, exponent), with constants(n_E, n_H, n_Y) -> (n,), n_Y the ratio of the yield stresses, and
     landmarks(constant, exponent) -> (n, m), depths over thickness between which it is smooth.
@@ -183,7 +183,7 @@ OF_AREA = "none, or a tangential law whose force is a strength of the interface 
 
 @dataclass(frozen=True, kw_only=True)
 class Addition(Record):
-    """A law that a contact may have beside those of its model.
+    """Describe a law that a contact may have in addition to those of its model.
 
     A kind of them is a folder of `laws`: `__init__.py` says in its docstring what is to be named, and kind.py has KIND, a
     subclass of this. default: key of the law that is taken where the contact states what it is about, `is_stated`; "" where
@@ -218,17 +218,19 @@ class Addition(Record):
         summed: "Callable[[TangentialLaw], np.ndarray]",
         asperities: "np.ndarray | None",
     ) -> "dict[str, np.ndarray]":
-        """Return more results (n, m) of a sum. summed(law): the sum per asperity of a law in the place of the tangential law;
+        """Return more results (n, m) of a sum.
+
+        summed(law): the sum per asperity of a law in the place of the tangential law;
         asperities: their number (n, 1), None where that is not known."""
         return {}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """A number that tells one behaviour of a rough surface in contact from another.
+    """Compute a number that separates two kinds of behaviour of a rough surface in contact.
 
-    ratio(groups) -> array (n,), of asperities with the moments of the surface; below, above: what is said of the contact where
-    it is below 1, and above.
+    ratio(groups) -> array (n,), of asperities with the moments of the surface; below, above: statements on the contact
+    where the ratio is below 1, and above.
     """
 
     kind = "criterion"
@@ -264,7 +266,7 @@ class AsperityMethod(Record):
 
 @cache
 def kinds_of_additions() -> dict[str, type[Addition]]:
-    """Return the kinds of laws that go beside a model, by keyword."""
+    """Return the kinds of laws that are added to a model, by keyword."""
     found = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
     return {kind.keyword: kind for kind in sorted(found, key=lambda kind: kind.order)}
 
@@ -285,12 +287,12 @@ __all__ = [
 
 
 def records() -> tuple[Record, ...]:
-    """Every record, in the order of their kinds, each kind in alphabetical order."""
+    """Return every record, in the order of their kinds, each kind in alphabetical order."""
     return tuple(record for kind in kinds() for record in of_kind(kind).values())
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
-    """Every option of every record: name -> all values that any of them allows."""
+    """Return every option of every record: name -> all values that any of them allows."""
     known: dict[str, dict[str, None]] = {}
     for record in records():
         for name, values in record.options.items():
@@ -299,23 +301,23 @@ def all_options() -> dict[str, tuple[str, ...]]:
 
 
 def composites_of(property: str) -> dict[str, Composite]:
-    """The composites that give a property: key -> record."""
+    """Return the composites that give a property: key -> record."""
     return {key: one for key, one in of_kind(Composite).items() if one.property == property}
 
 
 def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
-    """The known keys, this one first."""
+    """Return the keys, this one first."""
     return key, *(one for one in known if one != key)
 
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
-    """Why a tangential law, a film or an addition cannot go with an asperity law; "" if it can."""
+    """Return why a tangential law, a film or an addition cannot go with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
-    """Why a film cannot go with a tangential law; "" if it can."""
+    """Return why a film cannot go with a tangential law; "" if it can."""
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":
@@ -330,12 +332,12 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
-    """Those of the options that are the record's own, the default of one that is not there."""
+    """Return the values of the record's own options, with defaults for missing ones."""
     return {name: options.get(name, values[0]) for name, values in record.options.items()}
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Every option of these records, with its default where None or nothing is given; InputError for what they do not have."""
+    """Return every option of these records, with defaults; raise InputError for unknown ones."""
     known = tuple(known)
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():

@@ -39,14 +39,14 @@ def _entries() -> dict[str, str]:
 
 
 def bibliography() -> dict[str, str]:
-    """All entries of the bibliography: key -> BibTeX text, keys in alphabetical order."""
+    """Return all entries of the bibliography: key -> BibTeX text, keys in alphabetical order."""
     return dict(_entries())
 
 
 def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:
-    """BibTeX of the named entries as one text that can be saved as a .bib file.
+    """Return the BibTeX of the named entries as one text that can be saved as a .bib file.
 
-    keys: keys of the bibliography, in any order; repeated keys are written once. more: entries beside it, key -> BibTeX.
+    keys: keys of the bibliography, in any order; repeated keys are written once. more: further entries, key -> BibTeX.
     Returns the entries in the order of the bibliography, a blank line between two; "" for no keys.
     Raises InputError for a key that is in neither.
     """

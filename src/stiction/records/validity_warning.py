@@ -11,7 +11,7 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 
 @dataclass(frozen=True)
 class ValidityWarning:
-    """Why a result may not hold.
+    """State why a result may not hold.
 
     why: in words. quantity: by name, "" for a warning about none; then all else is left out. least, most: of its values that
     are outside, at `outside` of `points` points; low, high: the range that is claimed, infinite where it is open. Without
@@ -35,15 +35,15 @@ class ValidityWarning:
 
     @property
     def beyond(self) -> float:
-        """How far outside at the worst: over the bound that is left, or as it is where that bound is zero."""
+        """Return the worst value over the bound that it leaves, or the value itself where that bound is zero."""
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
         found = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
         return max(found, default=math.nan)
 
     def as_data(self) -> dict[str, Any]:
-        """Return the fields with `beyond` as JSON has them; of a warning about no quantity its words only.
+        """Return the fields with `beyond` as JSON has them; a warning without a quantity has only its words.
 
-        What is not a number, and an open end, is null; an infinite value is "inf" or "-inf".
+        NaN and an open end are null; an infinite value is "inf" or "-inf".
         """
         if not self.quantity:
             return {"why": self.why, "kind": self.kind}
@@ -74,19 +74,19 @@ class ValidityWarning:
 
     @property
     def in_brief(self) -> str:
-        """Which quantity is outside of what is claimed, with its value."""
+        """Return which quantity is outside of the claimed range, with its value."""
         return f"{QUANTITIES[self.quantity].short or self.quantity} {self._values}" if self.points else self.why
 
     @property
     def rule(self) -> str:
-        """Which range is left, without by how much."""
+        """Return which claimed range is left, by symbol, without the value."""
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )
 
     @property
     def short(self) -> str:
-        """The same with the quantity's symbol."""
+        """Return the warning with the quantity's symbol, value and claimed range."""
         if not self.points:
             return self.why
         return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"
