@@ -45,6 +45,9 @@ def run(
     film: str | None = option("Film.", autocompletion=keys_of("film"), **LAW),
     sliding: bool = option("Force against displacement.", False, "--sliding", rich_help_panel=_SLIDING),
     kept: float = option("Share of its strength that an asperity keeps.", 1.0, rich_help_panel=_SLIDING),
+    weakening_slip: str | None = option(
+        "Slip over which a point of a map loses the rest, e.g. '10 nm'.", rich_help_panel=_SLIDING
+    ),
     **beside: str | None,
 ) -> None:
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
@@ -58,6 +61,8 @@ def run(
     """
     if kept != 1.0 and not sliding:
         raise InputError("--kept", kept, "nothing without --sliding")
+    if weakening_slip is not None and not sliding:
+        raise InputError("--weakening-slip", weakening_slip, "nothing without --sliding")
     chosen = read(case, load, ranges)
     laws = chosen_laws(context, chosen)
     with solving():
@@ -65,7 +70,13 @@ def run(
         from stiction.studies.prediction.predict import is_predicted, predict
 
         predicted = not sliding and is_predicted(replace(chosen, choice=laws))
-        data = predict(chosen) if predicted else slide_case(chosen, laws, kept) if sliding else solve_case(chosen, laws)
+        data = (
+            predict(chosen)
+            if predicted
+            else slide_case(chosen, laws, kept, weakening_slip)
+            if sliding
+            else solve_case(chosen, laws)
+        )
     if predicted:
         from stiction.report.views.prediction import prediction_view
 

@@ -155,7 +155,33 @@ class OnMap(Problem):
         of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(one))
         return float(sum(of_states))
 
+    def strengths(self, one: "MapContact") -> np.ndarray:
+        """Return the strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.
+
+        Raises InputError without a tangential law, and where strengths are not known point by point.
+        """
+        if self.chosen.tangential is None:
+            raise InputError("tangential", "none", "a tangential law, which says what a point withstands")
+        if self.options.get("shear", "law") != "law":
+            raise InputError("shear", self.options["shear"], "law: of others only the sum over points is known")
+        if one.pressure is None:
+            raise InputError(
+                "adhesion", self.options["adhesion"], "left_out: pressures that adhere are not known of contact alone"
+            )
+        strength = np.zeros_like(one.pressure)
+        hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf
+        masks = {"elastic": (one.pressure > 0.0) & (one.pressure < hardness), "plastic": one.pressure >= hardness}
+        whole, unit = self.contact.nominal_area / one.nominal_area, self.factors
+        for state, p, pixel, area in points_of(one):
+            loads = p * pixel * whole / unit["N"]
+            strength[masks[state]] = self._each_sheared(loads, area * whole / unit["m^2"], state) * unit["N"] / whole / pixel
+        return strength
+
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
         """Return the tangential force of points of one area, by the tangential law, under their loads."""
+        return self._each_sheared(loads, area, state).sum()
+
+    def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
+        """Return the tangential force of each of these points (n,)."""
         assert self.chosen.tangential is not None
-        return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state).sum()
+        return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -20,9 +20,11 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
+from stiction.solving.on_map import OnMap
 from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
+from stiction.solving.sliding_on_map import slide_on_map
 
 if TYPE_CHECKING:
     import xarray
@@ -44,30 +46,40 @@ def slide(
     load: Any = None,
     displacement: Any = None,
     kept: float = 1.0,
+    weakening_slip: Any = None,
     model: str | None = None,
     heights: Heights | str | None = None,
     **laws: str | None,
 ) -> "xarray.Dataset":
     """Tangential force against displacement of a contact that is pressed and moved aside, up to sliding.
 
-    contact, separation or load, model, heights, laws: as in `solve`, without a film; the model must be a sum over an asperity
-    law and have a tangential law, which gives each asperity its strength. displacement: tangential displacements from rest, m
+    contact, separation or load, model, heights, laws: as in `solve`. The model must be a sum over an asperity law, without a
+    film, or boundary_elements, which moves the points of a map; a tangential law gives each asperity, or point, its strength.
+    displacement: tangential displacements from rest, m
     for a Contact, over sigma for Indices; by default 61 of them, to one and a half times the largest sliding displacement.
-    kept: the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law.
+    kept: the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law. weakening_slip: of a map
+    with kept < 1, the slip over which a point loses the rest, evenly ("10 nm").
 
     Returns an xarray.Dataset with friction_force and friction_coefficient, all asperities at their strength together, which the
     force cannot pass; tangential_stiffness, the slope of the force at rest, of all asperities that have a strength;
     largest_tangential_force, largest_friction_coefficient and sliding_displacement, where that is; and along `displacement` the
     tangential_force, which keeps its largest value only if kept is 1, and, then, the energy_loss of a cycle between that
-    displacement and its opposite. Asperities are moved together, whatever holds the bodies; plastic ones stick as if they were
-    elastic. Raises InputError.
+    displacement and its opposite. Of a map also friction_efficiency, the largest force over the sum of strengths, and along
+    `displacement` sticking_share; displacements there are relative to the mean plane of the map, and traction across the
+    direction of sliding is left out. Asperities are moved together, whatever holds the bodies; plastic ones stick as if they
+    were elastic. Raises InputError.
     """
     subject = as_subject(contact)
+    share = _share(kept)
+    if model is not None and isinstance(on_map := make_problem(contact, choice_of(model, laws, subject), heights), OnMap):
+        return slide_on_map(on_map, points_of(on_map, load, separation), displacement, share, weakening_slip)
+    if weakening_slip is not None:
+        raise InputError("weakening_slip", weakening_slip, "nothing: only points of a map take it, model = boundary_elements")
     if subject.has_film:
         raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
-    sliding = Sliding(problem, _share(kept))
+    sliding = Sliding(problem, share)
     points = points_of(problem, load, separation)
     subject, name, point, factors, dims = problem.subject, points.name, points.value, points.factors, points.dims
     with in_words(points):

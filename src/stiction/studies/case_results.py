@@ -60,19 +60,18 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 
 
-def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0) -> "xarray.Dataset":
+def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0, weakening_slip: Any = None) -> "xarray.Dataset":
     """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where
     some are uncertain, and of the method that stands for the surface, where it was measured.
 
-    choice: model and laws, in place of those of the case; kept: the share of its strength that an asperity keeps once it
-    slides, 0 to 1. Raises InputError, also for a contact of which numbers are several."""
+    choice: model and laws, in place of those of the case; kept, weakening_slip: as in `slide`. Raises InputError, also for a contact of which numbers are several."""
     if case.is_several:
         raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)
     given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
-    data = slide(case.subject.as_numbers(), **points, kept=kept, **given)
+    data = slide(case.subject.as_numbers(), **points, kept=kept, weakening_slip=weakening_slip, **given)
     return _said(data, case).assign_attrs(case.subject.groups())
 
 

@@ -45,6 +45,7 @@ from stiction.solvers.boundary_elements import limits
 from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.menisci import Menisci
+from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.curve import MapCurve
@@ -63,6 +64,22 @@ def bodies_of(contact: Contact) -> Bodies:
     coated, other = (contact.first, contact.second) if coating.bodies == "first" else (contact.second, contact.first)
     film = _film(coating.material, coating.thickness, coated)
     return Bodies(1.0 / compliance_of(other), film, hardness=pair_of(coating.material, other).hardness)
+
+
+def shear_compliance_of(contact: Contact) -> ShearCompliance:
+    """Return the compliance under shear of a contact of single numbers."""
+    coating = contact.coating
+    bare = {
+        name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))
+        for name, body in (("first", contact.first), ("second", contact.second))
+    }
+    if coating is None:
+        return ShearCompliance((bare["first"], bare["second"]))
+    if coating.bodies == "both":
+        films = [_film(coating.material, 0.5 * coating.thickness, body) for body in (contact.first, contact.second)]
+        return ShearCompliance((films[0], films[1]))
+    other = "second" if coating.bodies == "first" else "first"
+    return ShearCompliance((_film(coating.material, coating.thickness, getattr(contact, coating.bodies)), bare[other]))
 
 
 def _film(material: Material, thickness: float, substrate: Material) -> Film:

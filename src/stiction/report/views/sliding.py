@@ -32,7 +32,7 @@ def sliding_table(data: "xarray.Dataset") -> Table:
 def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     """What a user should know of this result, one line each."""
     used = data.attrs
-    yield f"mu: all asperities at their strength together; {used['sliding']}"
+    yield f"mu: the whole contact at its strength together; {used['sliding']}"
     if used["kept"] == 1.0:
         yield "the force then tends to that, and the displacement is where it has come to 99 % of it"
     yield from run_notes(data)

@@ -70,6 +70,12 @@ class ShearCompliance:
         return any(isinstance(body, Film) for body in self.bodies)
 
     @property
+    def near(self) -> float:
+        """Return S of (2) [1/Pa] of the faces: of films where there are any."""
+        of_films = (2.0 * (1.0 + body.poisson) / body.modulus for body in self.bodies if isinstance(body, Film))
+        return self.sums[0] + sum(of_films)
+
+    @property
     def sums(self) -> tuple[float, float]:
         """Return S and N of (2) [1/Pa], of bodies without films."""
         bare = [body for body in self.bodies if isinstance(body, HalfSpace)]

@@ -28,7 +28,7 @@ class PeriodicShear:
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
-        self.shape = shape
+        self.shape, self.near = shape, compliance.near
         ky, kx = components(shape, size)
         k = np.hypot(ky, kx)
         lowest = float(np.min(k[k > 0.0]))
@@ -57,7 +57,7 @@ class MirroredShear:
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
-        self.shape = shape
+        self.shape, self.near = shape, compliance.near
         self._period = PeriodicShear(compliance, (2 * shape[0], 2 * shape[1]), (2.0 * size[0], 2.0 * size[1]))
         self.of_point = self._period.of_point
 
@@ -82,7 +82,7 @@ class FreeShear:
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
         if compliance.layered:
             raise InputError("film", "on a map that ends", "none, or a map that is periodic or mirrored")
-        self.shape = shape
+        self.shape, self.near = shape, compliance.near
         pitch = size[0] / shape[0], size[1] / shape[1]
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
         pixels = _of_pixels(self._doubled, pitch, *compliance.sums)

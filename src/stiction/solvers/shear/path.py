@@ -100,6 +100,18 @@ def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakeni
     return displaced + (weakening.slip if weakening is not None else 0.0)
 
 
+def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
+    """Return the force, summed over points [Pa], per rigid shift [m] while all touching points (rows, columns) stick."""
+    strength = np.where(touching, 1e3 / operator.of_point, 0.0)
+    shift = np.ones((1, *touching.shape))
+    return float(shear(operator, strength, shift, 0.0 * shift, tolerance=1e-9, most=MOST_STEPS).traction.sum())
+
+
+def weakening_length(operator: ShearOperator, strength: float, weakening: Weakening) -> float:
+    """Return the length [m] over which strength [Pa] is lost: l_c = D_c/(S (tau_p - tau_r)), S = sum 1/G_i of the faces."""
+    return weakening.slip / (operator.near * strength * (1.0 - weakening.residual))
+
+
 def slide_map(
     operator: ShearOperator, strength: np.ndarray, shifts: Sequence[float], *, pixel: float,
     weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,

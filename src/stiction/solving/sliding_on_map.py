@@ -1,0 +1,143 @@
+"""From rest to sliding on a map: points slip one after another, and may lose strength as they slip.
+
+The pressures of the map give every point its strength by the tangential law; `solvers.shear` moves the map aside.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stiction.laws.rough_surface.boundary_elements import shear_compliance_of
+from stiction.quantities.errors import InputError
+from stiction.quantities.quotient import quotient
+from stiction.solving.on_map import OnMap
+from stiction.solving.points import Points, coordinates_of, points_asked, solve_points
+from stiction.solving.results import labelled, summary_of
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.solvers.boundary_elements.solve import MapContact
+    from stiction.solvers.shear.operators import ShearOperator
+    from stiction.solvers.shear.path import SlidingPath, Weakening
+
+_STEPS = 40  # of a path, where no displacements are given
+_NEARLY = 0.99  # of a force that is only tended to
+_RESOLVED = 3.0  # points along the length over which strength is lost
+_KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
+
+
+def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float, weakening_slip: Any) -> "xarray.Dataset":
+    """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
+    from stiction.solvers.shear.path import full_shift
+
+    contact, factors = problem.contact, problem.factors
+    weakening = _weakening(problem, kept, weakening_slip)
+    static = solve_points(points).tables
+    loads = static["load"]
+    contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
+    if len(contacts) < loads.size:
+        raise InputError("load", f"{loads.size - len(contacts)} not solved", "loads at which the contact of the map was found")
+    strengths = [problem.strengths(one) for one in contacts]
+    operator = _operator(problem)
+    if displacement is None:
+        farthest = max(full_shift(operator, strength, weakening) for strength in strengths)
+        displacement = np.linspace(0.0, farthest, _STEPS + 1)
+    moved = points_asked(problem.subject, "displacement", displacement)
+    shifts = np.atleast_1d(np.asarray(moved, dtype=float))
+    if shifts.min() < 0.0:
+        raise InputError("displacement", contact.show(float(shifts.min()), "displacement"), "0 or more")
+    paths = [_path(operator, one, strength, shifts, weakening) for one, strength in zip(contacts, strengths, strict=True)]
+    whole = contact.nominal_area / contacts[0].nominal_area
+    ends = _ends(operator, paths, whole, kept, factors)
+    ends = {name: values.reshape(loads.shape) for name, values in ends.items()}
+    ends["largest_friction_coefficient"] = quotient(ends["largest_tangential_force"], loads)
+    dims = points.dims | ({"displacement": shifts.size} if hasattr(moved, "dims") else {})
+    shape = tuple(dims.values())
+    curves = {
+        "tangential_force": np.array([path.array("force") for path in paths]).reshape(shape) * whole / factors["N"],
+        "sticking_share": np.array([path.array("stick") for path in paths]).reshape(shape),
+    }
+    coords = problem.coords | coordinates_of(points.value, moved)
+    data = labelled(problem.subject, static | ends, points.factors, points.dims, coords)
+    data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
+    for name in {"displacement", points.name} & set(data.coords):
+        data[name].attrs = problem.subject.attributes(str(name))
+    known = summary_of(problem.subject, problem, static)
+    return data.assign_attrs(known | _said(known, kept, weakening, operator, problem, strengths, paths))
+
+
+def _weakening(problem: OnMap, kept: float, slip: Any) -> "Weakening | None":
+    """Return how strength falls with slip, None if it does not. Raises InputError for half of what that takes."""
+    from stiction.solvers.shear.path import Weakening
+
+    if kept == 1.0:
+        if slip is not None:
+            raise InputError("weakening_slip", slip, "nothing, where a point keeps all of its strength: give kept < 1")
+        return None
+    if slip is None:
+        raise InputError("weakening_slip", None, _KNOWN)
+    return Weakening(float(problem.subject.read(slip, "weakening_slip")), kept)
+
+
+def _operator(problem: OnMap) -> "ShearOperator":
+    """Return the displacements of the map under shear: of one period, or of a window and its mirror images."""
+    from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
+
+    surface = problem.surface()
+    boundary = PeriodicShear if surface.periodic else MirroredShear
+    return boundary(shear_compliance_of(problem.contact), surface.heights.shape, surface.size)
+
+
+def _path(operator, one: "MapContact", strength: np.ndarray, shifts: np.ndarray, weakening) -> "SlidingPath":
+    from stiction.solvers.shear.path import slide_map
+
+    return slide_map(operator, strength, shifts.tolist(), pixel=one.nominal_area / strength.size, weakening=weakening)
+
+
+def _ends(operator, paths: "list[SlidingPath]", whole: float, kept: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Return stiffness at rest, the largest force, where it is, and its share of the sum of strengths, normalised (m,)."""
+    from stiction.solvers.shear.path import stuck_stiffness
+
+    sums = np.array([path.strength.sum() * path.pixel for path in paths])
+    largest = sums if kept == 1.0 else np.array([path.peak.force * path.pixel for path in paths])
+    stiffness = np.array([stuck_stiffness(operator, path.strength > 0.0) * path.pixel for path in paths])
+    where = np.array([_nearly(path) if kept == 1.0 else path.peak.shift for path in paths])
+    return {
+        "tangential_stiffness": stiffness * whole / factors["N/m"],
+        "largest_tangential_force": largest * whole / factors["N"],
+        "sliding_displacement": where / factors["m"],
+        "friction_efficiency": largest / sums,
+    }
+
+
+def _nearly(path: "SlidingPath") -> float:
+    """Return where the force comes to nearly the sum of strengths [m]; not a number if it does not."""
+    force, shift = path.array("force"), path.array("shift")
+    wanted = _NEARLY * float(path.strength.sum()) * path.pixel
+    at = int(np.argmax(force >= wanted))
+    if force[at] < wanted:
+        return float("nan")
+    before = max(at - 1, 0)
+    return float(np.interp(wanted, force[[before, at]], shift[[before, at]]))
+
+
+def _said(known, kept, weakening, operator, problem, strengths, paths) -> dict[str, Any]:
+    """Return what the result says of itself: what a point keeps, what the map does not resolve, what did not converge."""
+    from stiction.solvers.shear.path import weakening_length
+
+    remarks = [known["remarks"]] if known.get("remarks") else []
+    how = "a point that slips keeps all of its strength"
+    if weakening is not None:
+        how = f"a point that slips {weakening.slip:.3g} m keeps {kept:g} of its strength"
+        surface = problem.surface()
+        pitch = max(length / count for length, count in zip(surface.size, surface.heights.shape, strict=True))
+        length = weakening_length(operator, max(float(one.max()) for one in strengths), weakening)
+        if length < _RESOLVED * pitch:
+            remarks.append(
+                f"strength is lost over {length:.2g} m, less than {_RESOLVED:g} points of the map: the force is too high"
+            )
+    if not all(state.converged for path in paths for state in path.states):
+        remarks.append("some displacements did not converge")
+    title = f"Tangential force up to sliding after {known['model']}"
+    return {"title": title, "kept": kept, "sliding": how, "remarks": "; ".join(remarks)}

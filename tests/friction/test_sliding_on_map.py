@@ -1,0 +1,81 @@
+"""`st.slide` on a map: sums of strengths, the loss by weakening, films, and what is refused."""
+
+import numpy as np
+import pytest
+
+import stiction as st
+from refusals import refusal
+
+
+def period(count=64, seed=0):
+    """One period of a rough surface of 20 nm rms height on 10 um."""
+    k = np.hypot(np.fft.fftfreq(count, 1.0 / count)[:, None], np.fft.fftfreq(count, 1.0 / count))
+    amplitude = np.where((k >= 2.0) & (k <= 10.0), 1.0 / np.maximum(k, 1.0) ** 1.8, 0.0)
+    heights = np.fft.ifft2(amplitude * np.fft.fft2(np.random.default_rng(seed).standard_normal((count, count)))).real
+    return st.HeightMap(2e-8 * heights / heights.std(), (1e-5, 1e-5), periodic=True)
+
+
+def contact(**more):
+    given = {"first": "silicon", "second": "silicon", "roughness": period(), "nominal_area": "100 um^2"}
+    return st.Contact(**given | {"interfacial_shear_strength": "200 MPa"} | more)
+
+
+def slide(subject, **more):
+    return st.slide(subject, **{"load": "1 mN", "model": "boundary_elements"} | more)
+
+
+def test_points_that_keep_their_strength_add_up_to_the_friction_that_solve_gives():
+    found = slide(contact())
+    solved = st.solve(contact(), load="1 mN", model="boundary_elements")
+    force = found["tangential_force"].values
+    for name in ("friction_force", "contact_area", "friction_coefficient"):
+        assert float(found[name]) == pytest.approx(float(solved[name]), rel=1e-12)
+    assert force[0] == 0.0 and (np.diff(force) >= -1e-6 * force[-1]).all()
+    assert force[-1] == pytest.approx(float(solved["friction_force"]), rel=1e-5)
+    assert float(found["friction_efficiency"]) == 1.0
+    assert float(found["sticking_share"][0]) == 1.0 and float(found["sticking_share"][-1]) < 0.05
+
+
+def test_like_bodies_without_poissons_ratio_are_as_stiff_aside_as_they_are_pressed():
+    """Mindlin (1949): both stiffnesses are one for nu = 0, spot by spot, and of any arrangement of spots."""
+    body = {"youngs_modulus": "160 GPa", "poissons_ratio": 0.0, "hardness": "1000 GPa"}
+    found = slide(contact(first=st.Material(**body), second=st.Material(**body)))
+    stiffness = float(found["contact_stiffness"])
+    assert float(found["tangential_stiffness"]) == pytest.approx(stiffness, rel=0.02)
+
+
+def test_strength_that_is_lost_with_slip_makes_friction_less_for_larger_loads_and_shorter_slips():
+    found = slide(contact(), load=["0.3 mN", "3 mN"], kept=0.0, weakening_slip="3 nm")
+    small, large = found["friction_efficiency"].values
+    assert 0.3 < large < small < 1.0
+    shorter = slide(contact(), load="3 mN", kept=0.0, weakening_slip="1.5 nm")
+    assert float(shorter["friction_efficiency"]) < large
+    half = slide(contact(), load="3 mN", kept=0.5, weakening_slip="3 nm")
+    assert max(large, 0.5) < float(half["friction_efficiency"]) < 1.0
+    ratio = half["largest_tangential_force"] / half["friction_force"]
+    assert float(ratio) == pytest.approx(float(half["friction_efficiency"]), rel=1e-12)
+    long = slide(contact(), load="3 mN", kept=0.0, weakening_slip="10 um")
+    assert float(long["friction_efficiency"]) == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_map_that_does_not_resolve_the_loss_says_so():
+    found = slide(contact(), kept=0.0, weakening_slip="0.05 nm", displacement=["0.1 nm"])
+    assert "less than 3 points of the map" in found.attrs["remarks"]
+
+
+def test_a_film_of_the_same_material_changes_nothing():
+    bare = slide(contact())
+    film = slide(contact(coating=st.Coating(material="silicon", thickness="1 um", bodies="first")))
+    for name in ("tangential_stiffness", "sliding_displacement", "friction_force"):
+        assert float(film[name]) == pytest.approx(float(bare[name]), rel=1e-3)
+
+
+def test_half_of_what_weakening_takes_is_refused():
+    with refusal("weakening_slip", "not given", "1 nm for monolayers"):
+        slide(contact(), kept=0.5)
+    with refusal("weakening_slip", "1 nm", "kept < 1"):
+        slide(contact(), weakening_slip="1 nm")
+    with refusal("tangential", "none", "tangential law"):
+        slide(contact(), tangential="none")
+    with refusal("weakening_slip", "1 nm", "boundary_elements"):
+        st.slide(contact(), load="1 mN", weakening_slip="1 nm", kept=0.5)
