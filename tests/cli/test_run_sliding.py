@@ -86,3 +86,10 @@ def test_one_contact_at_a_time(case):
     case.write_text(CASE.replace('"20 MPa"', '["10 MPa", "20 MPa"]'))
     said = run(case, "--sliding")
     assert said.exit_code == 2 and "several" in said.output
+
+
+def test_a_slip_of_weakening_belongs_to_a_map(case):
+    without = run(case, "--weakening-slip", "10 nm")
+    assert without.exit_code == 2 and "--sliding" in without.output
+    asperities = run(case, "--sliding", "--kept", "0.5", "--weakening-slip", "10 nm")
+    assert asperities.exit_code == 2 and "boundary_elements" in asperities.output

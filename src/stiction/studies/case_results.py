@@ -64,7 +64,8 @@ def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0, weak
     """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where
     some are uncertain, and of the method that stands for the surface, where it was measured.
 
-    choice: model and laws, in place of those of the case; kept, weakening_slip: as in `slide`. Raises InputError, also for a contact of which numbers are several."""
+    choice: model and laws, in place of those of the case; kept, weakening_slip: as in `slide`. Raises InputError, also for a
+    contact of which numbers are several."""
     if case.is_several:
         raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)
