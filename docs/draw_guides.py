@@ -104,6 +104,36 @@ def models() -> Figure:
     return figure
 
 
+def enlarged(length: float) -> st.Contact:
+    """Return one period of a rough surface of this length [m], with slopes that do not depend on it."""
+    waves = st.SelfAffine(0.8, length / 4, length / 16, 2e-3 * length)
+    return st.Contact(
+        first="hardened_steel_52100", second="silicon_nitride", nominal_area=length**2, interfacial_shear_strength="300 MPa",
+        roughness=st.gaussian_surface((128, 128), (length, length), waves, seed=1),
+    )  # fmt: skip
+
+
+def onset() -> Figure:
+    """Return force against displacement at three loads, and friction against the size of the surface, on maps."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.8), layout="constrained")
+    loss = {"model": "boundary_elements", "kept": 0.3, "weakening_slip": "3 nm"}
+    for milli, color in ((1, BLUE), (10, RED), (40, GREY)):
+        moved = st.slide(enlarged(10e-6), load=f"{milli} mN", **loss)
+        share = moved["tangential_force"] / moved["friction_force"]
+        left.plot(moved["displacement"] * 1e9, share, color=color, label=f"{milli} mN")
+    left.set(xlabel="displacement (nm)", ylabel="force over sum of strengths", ylim=(0.0, 1.05))
+    left.legend(title="load", frameon=False)
+    lengths = np.geomspace(1e-6, 30e-6, 8)
+    for kept, color in ((0.3, RED), (0.7, BLUE)):
+        found = [st.slide(enlarged(one), load=1e8 * one**2, **loss | {"kept": kept}) for one in lengths]
+        mu = [float(one["largest_friction_coefficient"]) for one in found]
+        right.semilogx(lengths * 1e6, mu, "o-", color=color, label=f"{kept:.0%} kept")
+    right.axhline(float(found[0]["friction_coefficient"]), color=GREY, linestyle="--", label="sum of strengths")
+    right.set(xlabel="length of the surface (µm)", ylabel="static friction coefficient", ylim=(0.0, 0.09))
+    right.legend(frameon=False)
+    return figure
+
+
 def measured() -> Figure:
     """Return the prediction beside every measured series of validation/."""
     entries = [HERE.parent / "validation" / f"{name}.toml" for name in ("dunkin_kim_1996", "silicone_on_pla_2024")]
@@ -115,5 +145,5 @@ def measured() -> Figure:
 
 if __name__ == "__main__":
     matplotlib.rcParams["svg.hashsalt"] = "stiction"  # the same picture, the same file
-    for draw in (answer, interfaces, roughness, models, measured):
+    for draw in (answer, interfaces, roughness, models, measured, onset):
         draw().savefig(HERE / "pictures" / f"{draw.__name__}.svg", metadata={"Date": None})
