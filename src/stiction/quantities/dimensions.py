@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def without_indexes(array: Any) -> Any:
-    """The same DataArray with its coordinates as plain variables: xarray aligns by an index, and by nothing else."""
+    """Return the DataArray with its coordinates as plain variables: xarray aligns only by an index."""
     return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
 
 
@@ -30,10 +30,9 @@ def check_names(array: Any, field: str) -> None:
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
-    """Name -> length of every dimension of these values, numbers or arrays, in the order of first appearance; those that are
-    known already stand first.
+    """Return the length of every dimension of these numbers or arrays, by name, in the order of first appearance.
 
-    Raises InputError where two of them disagree about a length.
+    Dimensions that are known already stand first. Raises InputError where two values disagree about a length.
     """
     dims = dict(first)
     for value in values:
@@ -44,7 +43,7 @@ def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyTyp
 
 
 def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
-    """The value with its dimensions in the order of `dims`, ready to broadcast: missing ones have length 1."""
+    """Return the value with its dimensions in the order of `dims`; missing ones have length 1."""
     if not hasattr(value, "dims"):
         return np.asarray(value, dtype=float)
     return arranged(value.values, value.dims, dims)
@@ -57,8 +56,10 @@ def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]
 
 
 def in_columns(data: "xarray.Dataset", dim: str, part: str, said: Callable[[Any], str] = str) -> "xarray.Dataset":
-    """Return a dataset with a variable for each point along a dimension in place of one over it: of NAME_quantile, part
-    "quantile", NAME_q05 and NAME_q95, as `said` puts the points in words."""
+    """Return a dataset with one variable for each point along a dimension.
+
+    NAME_quantile, part "quantile", becomes NAME_q05 and NAME_q95, with the words that `said` has for the points.
+    """
     for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
         each = {name.replace(part, said(one.item())): data[name].sel({dim: one}).drop_vars(dim) for one in data[dim]}
         data = data.drop_vars(name).assign(each)
@@ -110,7 +111,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def named_by(value: Any, names: Mapping[str, Any]) -> Any:
-    """The value, a number or a DataArray, without those coordinates that are not among these (name -> xarray.Variable)."""
+    """Return the value, a number or a DataArray, with only these coordinates (name -> xarray.Variable)."""
     other = [
         name
         for name, coordinate in getattr(value, "coords", {}).items()

@@ -9,11 +9,11 @@ _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end sa
 
 
 class InWords(str):
-    """What was given, described: no text that somebody wrote, and shown without quotes."""
+    """Describe a given value that is not text; it is shown without quotes."""
 
 
 def _short(value) -> str:
-    """The value on one line: quoted if text, "not given" for None, without its middle if long."""
+    """Return the value on one line: quoted if text, "not given" for None, without its middle if long."""
     if value is None:
         return "not given"
     if isinstance(value, InWords):

@@ -16,12 +16,12 @@ EXTRA_OF = {
 
 
 def installed(package: str) -> bool:
-    """Whether a package can be imported; it is not imported for that."""
+    """Return whether a package can be imported, without importing it."""
     return find_spec(package) is not None
 
 
 def how_to_install(package: str) -> str:
-    """What to type for a package of `EXTRA_OF`."""
+    """Return the command that installs a package of `EXTRA_OF`."""
     return f"pip install 'stiction[{EXTRA_OF[package]}]'"
 
 

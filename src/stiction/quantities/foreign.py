@@ -15,7 +15,7 @@ def is_series(value: Any) -> bool:
 
 
 def as_sequence(value: Any) -> Any:
-    """A column of a table, a range or a generator as what it holds; everything else as it is."""
+    """Return a column of a table, a range or a generator as a sequence; everything else unchanged."""
     if isinstance(value, range | Iterator):
         return list(value)
     if is_series(value):

@@ -24,8 +24,11 @@ _SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.I
 
 
 def from_hardness_test(number: float, unit: str, text: str) -> float | None:
-    """Pascals of a number of a hardness test, None where the unit is none; the test force of "700 HV0.5" says nothing more.
-    Raises InputError for other scales, and for Rockwell numbers without a Vickers number."""
+    """Convert the number of a hardness test into pascals; None where the unit is no hardness scale.
+
+    The test force of "700 HV0.5" is ignored. Raises InputError for other scales, and for Rockwell numbers without a Vickers
+    number.
+    """
     if not _SCALE.fullmatch(unit):
         return None
     scale = unit.upper()

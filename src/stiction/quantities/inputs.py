@@ -17,8 +17,10 @@ from stiction.quantities.units import from_series, show, to_si
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
-    """Numbers without a unit, of any shape, as an array of floats, checked no further; InputError for what are none: dates,
-    bytes, complex numbers and truths, too, which numpy would turn into some."""
+    """Convert numbers without a unit, of any shape, into an array of floats without further checks.
+
+    Raises InputError for dates, bytes, complex numbers and booleans, some of them numpy would convert.
+    """
     try:
         given = np.asarray(value)
         if given.dtype.kind not in "iufUO":
@@ -58,14 +60,17 @@ _SAID_BY_NOTES = ("source", "range")
 
 
 def require_callable(given: Any, field: str) -> None:
-    """InputError where what is told of progress cannot be called."""
+    """Raise InputError where the callback for progress cannot be called."""
     if not callable(given):
         raise InputError(field, given, "a function, or nothing")
 
 
 def require_names(table: Mapping, where: str = "") -> None:
-    """InputError where a key of a table, or of a table within it, is no text, which as a name of a field would be a TypeError,
-    or a text has control characters, at which libraries that write it fail, and terminals obey them."""
+    """Raise InputError where a key of a table, or of a nested table, is no text or has control characters.
+
+    A key that is no text would be a TypeError as the name of a field; control characters make libraries that write them
+    fail, and terminals obey them.
+    """
     for key, value in table.items():
         if not isinstance(key, str):
             raise InputError(where or "case", key, "names that are text")
@@ -99,7 +104,7 @@ class Input(BaseModel):
         return type(self)(**given | changes)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """What `replace` gives; without an update, the same record again."""
+        """Return a copy as `replace` does; without an update, the same record."""
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -163,7 +168,7 @@ class Input(BaseModel):
         return rows
 
     def _repr_html_(self) -> str:
-        """What a notebook shows."""
+        """Return the HTML that a notebook shows."""
         meanings = {name: QUANTITIES[name].meaning for name in QUANTITIES}
         rows = [
             (name, f"{text}  ({meanings[last]})" if (last := name.rpartition(".")[2]) in meanings else text)
@@ -172,7 +177,7 @@ class Input(BaseModel):
         return html.table(type(self).__name__, rows, self.notes())
 
     def notes(self) -> list[str]:
-        """What a notebook says below the numbers."""
+        """Return the lines that a notebook shows below the numbers."""
         return []
 
     def check_dimensions(self) -> None:
@@ -189,7 +194,7 @@ def as_text(value: Any, name: str) -> str:
 
 
 def number_schema(quantity: Quantity) -> dict:
-    """The JSON schema of an input: text with a unit if it has one, else a bounded number."""
+    """Return the JSON schema of an input: text with a unit if it has one, else a bounded number."""
     schema: dict[str, Any] = {"description": f"{quantity.label}; {quantity.allowed}"}
     if quantity.unit:
         schema["type"] = "string"
@@ -216,7 +221,7 @@ _KINDS = {"model_type": "a table with its numbers"}  # kinds of errors that pyda
 
 
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
-    """The first of pydantic's errors as one line, a mistyped key before the field that it leaves missing."""
+    """Return the first of pydantic's errors as one line, a mistyped key before the field that it leaves missing."""
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
     path = [str(part) for part in details["loc"]]
     cause = details.get("ctx", {}).get("error")

@@ -7,8 +7,10 @@ from stiction.quantities.errors import InputError
 
 
 def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
-    """The text of a regular file in UTF-8 of so many bytes at most. Raises InputError with why it is none; wanted: what it
-    is to be; name: as the user wrote it, by default the path."""
+    """Read a regular file in UTF-8 of at most so many bytes.
+
+    Raises InputError with the reason otherwise. wanted: the kind of file; name: as the user wrote it, by default the path.
+    """
     try:
         why = _not_read(path, largest)
         if not why:
@@ -29,8 +31,11 @@ def _not_read(path: Path, largest: int) -> str:
 
 
 def require_place(path: Path, allowed: str) -> None:
-    """InputError where nothing new can stand at this path: a name that no system takes, a file where one of its folders should
-    be, or a folder above it in which nothing can be made. What stands at the path itself is not looked at."""
+    """Raise InputError where nothing new can be created at this path.
+
+    That is a name that no system takes, a file where one of its folders should be, or a folder above it in which nothing can
+    be made. The path itself may exist.
+    """
     try:
         path.stat()
     except FileNotFoundError:

@@ -45,7 +45,7 @@ Ranges = Annotated[
 
 
 def range_in_words(low: float, high: float, name: str) -> str:
-    """The ends of the named quantity: "82 to 83 GPa", and "0.5 MPa to 2 GPa" where they differ in their prefix."""
+    """Return the ends of the named quantity: "82 to 83 GPa", or "0.5 MPa to 2 GPa" with two prefixes."""
     first, last = show(low, name, DIGITS), show(high, name, DIGITS)
     number, _, unit = first.partition(" ")
     return f"{number if unit == last.partition(' ')[2] else first} to {last}"

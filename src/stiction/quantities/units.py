@@ -59,8 +59,10 @@ def to_si(value, name: str):
 
 
 def show(value, name: str, digits: int = 6) -> str:
-    """A value of the named quantity, given in SI, as short text with a fitting prefix: "48 nm", "1.25 mN", "110 deg"; to so
-    many digits, six at most."""
+    """Return a value of the named quantity, in SI units, as short text with a fitting prefix.
+
+    Examples: "48 nm", "1.25 mN", "110 deg"; to so many digits, six at most.
+    """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     value = float(f"{value:.{digits}g}")
     prefixed = re.fullmatch(r"(m|Pa|N|J)(\^[23])?(.*)", unit)
@@ -193,8 +195,11 @@ def _common_factors() -> dict[tuple[str, str], Fraction]:
 
 @cache
 def _registry():
-    """All units that pint knows. Reading their definitions takes longer than solving a case, so what was read is kept; what was
-    kept for another release, or cannot be read or written, is made anew."""
+    """Return the registry of all units that pint has.
+
+    Reading the definitions takes longer than solving a case, so the result is cached; a cache of another release, or one that
+    cannot be read or written, is made anew.
+    """
     import pint
 
     kept = cache_folder(f"units-{pint.__version__}")
@@ -208,7 +213,7 @@ def _registry():
 
 @cache
 def _unit_errors() -> tuple[type[Exception], ...]:
-    """What pint raises for text that is no unit: its own errors, and those of the Python tools inside it."""
+    """Return the exceptions that pint raises for text that is no unit: its own, and those of Python's tokenizer and parser."""
     import tokenize
 
     import pint
@@ -227,7 +232,7 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_pint(value, quantity: Quantity):
-    """What has a unit of its own, of whatever registry: the text of its unit is read as every other."""
+    """Convert a quantity of any pint registry: the text of its unit is read like any other."""
     unit, numbers = f"{value.units:C}", value.magnitude
     if unit in ("", "dimensionless") and not quantity.unit:
         return _from_numbers(numbers, quantity)
@@ -253,7 +258,7 @@ def _from_labelled(array, quantity: Quantity):
 
 
 def _from_numbers(value, quantity: Quantity):
-    """A float for a single number, a float array for anything longer."""
+    """Return a float for a single number, a float array for anything longer."""
     if isinstance(value, list | tuple):
         return np.array([_single(entry, quantity) for entry in value], dtype=float)
     if isinstance(value, Real | Decimal) and not isinstance(value, bool):
@@ -293,7 +298,7 @@ def _check(number, quantity: Quantity, given) -> None:
 
 
 def _as_given(given, place: tuple[int, ...], worst: float):
-    """The one value that is out of bounds as it was written, with its unit if it had one."""
+    """Return the one value that is out of bounds as it was written, with its unit if it had one."""
     if isinstance(given, str):
         return given
     if isinstance(given, list | tuple) and len(place) == 1:
