@@ -97,7 +97,7 @@ PRINTING = {
     "run with uncertain numbers": (STATED.replace('"20 MPa"', '"20 +/- 4 MPa"') + 'model = "rough_on_film"\n', "run CASE"),
     "sliding": (
         CASE.replace('interface = "oxidised metal"', 'interfacial_shear_strength = "100 MPa"') + NAMED,
-        "run CASE --sliding",
+        "slide CASE",
     ),
     "compare": (CASE, "compare CASE"),
     "compare of a film": (STATED, "compare CASE"),

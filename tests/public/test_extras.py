@@ -80,7 +80,7 @@ load = ["0.1 N"]
     ("words", "pictures"),
     [
         (("compare", CASE), "compare.png"),
-        (("run", BARE, "--model", "greenwood_williamson_1966", "--sliding"), "sliding.png"),
+        (("slide", BARE, "--model", "greenwood_williamson_1966"), "sliding.png"),
         (("film", CASE), "film.png"),
         (("surface", "scan.npy", "--size", "40 um", "--unit", "m"), "map.png, spectrum.png, asperities.png, fan.png"),
         (("run", "scan.toml"), "curve.png, regimes.png"),

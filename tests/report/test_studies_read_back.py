@@ -1,4 +1,4 @@
-"""Read numbers back from film, run --sliding, sweep, surface and validate, and compare them with closed forms.
+"""Read numbers back from film, slide, sweep, surface and validate, and compare them with closed forms.
 
 Film and sliding: Greenwood and Williamson (1966) over a film that is as stiff as its body, with sums made here by quadrature.
 """
@@ -62,7 +62,7 @@ def sums(tmp_path):
 
 
 def test_sliding(tmp_path, sums):
-    lines, out, found = shown(tmp_path, ["run", sums()], "--sliding")
+    lines, out, found = shown(tmp_path, ["slide", sums()])
     rows = [row for row in table(out / "sliding.csv") if float(row["displacement [m]"]) == 0.0]
     for at, height in enumerate((3.0, 2.0)):
         number, load, real, stiffness = touching(height)

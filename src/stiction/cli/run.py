@@ -1,4 +1,4 @@
-"""`stiction run`: one case, solved."""
+"""`stiction run`: one case, solved; `stiction slide`: the same contact moved aside."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -24,10 +24,7 @@ from stiction.cli.options import (
     option,
 )
 from stiction.cli.program import app, present, read, solving
-from stiction.quantities.errors import InputError
 from stiction.records.additions import names_of_additions
-
-_SLIDING = "From rest to sliding"
 
 
 def run(
@@ -43,11 +40,6 @@ def run(
     asperity: Asperity = None,
     tangential: Tangential = None,
     film: str | None = option("Film.", autocompletion=keys_of("film"), **LAW),
-    sliding: bool = option("Force against displacement.", False, "--sliding", rich_help_panel=_SLIDING),
-    kept: float = option("Share of its strength that an asperity keeps.", 1.0, rich_help_panel=_SLIDING),
-    weakening_slip: str | None = option(
-        "Slip over which a point of a map loses the rest, e.g. '10 nm'.", rich_help_panel=_SLIDING
-    ),
     **beside: str | None,
 ) -> None:
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
@@ -59,36 +51,53 @@ def run(
     In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",
     {low, high}, {median, factor}, {samples}). stiction schema lists every number with its unit and bounds.
     """
-    if kept != 1.0 and not sliding:
-        raise InputError("--kept", kept, "nothing without --sliding")
-    if weakening_slip is not None and not sliding:
-        raise InputError("--weakening-slip", weakening_slip, "nothing without --sliding")
     chosen = read(case, load, ranges)
     laws = chosen_laws(context, chosen)
     with solving():
-        from stiction.studies.case_results import slide_case, solve_case
+        from stiction.studies.case_results import solve_case
         from stiction.studies.prediction.predict import is_predicted, predict
 
-        predicted = not sliding and is_predicted(replace(chosen, choice=laws))
-        data = (
-            predict(chosen)
-            if predicted
-            else slide_case(chosen, laws, kept, weakening_slip)
-            if sliding
-            else solve_case(chosen, laws)
-        )
+        predicted = is_predicted(replace(chosen, choice=laws))
+        data = predict(chosen) if predicted else solve_case(chosen, laws)
     if predicted:
         from stiction.report.views.prediction import prediction_view
 
         present(prediction_view(chosen, data, str(case), details), out, json)
-    elif sliding:
-        from stiction.report.views.sliding import sliding_view
-
-        present(sliding_view(chosen, data), out, json, details)
     else:
         from stiction.report.views.run import run_view
 
         present(run_view(chosen.with_surface_moments(data.attrs["model"]), data, all_rows), out, json, details or all_rows)
+
+
+def slide(
+    context: typer.Context,
+    case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
+    out: Out = None,
+    load: Load = None,
+    model: str | None = option("A sum over asperities, or boundary_elements.", metavar="KEY", autocompletion=keys_of("model")),
+    details: Details = False,
+    json: Json = False,
+    ranges: Ranges = None,
+    asperity: Asperity = None,
+    tangential: Tangential = None,
+    kept: float = option("Share of its strength that an asperity, or a point of a map, keeps once it slides.", 1.0),
+    weakening_slip: str | None = option("Slip over which a point of a map loses the rest, e.g. '10 nm'."),
+    **beside: str | None,
+) -> None:
+    """Move a contact aside, from rest to sliding: tangential force against displacement.
+
+    Asperities, or with --model boundary_elements the points of a map, slip one after another. At most five loads of the case
+    are computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
+    """
+    chosen = read(case, load, ranges)
+    laws = chosen_laws(context, chosen)
+    with solving():
+        from stiction.studies.case_results import slide_case
+
+        data = slide_case(chosen, laws, kept, weakening_slip)
+    from stiction.report.views.sliding import sliding_view
+
+    present(sliding_view(chosen, data), out, json, details)
 
 
 def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
@@ -104,3 +113,4 @@ def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., No
 
 
 app.command("run", cls=TakesOptionsOfRecords)(_with_options_of_additions(run))
+app.command("slide", cls=TakesOptionsOfRecords)(_with_options_of_additions(slide))

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 _STEPS = 40  # of a path, where no displacements are given
 _NEARLY = 0.99  # of a force that is only tended to
-_RESOLVED = 3.0  # points along the length over which strength is lost
 _KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
 
 
@@ -50,6 +49,8 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
     paths = [_path(operator, one, strength, shifts, weakening) for one, strength in zip(contacts, strengths, strict=True)]
     whole = contact.nominal_area / contacts[0].nominal_area
     ends = _ends(operator, paths, whole, kept, factors)
+    if weakening is not None:
+        ends["points_in_weakening"] = _points_in_loss(problem, operator, strengths, weakening)
     ends = {name: values.reshape(loads.shape) for name, values in ends.items()}
     ends["largest_friction_coefficient"] = quotient(ends["largest_tangential_force"], loads)
     dims = points.dims | ({"displacement": shifts.size} if hasattr(moved, "dims") else {})
@@ -63,8 +64,8 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
     data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
     for name in {"displacement", points.name} & set(data.coords):
         data[name].attrs = problem.subject.attributes(str(name))
-    known = summary_of(problem.subject, problem, static)
-    return data.assign_attrs(known | _said(known, kept, weakening, operator, problem, strengths, paths))
+    known = summary_of(problem.subject, problem, static | ends)
+    return data.assign_attrs(known | _said(known, kept, weakening, paths))
 
 
 def _weakening(problem: OnMap, kept: float, slip: Any) -> "Weakening | None":
@@ -122,22 +123,21 @@ def _nearly(path: "SlidingPath") -> float:
     return float(np.interp(wanted, force[[before, at]], shift[[before, at]]))
 
 
-def _said(known, kept, weakening, operator, problem, strengths, paths) -> dict[str, Any]:
-    """Return what the result says of itself: what a point keeps, what the map does not resolve, what did not converge."""
+def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weakening: "Weakening") -> np.ndarray:
+    """Return how many points lie along the length over which strength is lost, where it is largest (m,)."""
     from stiction.solvers.shear.path import weakening_length
 
-    remarks = [known["remarks"]] if known.get("remarks") else []
+    surface = problem.surface()
+    pitch = max(length / count for length, count in zip(surface.size, surface.heights.shape, strict=True))
+    return np.array([weakening_length(operator, float(one.max()), weakening) / pitch for one in strengths])
+
+
+def _said(known: dict[str, Any], kept: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:
+    """Return what the result says of itself: what a point keeps, and what did not converge."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {kept:g} of its strength"
-        surface = problem.surface()
-        pitch = max(length / count for length, count in zip(surface.size, surface.heights.shape, strict=True))
-        length = weakening_length(operator, max(float(one.max()) for one in strengths), weakening)
-        if length < _RESOLVED * pitch:
-            remarks.append(
-                f"strength is lost over {length:.2g} m, less than {_RESOLVED:g} points of the map: the force is too high"
-            )
-    if not all(state.converged for path in paths for state in path.states):
-        remarks.append("some displacements did not converge")
+    settled = all(state.converged for path in paths for state in path.states)
+    remarks = [known["remarks"], "" if settled else "the force did not converge at some displacements"]
     title = f"Tangential force up to sliding after {known['model']}"
-    return {"title": title, "kept": kept, "sliding": how, "remarks": "; ".join(remarks)}
+    return {"title": title, "kept": kept, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}

@@ -12,7 +12,6 @@ from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
-from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.sliding import slide
@@ -62,17 +61,20 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
 
 def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0, weakening_slip: Any = None) -> "xarray.Dataset":
     """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where
-    some are uncertain, and of the method that stands for the surface, where it was measured.
+    some are uncertain, and of the map, or of the method that stands for the surface, where it was measured.
 
     choice: model and laws, in place of those of the case; kept, weakening_slip: as in `slide`. Raises InputError, also for a
     contact of which numbers are several."""
     if case.is_several:
-        raise InputError("--sliding", "numbers of the contact are several", "one contact; st.slide takes any number")
+        raise InputError("contact", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)
     given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
-    data = slide(case.subject.as_numbers(), **points, kept=kept, weakening_slip=weakening_slip, **given)
+    on_map = find(choice.model_key, RoughSurface).of_map is not None
+    data = slide(
+        case.subject if on_map else case.subject.as_numbers(), **points, kept=kept, weakening_slip=weakening_slip, **given
+    )
     return _said(data, case).assign_attrs(case.subject.groups())
 
 

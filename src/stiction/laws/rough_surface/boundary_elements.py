@@ -154,6 +154,9 @@ RECORD = RoughSurface(
         Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
         Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
         Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
+        Validity(
+            "points_in_weakening", limits.LEAST_WEAKENING, inf, "the map does not resolve the loss of strength: F is too large"
+        ),
         Validity("points_at_edge", limits.LEAST_POINTS, inf, "the map does not resolve the edge of adhesive contact", "effect"),
         Validity("range_tabor", limits.LEAST_TABOR, inf, "the range that the map resolves is not short"),
         Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),

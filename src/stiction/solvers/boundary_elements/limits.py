@@ -11,3 +11,4 @@ LEAST_LOAD_ERROR = 1e-9
 LEAST_POINTS = 2.0  # along the length over which the edge of an adhesive contact is pulled
 MOST_ATTRACTION_LEFT = 1e-3  # pressure left where faces that attract each other do not touch, over the largest attraction
 LEAST_TABOR = 5.0  # of a range of attraction, from which on it is short
+LEAST_WEAKENING = 3.0  # points along the length over which strength is lost, for the largest tangential force

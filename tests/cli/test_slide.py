@@ -1,4 +1,4 @@
-"""`stiction run --sliding`: tables, files and refusals."""
+"""`stiction slide`: tables, files and refusals."""
 
 import json
 
@@ -36,13 +36,13 @@ def case(tmp_path):
     return path
 
 
-def run(*words):
-    return CliRunner().invoke(app, ["run", *map(str, words)], terminal_width=200)
+def slide(*words):
+    return CliRunner().invoke(app, ["slide", *map(str, words)], terminal_width=200)
 
 
 def test_files_are_what_slide_gives(case, tmp_path):
     """Five of nine loads, first and last among them; picture, table and netCDF."""
-    said = run(case, "--sliding", "--details", "--out", tmp_path / "out")
+    said = slide(case, "--details", "--out", tmp_path / "out")
     assert said.exit_code == 0, said.output
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["sliding.csv", "sliding.nc", "sliding.png"]
     with xarray.open_dataset(tmp_path / "out" / "sliding.nc") as data:
@@ -60,36 +60,62 @@ def test_files_are_what_slide_gives(case, tmp_path):
 
 
 def test_asperities_that_let_go(case, tmp_path):
-    said = run(case, "--sliding", "--kept", "0.5", "--load", "1 N", "--json")
+    said = slide(case, "--kept", "0.5", "--load", "1 N", "--json")
     assert said.exit_code == 0, said.output
     found = json.loads(said.stdout)["variables"]
     assert "energy_loss" not in found
     assert found["largest_friction_coefficient"]["values"][0] < 0.9 * found["friction_coefficient"]["values"][0]
-    assert run(case, "--sliding", "--kept", "0.5", "--load", "1 N", "--out", tmp_path / "out").exit_code == 0
+    assert slide(case, "--kept", "0.5", "--load", "1 N", "--out", tmp_path / "out").exit_code == 0
 
 
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (("--kept", "0.5"), "nothing without --sliding"),
-        (("--sliding", "--kept", "2"), "from 0 to 1"),
-        (("--sliding", "--tangential", "none"), "a tangential law"),
-        (("--sliding", "--model", "persson_2001"), "single asperities"),
+        (("--kept", "2"), "from 0 to 1"),
+        (("--tangential", "none"), "a tangential law"),
+        (("--model", "persson_2001"), "single asperities"),
     ],
 )
 def test_refused_in_one_line(case, words, why):
-    said = run(case, *words)
+    said = slide(case, *words)
     assert said.exit_code == 2 and why in said.output and "\n" not in said.output.strip()
 
 
 def test_one_contact_at_a_time(case):
     case.write_text(CASE.replace('"20 MPa"', '["10 MPa", "20 MPa"]'))
-    said = run(case, "--sliding")
+    said = slide(case)
     assert said.exit_code == 2 and "several" in said.output
 
 
 def test_a_slip_of_weakening_belongs_to_a_map(case):
-    without = run(case, "--weakening-slip", "10 nm")
-    assert without.exit_code == 2 and "--sliding" in without.output
-    asperities = run(case, "--sliding", "--kept", "0.5", "--weakening-slip", "10 nm")
+    asperities = slide(case, "--kept", "0.5", "--weakening-slip", "10 nm")
     assert asperities.exit_code == 2 and "boundary_elements" in asperities.output
+
+
+def test_the_map_of_a_case_is_moved_aside(tmp_path):
+    """As in Python, at all loads; the surface is a period that is read from a file."""
+    length = 1e-5
+    surface = st.gaussian_surface((64, 64), (length, length), st.SelfAffine(0.8, length / 4, length / 16, 2e-8), seed=1)
+    np.save(tmp_path / "map.npy", surface.heights)
+    (tmp_path / "case.toml").write_text(
+        """
+[contact]
+first = "hardened_steel_52100"
+second = "silicon_nitride"
+interfacial_shear_strength = "300 MPa"
+nominal_area = "100 um^2"
+[contact.roughness]
+first = { file = "map.npy", size = "10 um", unit = "m", periodic = true }
+[solve]
+load = ["1 mN", "10 mN"]
+"""
+    )
+    weakened = ("--kept", "0.3", "--weakening-slip", "5 nm")
+    said = slide(tmp_path / "case.toml", "--model", "boundary_elements", *weakened, "--json", "--out", tmp_path / "out")
+    assert said.exit_code == 0, said.output
+    contact = st.read_case(tmp_path / "case.toml").subject
+    found = st.slide(contact, load=["1 mN", "10 mN"], model="boundary_elements", kept=0.3, weakening_slip="5 nm")
+    efficiency = json.loads(said.stdout)["variables"]["friction_efficiency"]["values"]
+    np.testing.assert_allclose(efficiency, found["friction_efficiency"], rtol=1e-9)
+    assert all(0.3 < one < 1.0 for one in efficiency)
+    assert (tmp_path / "out" / "sliding.png").exists()
