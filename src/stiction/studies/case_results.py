@@ -12,6 +12,7 @@ from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
+from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.sliding import slide
@@ -71,10 +72,8 @@ def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0, weak
     given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
-    on_map = find(choice.model_key, RoughSurface).of_map is not None
-    data = slide(
-        case.subject if on_map else case.subject.as_numbers(), **points, kept=kept, weakening_slip=weakening_slip, **given
-    )
+    subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
+    data = slide(subject, **points, kept=kept, weakening_slip=weakening_slip, **given)
     return _said(data, case).assign_attrs(case.subject.groups())
 
 
