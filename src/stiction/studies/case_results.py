@@ -21,6 +21,7 @@ from stiction.studies.comparison.compare import compare
 from stiction.studies.prediction.predict import is_predicted, predict
 from stiction.studies.pressing_loads import few_places
 from stiction.studies.uncertainty.bands import with_bands
+from stiction.studies.uncertainty.drawing import solves_maps
 
 if TYPE_CHECKING:
     import xarray
