@@ -12,9 +12,10 @@ Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^
 """
 
 import math
+from functools import cached_property
 
 import numpy as np
-from scipy.fft import irfft2, next_fast_len, rfft2
+from scipy.fft import dctn, idctn, irfft2, next_fast_len, rfft2
 
 from stiction.quantities.errors import InputError
 from stiction.solvers.boundary_elements.operators import components
@@ -53,21 +54,37 @@ class PeriodicShear:
 class MirroredShear:
     """Displacements of a window that its mirror images continue.
 
-    shape: (rows, columns); size: (y, x) [m].
+    shape: (rows, columns); size: (y, x) [m]. One component, even about every side, takes cosine transforms of the window alone;
+    two take the whole period.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
         self.shape, self.near = shape, compliance.near
-        self._period = PeriodicShear(compliance, (2 * shape[0], 2 * shape[1]), (2.0 * size[0], 2.0 * size[1]))
-        self.of_point = self._period.of_point
+        self._compliance, self._size = compliance, size
+        ky, kx = (math.pi * np.arange(count) / length for count, length in zip(shape, size, strict=True))
+        k = np.hypot(ky[:, None], kx)
+        k[0, 0] = math.pi / max(size)
+        along, across = compliance.times_k(k) / k
+        turned = (kx / k) ** 2
+        self._symbol = across + (along - across) * turned
+        self._inverse = 1.0 / across + (1.0 / along - 1.0 / across) * turned
+        self._symbol[0, 0] = 0.0
+        self.of_point = float(self._symbol.mean())
 
     def __call__(self, traction: np.ndarray) -> np.ndarray:
         """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
-        return self._quarter(self._period(_mirrored(traction)))
+        return _even(traction, self._symbol) if len(traction) == 1 else self._quarter(self._period(_mirrored(traction)))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction of a map that sticks everywhere, as for a period."""
+        if len(displacement) == 1:
+            return _even(displacement, self._inverse)
         return self._quarter(self._period.inverse(_mirrored(displacement)))
+
+    @cached_property
+    def _period(self) -> PeriodicShear:
+        rows, columns = self.shape
+        return PeriodicShear(self._compliance, (2 * rows, 2 * columns), (2.0 * self._size[0], 2.0 * self._size[1]))
 
     def _quarter(self, field: np.ndarray) -> np.ndarray:
         return field[:, : self.shape[0], : self.shape[1]].copy()
@@ -99,6 +116,8 @@ class FreeShear:
         return self._stuck.inverse(displacement)
 
 
+_THREADED = 1 << 17  # points from which on two threads are faster
+
 ShearOperator = PeriodicShear | MirroredShear | FreeShear
 
 
@@ -115,12 +134,25 @@ def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndar
 def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
     """Multiply the zero-padded field with the symbol in wavevectors."""
     xx, xy, yy = symbol
-    waves = rfft2(field, s=grid, workers=2 if grid[0] * grid[1] >= 1 << 17 else 1)
+    workers = _workers(grid[0] * grid[1])
+    waves = rfft2(field, s=grid, workers=workers)
     if len(field) == 1:
         waves *= xx
     else:
         waves = np.stack([xx * waves[0] + xy * waves[1], xy * waves[0] + yy * waves[1]])
-    return irfft2(waves, s=grid, workers=2 if grid[0] * grid[1] >= 1 << 17 else 1, overwrite_x=True)
+    return irfft2(waves, s=grid, workers=workers, overwrite_x=True)
+
+
+def _workers(points: int) -> int:
+    return 2 if points >= _THREADED else 1
+
+
+def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
+    """Multiply one component with the symbol in cosine waves."""
+    workers = _workers(symbol.size)
+    waves = dctn(field[0], workers=workers)
+    waves *= symbol
+    return idctn(waves, workers=workers, overwrite_x=True)[None]
 
 
 def _mirrored(field: np.ndarray) -> np.ndarray:
