@@ -37,6 +37,7 @@ class PeriodicShear:
         along, across = compliance.times_k(k) / k
         self._symbol = _tensor(along, across, kx / k, ky / k, shape)
         self._inverse = _tensor(1.0 / along, 1.0 / across, kx / k, ky / k, shape)
+        self._inverse_along = 1.0 / self._symbol[0]  # of one component alone
         for one in self._symbol:
             one[0, 0] = 0.0
         doubled = np.where((np.arange(k.shape[1]) > 0) & (2 * np.arange(k.shape[1]) < shape[1]), 2.0, 1.0)
@@ -48,7 +49,8 @@ class PeriodicShear:
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the traction [Pa] under which a map that sticks everywhere moves so; it prepares conjugate gradients."""
-        return _through(displacement, self.shape, self._inverse)
+        alone = len(displacement) == 1
+        return _through(displacement, self.shape, (self._inverse_along, None, None) if alone else self._inverse)
 
 
 class MirroredShear:
@@ -67,7 +69,7 @@ class MirroredShear:
         along, across = compliance.times_k(k) / k
         turned = (kx / k) ** 2
         self._symbol = across + (along - across) * turned
-        self._inverse = 1.0 / across + (1.0 / along - 1.0 / across) * turned
+        self._inverse = 1.0 / self._symbol
         self._symbol[0, 0] = 0.0
         self.of_point = float(self._symbol.mean())
 
