@@ -55,7 +55,7 @@ def test_strength_that_is_lost_with_slip_makes_friction_less_for_larger_loads_an
     ratio = half["largest_tangential_force"] / half["friction_force"]
     assert float(ratio) == pytest.approx(float(half["friction_efficiency"]), rel=1e-12)
     long = slide(contact(), load="3 mN", kept=0.0, weakening_slip="10 um")
-    assert float(long["friction_efficiency"]) == pytest.approx(1.0, abs=0.01)
+    assert float(long["friction_efficiency"]) == pytest.approx(1.0, abs=0.001)
 
 
 def test_a_map_that_does_not_resolve_the_loss_says_so():

@@ -40,8 +40,7 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
     strengths = [problem.strengths(one) for one in contacts]
     operator = _operator(problem)
     if displacement is None:
-        farthest = max(full_shift(operator, strength, weakening) for strength in strengths)
-        displacement = np.linspace(0.0, farthest, _STEPS + 1)
+        displacement = _way(max(full_shift(operator, strength) for strength in strengths), weakening)
     moved = points_asked(problem.subject, "displacement", displacement)
     shifts = np.atleast_1d(np.asarray(moved, dtype=float))
     if shifts.min() < 0.0:
@@ -66,6 +65,14 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
         data[name].attrs = problem.subject.attributes(str(name))
     known = summary_of(problem.subject, problem, static | ends)
     return data.assign_attrs(known | _said(known, kept, weakening, paths))
+
+
+def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
+    """Return displacements [m] up to where all slips, before which the peak is, and on to where all strength is lost."""
+    if weakening is None:
+        return np.linspace(0.0, elastic, _STEPS + 1)
+    after = elastic + weakening.slip * np.linspace(0.0, 1.0, _STEPS // 3 + 1)[1:]
+    return np.concatenate([np.linspace(0.0, elastic, _STEPS - _STEPS // 3 + 1), after])
 
 
 def _weakening(problem: OnMap, kept: float, slip: Any) -> "Weakening | None":
