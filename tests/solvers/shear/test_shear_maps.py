@@ -97,13 +97,27 @@ def test_layers_have_their_limits():
     np.testing.assert_allclose(same, against_rigid(0.3).times_k(k), rtol=1e-12)
 
 
+@pytest.mark.parametrize("boundary", [PeriodicShear, MirroredShear])
+@pytest.mark.parametrize("directions", [1, 2])
+def test_a_film_on_a_rigid_base_gives_way_to_uniform_shear(boundary, directions):
+    """Stuck everywhere at a shift U it bears q = G U/t."""
+    film = Film(0.04, 2.6, 0.3, math.inf, 0.3)
+    operator = boundary(ShearCompliance((film, RIGID)), (16, 20), (1.0, 1.0))
+    uniform = np.zeros((directions, 16, 20))
+    uniform[0] = 1.0
+    np.testing.assert_allclose(operator(uniform), 0.04 * uniform, atol=1e-15)
+    found = shear(operator, np.full((16, 20), 10.0 / 0.04), uniform, 0.0 * uniform, tolerance=1e-10, most=200)
+    assert found.converged
+    np.testing.assert_allclose(found.traction, uniform / 0.04, atol=1e-6)
+
+
 @pytest.fixture(scope="module")
 def sphere():
     """Hertz's pressure of a unit disc under unit friction between like bodies of G = 1; the operator and the pixel."""
-    x, y = grid(128, 2.6)
+    x, y = grid(200, 2.4)
     body = HalfSpace(2.6, 0.3)
     pressure = np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0))
-    return free(ShearCompliance((body, body)), 128, 2.6), pressure, (2.6 / 128) ** 2
+    return free(ShearCompliance((body, body)), 200, 2.4), pressure, (2.4 / 200) ** 2
 
 
 def cattaneo(shift, pixel, pressure):
@@ -113,14 +127,14 @@ def cattaneo(shift, pixel, pressure):
 
 
 def test_a_sphere_slips_as_cattaneo_and_mindlin_say(sphere):
-    """Forces to .1 %, stick radius (1 - Q/fP)^(1/3) to 1.5 % (a pixel is 2 % of the radius)."""
+    """Forces to .1 %, stick radius (1 - Q/fP)^(1/3) to 1 % (a pixel is 1.2 % of the radius)."""
     operator, pressure, pixel = sphere
     _, largest = cattaneo(0.0, pixel, pressure)
     shifts = np.linspace(0.1, 0.9, 5) * largest
     path = slide_map(operator, pressure, shifts, pixel=pixel)
     share, _ = cattaneo(shifts, pixel, pressure)
     np.testing.assert_allclose(path.array("force"), share * pressure.sum() * pixel, rtol=1e-3)
-    np.testing.assert_allclose(np.sqrt(path.array("stick")), (1.0 - share) ** (1.0 / 3.0), rtol=0.015)
+    np.testing.assert_allclose(np.sqrt(path.array("stick")), (1.0 - share) ** (1.0 / 3.0), rtol=0.01)
     assert all(state.converged for state in path.states)
 
 

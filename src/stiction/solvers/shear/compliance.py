@@ -81,6 +81,14 @@ class ShearCompliance:
         bare = [body for body in self.bodies if isinstance(body, HalfSpace)]
         return sum(1.0 / body.shear_modulus for body in bare), sum(body.poisson / body.shear_modulus for body in bare)
 
+    @property
+    def at_zero(self) -> float:
+        """Return the displacement under uniform traction [m/Pa]: t/G of films on rigid bases, 0 where that is not defined."""
+        films = [body for body in self.bodies if isinstance(body, Film)]
+        if self.sums[0] > 0.0 or any(film.far > 0.0 for film in films):
+            return 0.0
+        return sum(film.thickness * 2.0 * (1.0 + film.poisson) / film.modulus for film in films)
+
     def times_k(self, k: np.ndarray) -> np.ndarray:
         """Return k C_L and k C_T [1/Pa], shape (2, ...), at wavevectors k > 0 [1/m] of any shape."""
         S, N = self.sums

@@ -3,7 +3,8 @@
 Arrays are (components, rows, columns): one component, along x, or two, x and y. Sliding is along x, the columns. One component
 leaves out the traction across the direction of sliding, which Poisson's ratio alone causes.
 
-Periodic: symbol (2) of `compliance`; the mean displacement is left out, so that rigid shifts are relative to the mean plane.
+Periodic: symbol (2) of `compliance`; the mean displacement is left out, so that rigid shifts are relative to the mean plane,
+but for films on rigid bases, which have one.
 Mirrored: the map is a quarter of a period that its mirror images complete; q_x is even about every side, q_y odd.
 Free: nothing acts outside the map, on half-spaces. A uniform traction q_x on a pixel gives (Cerruti; Johnson 1985, Contact
 Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2)
@@ -38,8 +39,8 @@ class PeriodicShear:
         self._symbol = _tensor(along, across, kx / k, ky / k, shape)
         self._inverse = _tensor(1.0 / along, 1.0 / across, kx / k, ky / k, shape)
         self._inverse_along = 1.0 / self._symbol[0]  # of one component alone
-        for one in self._symbol:
-            one[0, 0] = 0.0
+        for one, at_zero in zip(self._symbol, (compliance.at_zero, 0.0, compliance.at_zero), strict=True):
+            one[0, 0] = at_zero
         doubled = np.where((np.arange(k.shape[1]) > 0) & (2 * np.arange(k.shape[1]) < shape[1]), 2.0, 1.0)
         self.of_point = float((self._symbol[0] * doubled).sum() / (shape[0] * shape[1]))
 
@@ -70,7 +71,7 @@ class MirroredShear:
         turned = (kx / k) ** 2
         self._symbol = across + (along - across) * turned
         self._inverse = 1.0 / self._symbol
-        self._symbol[0, 0] = 0.0
+        self._symbol[0, 0] = compliance.at_zero
         self.of_point = float(self._symbol.mean())
 
     def __call__(self, traction: np.ndarray) -> np.ndarray:
