@@ -21,7 +21,7 @@ GROUPS = {
     "Studies": ("compare", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
                           "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
-    "What is known, and by whom": ("models", "interfaces", "cite"),
+    "What is known, and by whom": ("models", "interfaces", "cite", "show_config"),
     "What is wrong with an input": ("InputError", "InputWarning"),
 }  # fmt: skip
 _EMPTY = inspect.Parameter.empty

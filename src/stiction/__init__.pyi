@@ -8,6 +8,7 @@ from .contact.materials import Material as Material
 from .contact.materials import material as material
 from .contact.materials import work_of_adhesion as work_of_adhesion
 from .engine.heights import height_distribution as height_distribution
+from .engine.tiers import show_config as show_config
 from .quantities.errors import InputError as InputError
 from .quantities.errors import InputWarning as InputWarning
 from .quantities.units import axis as axis

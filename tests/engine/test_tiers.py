@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import stiction as st
 from refusals import refusal
 from stiction.contact.indices import Groups, stiffness_group
 from stiction.engine.at_loads import starts
@@ -101,3 +102,11 @@ def test_within_all_compiled_python_runs_nothing(monkeypatch):
     with all_compiled():
         assert not interpreted(little=True)
     assert interpreted(little=True)
+
+
+@pytest.mark.parametrize("tier", ["auto", "interpreted", "shared", "specialised"])
+def test_the_tier_is_shown(monkeypatch, tmp_path, tier):
+    monkeypatch.setenv(VARIABLE, tier)
+    monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
+    shown = st.show_config()
+    assert shown["loops"] == tier and shown["cache"].startswith(str(tmp_path)) and shown["compiler"] in ("on", "off")

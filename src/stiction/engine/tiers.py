@@ -4,7 +4,9 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from importlib.metadata import version
 
+from stiction.quantities.cache import cache_folder
 from stiction.quantities.errors import InputError
 
 TIERS = ("auto", "interpreted", "shared", "specialised")
@@ -44,3 +46,35 @@ def interpreted(little: bool) -> bool:
     """Return whether Python itself runs what belongs to one law: where it is little work, or where that is wanted."""
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]
+
+
+def show_config() -> dict[str, str]:
+    """Return how this process computes sums over asperities.
+
+    Returns
+    -------
+    dict[str, str]
+        `stiction`, `numba`: versions. `loops`: which loops run, one of TIERS, as the environment variable STICTION_LOOPS asks;
+        `auto` compiles them when that pays. `compiler`: `on`, or `off` where NUMBA_DISABLE_JIT is set. `cache`: folder of
+        compiled loops.
+
+    Raises
+    ------
+    InputError
+        For a STICTION_LOOPS that is none of TIERS.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> sorted(st.show_config())
+    ['cache', 'compiler', 'loops', 'numba', 'stiction']
+    """
+    import numba
+
+    return {
+        "stiction": version("stiction"),
+        "numba": numba.__version__,
+        "loops": tier(),
+        "compiler": "off" if numba.config.DISABLE_JIT else "on",  # type: ignore[attr-defined]
+        "cache": str(cache_folder("kernels")),
+    }
