@@ -24,8 +24,23 @@ def test_one_quantity_is_curves_at_each_load():
     assert r"\theta" in against_theta.get_xlabel() and r"\mu" in against_theta.get_ylabel()
 
 
-def test_two_quantities_are_a_map_at_each_load():
+def test_a_short_quantity_is_a_line_for_each_value_against_a_long_one():
     data = solved({"theta": [20, 40, 80], "lam": {"start": 1, "stop": 100, "count": 5, "spacing": "log"}})
+    first, second = several_figure(data).axes
+    for axes, place in ((first, 0), (second, 1)):
+        assert axes.get_xscale() == "log" and r"\lambda" in axes.get_xlabel()
+        drawn = [line.get_ydata() for line in axes.lines]
+        np.testing.assert_array_equal(drawn, data["friction_coefficient"].transpose("theta", "lam", "load")[..., place])
+    assert first.get_title() == "P = 0.001" and [text.get_text() for text in second.get_legend().get_texts()] == [
+        "20",
+        "40",
+        "80",
+    ]
+
+
+def test_two_long_quantities_are_a_map_at_each_load():
+    theta = {"start": 20, "stop": 80, "count": 7}
+    data = solved({"theta": theta, "lam": {"start": 1, "stop": 100, "count": 8, "spacing": "log"}})
     first, second, bar = several_figure(data).axes
     for axes, at in ((first, 0), (second, 1)):
         drawn = axes.collections[0].get_array()

@@ -1,5 +1,6 @@
 """The answer in words and as JSON: one text for terminal, page, report and notebook; and the model that gave it."""
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ PREDICTION_HEADS = {
 }
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _LEAST = 0.05  # share of the variance that is named
+_CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
 _NAMES = {
     "interface": "interface strength",
     "area model": "model of the contact area",
@@ -38,6 +40,12 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
     return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
 
 
+def confidence(mu: float, low: float, high: float) -> str:
+    """Return how sure mu is: "high", "fair" or "low", by the larger factor from the median to an end of its interval."""
+    factor = max(high / mu, mu / low) if low > 0.0 else math.inf
+    return next(word for most, word in _CONFIDENCE.items() if factor <= most)
+
+
 def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
     """Return the answer as JSON has it."""
     here = at_working_load(data)
@@ -50,6 +58,7 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
         "friction_coefficient": float(here[_MU]),
         "interval": ends(_MU),
         "level": data.attrs["level"],
+        "confidence": confidence(float(here[_MU]), *ends(_MU)),
         "friction_force": float(here[_FORCE]),
         "friction_force_interval": ends(_FORCE),
         "contact_area": float(here[_AREA]),
@@ -109,11 +118,9 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     force = show(float(here[_FORCE]), _FORCE, 2)
     area = show(float(here[_AREA]), _AREA, 2).replace("m^2", "m²")
     warnings = attrs["warnings"]
+    sure = confidence(*(float(here[f"{_MU}{end}"]) for end in ("", "_low", "_high")))
     rows = [
-        (
-            f"mu = {number(float(here[_MU]))}",
-            f"{attrs['level']:.0%} interval {span(here, _MU)}, at {load}",
-        ),
+        (f"mu = {number(float(here[_MU]))}", f"{attrs['level']:.0%} interval {span(here, _MU)}, at {load}; confidence: {sure}"),
         ("friction force", f"{force} ({span(here, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),

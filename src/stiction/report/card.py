@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stiction.quantities import html
 from stiction.quantities.units import show
-from stiction.report.answer import answer_lines, at_working_load, number, part_name
+from stiction.report.answer import answer_lines, at_working_load, confidence, number, part_name
 
 if TYPE_CHECKING:
     import xarray
 
 _WORDS = 12  # of a warning
-_CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
 _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches from .01 to 10 at least
 
 
@@ -38,11 +37,10 @@ class Card(NamedTuple):
     @property
     def confidence(self) -> str:
         """Return how sure mu is: a word, and how many times higher or lower it may be."""
+        word = confidence(self.mu, self.low, self.high)
         if not self.low > 0.0:
-            return next(reversed(_CONFIDENCE.values()))
-        higher, lower = self.high / self.mu, self.mu / self.low
-        word = next(word for most, word in _CONFIDENCE.items() if max(higher, lower) <= most)
-        return f"{word}: up to {number(higher)} times higher, {number(lower)} times lower"
+            return word
+        return f"{word}: up to {number(self.high / self.mu)} times higher, {number(self.mu / self.low)} times lower"
 
     @property
     def lines(self) -> list[tuple[str, str]]:

@@ -31,7 +31,8 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     for axes, draw in zip(panels, drawn, strict=True):
         draw(axes)
     missed = [f"missed: {words}" for words in data.attrs["missed"].split("\n") if words]
-    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), "; ".join(said), *missed])), fontsize=11)
+    objective = f"objective: {'; '.join(said).replace('_', ' ')}"
+    figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), objective, *missed])), fontsize=11)
     return figure
 
 
@@ -94,7 +95,7 @@ def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if at else "ends of the search")
     seen = value[kept & np.isfinite(value)] if kept.any() else value[np.isfinite(value)]
     quantity = name.rpartition(".")[2]
-    along(axes, "x", quantity, number.values, title=f"{len(value)} designs asked")
+    along(axes, "x", quantity, number.values, title=f"{len(value)} designs evaluated")
     along(axes, "y", objective, seen)
     if seen.size and seen.min() > 0.0:
         axes.set_ylim(0.7 * seen.min(), 1.4 * seen.max()) if axes.get_yscale() == "log" else axes.set_ylim(

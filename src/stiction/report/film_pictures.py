@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, canvas, entitle, finish
+from stiction.report.pictures import BLUE, COLOUR_MAP, GREY, ORANGE, RED, canvas, entitle, finish
 from stiction.report.table import prefix, with_unit
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> Non
     used, x, z = section.attrs, section["x"].values, section["z"].values
     field = section["stress_over_yield"].values
     levels = MaxNLocator(_LEVELS).tick_values(0.0, max(float(field.max()), 1e-12))
-    drawn = axes.contourf(x, z, field, levels=levels, cmap="viridis_r")
+    drawn = axes.contourf(x, z, field, levels=levels, cmap=f"{COLOUR_MAP}_r")
     label = r"von Mises stress / yield stress $\sigma_\mathrm{M}/Y$"
     figure.colorbar(drawn, ax=axes, label=label, format="%.3g", location="bottom")
     if field.max() > 1.0:

@@ -31,7 +31,7 @@ from stiction.solving.overview import entries
 from stiction.studies.findings import ReportData, find_out, text_of_file
 
 # Columns whose cells are symbols and meanings of the table of quantities.
-_FORMULAS = ("symbol", "quantity", "group")
+_FORMULAS = ("symbol", "quantity", "group", "stated")
 _SUFFIXES = (".html", ".htm", ".pdf")
 # Programs that print a page as PDF.
 _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge")

@@ -14,7 +14,7 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 def letters(text: str) -> str:
     """Greek letters in place of their names: "σ/R" of "sigma/R"."""
-    return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(")
+    return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(").replace("+-", "±")
 
 
 def on_page(table: Table, caption: str) -> Table:

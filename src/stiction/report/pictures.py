@@ -1,5 +1,6 @@
 """Pictures: a dataset in, a matplotlib Figure out. Nothing is computed here, and no global state is touched."""
 
+import math
 import re
 import textwrap
 from collections.abc import Iterator
@@ -8,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogFormatter, LogLocator, NullFormatter, NullLocator, StrMethodFormatter
+from matplotlib.ticker import Formatter, LogLocator, NullFormatter, NullLocator
 
 from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
+from stiction.report.html_words import letters
 from stiction.report.table import prefix
 from stiction.solving.choice import RECOMMENDED
 from stiction.surfaces.finding import methods
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
 COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
+COLOUR_MAP = "viridis"
 _MARKERS = ("o", "s", "^", "D", "v", "P")
 # The lines of the panels of a curve: label and look. A part that a model does not have is left out. Parts that lie on one
 # another or on the total stay visible: the total is a broad band beneath, and the bodies have markers.
@@ -42,7 +45,9 @@ _PANELS = (
     ("friction_coefficient", "load"), ("contact_area", "load"), ("load", "mean_separation"), ("friction_force", "load"),
 )  # fmt: skip
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
-_MANY_DECADES = 1e3
+_ONE = "1\\cdot "  # before a power of ten, where it is left out
+_MANY_DECADES = 3e5  # ratio of the ends of a logarithmic axis above which its ticks are powers of ten
+_FEW_DECADES = 200.0  # below which 2 and 5 times these have ticks too
 _LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_WARNINGS = 5  # that are told below a picture
@@ -150,7 +155,7 @@ def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> N
 
 def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
     """Lines, of so many characters, that say below a picture its validity warnings; none where nothing is."""
-    warnings = [str(warning) for warning in warnings_of(data)]
+    warnings = [letters(str(warning)) for warning in warnings_of(data)]
     if not warnings:
         return []
     more = len(warnings) - _MOST_WARNINGS
@@ -174,7 +179,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     finding asperities, quantiles over what is uncertain with their median and the error of their sampling."""
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
-    text = "median" if "level" in data.attrs else "of the nominal numbers" if f"{_MU}_quantile" in data else ""
+    text = "median" if "level" in data.attrs else "at nominal inputs" if f"{_MU}_quantile" in data else ""
     seen = [mu[drawn]]
     for low, high, look in _friction_bands(data):
         there = (load > 0.0) & (high > 0.0) & np.isfinite(low)
@@ -195,11 +200,15 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     else:
         say(axes, NOT_PRESSED)
     finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL)
+    if (entries := len(axes.get_legend_handles_labels()[0])) > 2:  # which would cover the band
+        bottom, top = axes.get_ylim()
+        share = 0.08 * entries
+        axes.set_ylim(bottom, top * (top / bottom) ** share if axes.get_yscale() == "log" else top + share * (top - bottom))
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
     """Draw reference slopes where mu varies by a power of the load: a single sphere has -1/3, Amontons' law 0."""
-    if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < _MANY_DECADES * load.min():
+    if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
     middle = int(np.argsort(load)[load.size // 2])
@@ -283,6 +292,8 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     else:
         _prefixed(axes, data[against])
         axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
+    if sizes and data[what].attrs.get("units", "1") != "1":
+        along(axes, "y", what, np.array(sizes))
     finish(axes)
 
 
@@ -293,46 +304,45 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
     axes.title.set_fontsize(9)
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
-        if axis.get_scale() == "linear" and high - low < _LEAST_SPAN * abs(high):  # labels would differ in their last digits
+        if axis.get_scale() == "log":
+            if not isinstance(axis.get_major_formatter(), InUnit):  # which `along` has set
+                axis.set_major_formatter(InUnit())
+            axis.set_minor_formatter(NullFormatter())
+            if high < _FEW_DECADES * low:
+                axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            elif high > _MANY_DECADES * low:
+                axis.set_minor_locator(NullLocator())
+        elif high - low < _LEAST_SPAN * abs(high):  # labels would differ in their last digits
             axis.set_view_interval(low - 0.05 * abs(high), high + 0.05 * abs(high), ignore=True)
     axes.grid(True, alpha=0.3)
     if legend and axes.get_legend_handles_labels()[0]:
         axes.legend(fontsize=8, framealpha=0.9)
-    for axis in (axes.xaxis, axes.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        if axis.get_scale() == "log" and high > _MANY_DECADES * low:
-            axis.set_minor_locator(NullLocator())
-        elif axis.get_scale() == "log" and not isinstance(axis.get_minor_formatter(), InUnit):  # which `along` has set
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axis.set_minor_formatter(InUnit(1.0))
 
 
-def sparse(axes: Axes) -> None:
-    """Put plain numbers on a logarithmic x axis, few enough to be read."""
-    low, high = axes.get_xlim()
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high < 200.0 * low else (1.0,)))
-    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+class InUnit(Formatter):
+    """Labels of ticks in a unit with a prefix; on an axis of many decades powers of ten."""
 
-
-class InUnit(LogFormatter):
-    """Labels of small ticks in a unit with a prefix, as 0.6 rather than 6e-01; none where matplotlib finds enough."""
-
-    def __init__(self, factor: float):
-        super().__init__(minor_thresholds=(1.2, 0.5))
+    def __init__(self, factor: float = 1.0):
         self.factor = factor
 
     def __call__(self, x: float, pos: int | None = None) -> str:
-        return f"{x * self.factor:.6g}" if super().__call__(x, pos) else ""
+        axis: Any = self.axis
+        low, high = (self.factor * end for end in sorted(axis.get_view_interval()))
+        value = x * self.factor
+        if axis.get_scale() == "log" and (high > _MANY_DECADES * low or low < 1e-5 or high > 1e6):
+            power = math.floor(math.log10(value) + 1e-9)
+            lead = f"{value / 10.0**power:.3g}\\cdot "
+            return f"${lead.removeprefix(_ONE)}10^{{{power}}}$"
+        return f"{value:.6g}"
 
 
 def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
-    """Ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
+    """Label the ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
     largest = float(np.max(np.abs(variable.values), initial=0.0))
     if variable.attrs.get("units", "1") == "1" or largest == 0.0:
         return
     factor, unit = prefix(str(variable.name), largest)
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:g}"))
+    axes.xaxis.set_major_formatter(InUnit(factor))
     axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
 
 
@@ -356,11 +366,9 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
     if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
         getattr(axes, f"set_{which}scale")("log")
     factor, unit = prefix(quantity, float(seen.max(initial=0.0)))
-    finish(axes, **named)
     if row.unit and factor != 1.0:
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * factor:.6g}"))
-        if axis.get_scale() == "log":
-            axis.set_minor_formatter(InUnit(factor))
+        axis.set_major_formatter(InUnit(factor))
+    finish(axes, **named)
     axis.set_label_text(f"{before}{row.short or row.meaning} ${row.latex}$" + (f" [{unit}]" if unit else ""))
 
 

@@ -17,6 +17,7 @@ _DRAWN = {
     "profile_value": "fit_pictures.fit_figure",
     "displacement": "sliding_pictures.sliding_figure",
     "status": "model_pictures.models_figure",
+    "measured_low": "prediction_pictures.validation_figure",
     "cutoff": "method_pictures.resolution_figure",
     "friction_coefficient_log_sensitivity": "sensitivity_pictures.sensitivity_figure",
 }
@@ -30,7 +31,7 @@ class Plotting:
         self._data = data
 
     def plot(self) -> "Figure":
-        """Draw the result, whatever it is of: solve, predict, compare, sweep, slide, design, fit, sensitivity.
+        """Draw the result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses or validate.
 
         Returns a matplotlib Figure. Raises InputError for a dataset that is no such result.
         """

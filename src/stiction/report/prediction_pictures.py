@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.report.answer import at_working_load, headline, part_name
-from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, sparse
+from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, scale_friction
 
 if TYPE_CHECKING:
     import xarray
@@ -18,7 +18,10 @@ _MU = "friction_coefficient"
 def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Return a figure of mu: a band along the load, or a histogram of the draws at one load."""
     figure, (axes,) = canvas(8.53, 4.8)
-    (_band if data["load"].size > 1 else _histogram)(axes, data)
+    if data["load"].size > 1:
+        _band(axes, data, data)
+    else:
+        _histogram(axes, data)
     if title:
         figure.suptitle(title, fontsize=11)
     return figure
@@ -30,11 +33,10 @@ def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> F
     data: the result of a named model, or the prediction itself.
     """
     figure, (along, rests) = canvas(9.6, 3.4, 1, 2, width_ratios=(1.5, 1.0))
-    if data is not prediction and _MU in data:
-        friction_panel(along, data)
-        _working(along, prediction)
+    if _MU in data and (data is not prediction or data["load"].size > 1):
+        _band(along, data, prediction)
     else:
-        (_band if prediction["load"].size > 1 else _histogram)(along, prediction)
+        _histogram(along, prediction)
     rests_panel(rests, prediction)
     return figure
 
@@ -58,7 +60,6 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.plot(beside, data["measured"], "_", color=RED, markersize=9)
     axes.set(xscale="log", yscale="log", ylim=(None, 6.0 * quantiles.max()))  # room for the legend
     finish(axes, xlabel="load $P$ [N]", ylabel=MU_LABEL, title=data.attrs["title"])
-    sparse(axes)
     axes.legend(fontsize=8, ncols=2, loc="upper center")
 
 
@@ -67,28 +68,29 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     here = at_working_load(data)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
     shares = sorted(data.attrs["shares"].items(), key=lambda one: -one[1])[:3]
-    names = ["all of it", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
+    names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
     for at, share in enumerate([1.0, *(share for _, share in shares)]):
         ends = [[mu - mu * (low / mu) ** share**0.5], [mu * (high / mu) ** share**0.5 - mu]]
         axes.errorbar([mu], [at], xerr=ends, color=BLUE if at else RED, marker="o", capsize=5, linewidth=2.5)
     axes.set(ylim=(len(names) - 0.5, -0.5), xscale="log")
     axes.set_yticks(range(len(names)), names, fontsize=8)
     finish(axes, xlabel=MU_LABEL, title="What the interval comes from")
-    sparse(axes)
 
 
-def _band(axes: Axes, data: "xarray.Dataset") -> None:
-    friction_panel(axes, data.sortby("load"))
-    _working(axes, data)
-
-
-def _working(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the prediction at its working load."""
-    here = at_working_load(data)
-    ends = [[float(here[_MU] - here[f"{_MU}_low"])], [float(here[f"{_MU}_high"] - here[_MU])]]
-    axes.errorbar([float(here["load"])], [float(here[_MU])], ends, color=RED, marker="o", capsize=4, label="working load")
-    finish(axes)
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False, fontsize=8)
+def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
+    """Draw friction along the load, the prediction at its working load, and the legend above the figure."""
+    friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
+    here = at_working_load(prediction)
+    low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+    text, load = "prediction at the working load", float(here["load"])
+    axes.errorbar([load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=4, label=text)
+    axes.autoscale(axis="y")
+    drawn = np.concatenate([line.get_ydata() for line in axes.lines])
+    scale_friction(axes, np.concatenate([drawn[drawn > 0.0], [low, high]]), 30.0)
+    finish(axes, legend=False)
+    if legend := axes.get_legend():
+        legend.remove()
+    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside upper left", ncols=3, frameon=False, fontsize=8)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
@@ -101,4 +103,3 @@ def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
     for name in (f"{_MU}_low", _MU, f"{_MU}_high"):
         axes.axvline(float(here[name]), color=RED, linestyle="-" if name == _MU else "--")
     finish(axes, xlabel=MU_LABEL, ylabel=f"draws of {len(values)}", title=headline(data))
-    sparse(axes)

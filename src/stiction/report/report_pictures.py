@@ -160,14 +160,16 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
-    """Models that agree at the working load, below the prediction."""
+    """Yield the models that agree at the working load, beside the prediction."""
     told, data = findings.told, findings.recommended
     if told is None:
         return
     from stiction.report.views.comparison import groups_of
 
     here = None if data is None else at_working_load(data)
-    words = "Friction at the working load by models that agree, with intervals. The table below has the numbers."
+    words = (
+        "Friction against load by each model that may be right, and the prediction with its interval (numbers: Every model)."
+    )
     yield _picture(lambda: models_figure(told, groups_of(told), here), "models", words, wide=True)
 
 

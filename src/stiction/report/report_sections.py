@@ -143,10 +143,11 @@ def _warning_in_words(warning: ValidityWarning) -> str:
     return letters(f"{KINDS_OF_WARNING[warning.kind].capitalize()}: {warning}")
 
 
-def answer_table(findings: ReportData) -> Table:
-    """Return the rows of the prediction."""
+def answer_table(findings: ReportData, name: str) -> Table:
+    """Return the rows of the prediction; name: of the case file."""
     assert findings.prediction is not None  # the template has looked
-    return Table([Column(""), Column("")], answer_lines(findings.prediction), "What the number rests on")
+    rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
+    return Table([Column(""), Column("")], rows, "What the number rests on")
 
 
 def card(findings: ReportData, name: str) -> Markup:
@@ -184,8 +185,11 @@ def main_inputs(findings: ReportData) -> Table | None:
     rows.append(("roughness", ", ".join(filter(None, [sizes, said.get("roughness.kind")]))))
     rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
     rows.append(("load", load_in_words(findings) if findings.load is not None else "the points of the case"))
-    cells = [(name, letters(with_powers(_LONG.sub(lambda found: f"{float(found[0]):.3g}", text)))) for name, text in rows]
-    return Table([Column("input"), Column("value")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
+    cells = [
+        (name, letters(with_powers(_LONG.sub(lambda found: f"{float(found[0]):.3g}", text))).replace("e+", "e"))
+        for name, text in rows
+    ]
+    return Table([Column("input"), Column("stated")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
 
 
 def validity_line(findings: ReportData) -> str:
@@ -193,7 +197,7 @@ def validity_line(findings: ReportData) -> str:
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         known = f"Checked against {checked}." if checked else "Not checked against anything measured."
-        return f"{known} No contact with measured friction had a measured roughness."
+        return f"{letters(known)} No friction was measured on a contact with measured roughness."
     warnings = warnings_of(findings.data)
     if not warnings:
         return "All along the curve the model is within the range that its authors claim."

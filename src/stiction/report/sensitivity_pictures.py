@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -10,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, along_points, canvas, finish, heading, say
+from stiction.report.pictures import BLUE, COLOURS, ORANGE, along_points, canvas, finish, heading, look_of, say
 from stiction.report.several_tables import of_point, points_dimension
 from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
 
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
 _SHOWN = 12  # bars of a panel at most
 _TICKS = 6  # of effects, whose numbers may be long
 _NAMED = 0.05  # of the largest effect, above which an input has its name
-_COLOURS = (BLUE, ORANGE, GREEN, RED)
 
 
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
@@ -52,7 +50,7 @@ def _shares(axes: Axes, data: "xarray.Dataset") -> None:
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()
-    finish(axes, xlim=(0.0, 1.0), xlabel="share of the variance of ln mu")
+    finish(axes, xlim=(0.0, 1.0), xlabel=r"share of the variance of $\ln\,\mu$", title="where the interval comes from")
 
 
 def _symbol(name: str) -> str:
@@ -81,12 +79,11 @@ def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
-    order = ranked(at_working_load(data), name, "total_order", "input")[:8]
-    colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.9, len(order)))
-    for at, colour in zip(order, colours, strict=True):
-        one = data.isel(input=int(at))
-        axes.plot(data[dim].values, one[f"{name}_total_order"].values, color=colour, marker="o", markersize=4,
-                  label=str(one["input"].item()))  # fmt: skip
+    order = ranked(at_working_load(data), name, "total_order", "input")[: len(COLOURS)]
+    for place, number in enumerate(order):
+        chosen = data.isel(input=int(number))
+        y = chosen[f"{name}_total_order"].values
+        axes.plot(data[dim].values, y, label=str(chosen["input"].item()), **look_of("", place))
     along_points(axes, data[dim])
     axes.set(ylabel=f"total Sobol index of ln {_symbol(name)}", ylim=(0.0, None))
 
@@ -118,12 +115,13 @@ def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
     order = ranked(one, names[0], "log_sensitivity", "number")
     order = np.array([at for at in order if any(abs(_known(one, name, at)) > 1e-4 for name in names)][:_SHOWN], dtype=int)
     y, height = np.arange(len(order))[::-1], 0.8 / len(names)
-    for at, (name, colour) in enumerate(zip(names, _COLOURS, strict=False)):
+    for at, (name, colour) in enumerate(zip(names, COLOURS, strict=False)):
         values = [_known(one, name, place) for place in order]
         axes.barh(y + 0.4 - (at + 0.5) * height, values, height=height, color=colour, label=head_of(name))
     axes.set_yticks(y, [str(one["number"].values[at]) for at in order], fontsize=9)
     axes.axvline(0.0, color="black", linewidth=0.8)
-    finish(axes, xlabel="elasticity: % by which 1 % more changes it", title="at the nominal numbers")
+    heads = "the result" if len(names) > 1 else head_of(names[0])
+    finish(axes, len(names) > 1, xlabel=f"change of {heads} [%] per 1 % of the input", title="at nominal inputs")
     axes.grid(False, axis="y")
 
 

@@ -1,15 +1,31 @@
-"""Pictures of a case whose numbers are several: curves over one quantity, heat maps over two, small multiples over more."""
+"""Pictures of a case with array parameters: lines over one of them, heat maps where two of them have many values."""
 
 from itertools import product
 from typing import TYPE_CHECKING
 
-import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import NOT_PRESSED, WIDE, canvas, entitle, finish, label, say, scale_friction
+from stiction.quantities.table import QUANTITIES
+from stiction.report.pictures import (
+    COLOUR_MAP,
+    NOT_PRESSED,
+    SKY,
+    WIDE,
+    InUnit,
+    along,
+    along_points,
+    canvas,
+    draw_band,
+    entitle,
+    finish,
+    label,
+    look_of,
+    say,
+    scale_friction,
+)
 from stiction.report.several_tables import (
     coordinates_along,
     of_point,
@@ -23,112 +39,115 @@ from stiction.report.table import prefix, some
 if TYPE_CHECKING:
     import xarray
 
-_LINES, _MAPS, _MULTIPLES = 6, 6, 3
+_LINES, _PANELS, _MAPS, _MULTIPLES = 6, 3, 6, 3
+_MARKED = 30  # points of a line, up to which each has a mark
 _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they are spaced so
 
 
 def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """The friction coefficient (of a model without friction the contact area) against what varies, at some of the points."""
-    dims = varied(data)
-    figure = _curves(data, dims[0]) if len(dims) == 1 else _maps(data, dims)
+    """Draw friction, or the contact area of a model without friction, against what varies, at some of the points."""
+    dims, points = varied(data), points_dimension(data)
+    if len(dims) > 2 or (len(dims) == 2 and min(data.sizes[dim] for dim in dims) > _LINES):
+        figure = _maps(data, dims)
+    elif len(dims) == 2:
+        by, against = sorted(dims, key=lambda dim: data.sizes[dim])
+        places = [{points: int(at)} for at in some(data.sizes[points], _PANELS)] if points else [{}]
+        figure, panels = canvas(5.2 * len(places) + 0.5, 4.8, 1, len(places), sharey=True)
+        for axes, place in zip(panels, places, strict=True):
+            _lines(axes, data.isel(place), against, by)
+            axes.set_title(_place_in_words(data, place), fontsize=9)
+            axes.label_outer()
+    else:
+        along_load = points is not None and data.sizes[points] > 1
+        figure, panels = canvas(11.0 if along_load else 6.5, 4.8, 1, 1 + along_load)
+        _lines(panels[0], data, dims[0], points)
+        if along_load:
+            _lines(panels[1], data, str(points), dims[0])
     entitle(figure, data, title)
     return figure
 
 
-def _points(data: "xarray.Dataset") -> int:
-    dim = points_dimension(data)
-    return data.sizes[dim] if dim else 1
-
-
-def _at_point(data: "xarray.Dataset", at: int) -> "xarray.DataArray":
-    dim = points_dimension(data)
-    one = data[shown_quantity(data)]
-    return one.isel({dim: at}) if dim else one
-
-
-def _curves(data: "xarray.Dataset", dim: str) -> Figure:
-    """Against the quantity, a line for each of some points; and against the points, a line for each of some values."""
-    points = points_dimension(data)
-    over_points = points is not None and data.sizes[points] > 1
-    figure, panels = canvas(11.0 if over_points else 6.5, 4.8, 1, 2 if over_points else 1)
-    along = coordinates_along(data, dim)
-    numbers = some(_points(data), _LINES)
-    lines = [(of_point(data, at), _at_point(data, at).values) for at in numbers]
-    _lines(panels[0], _x_values(data, dim), lines, len(numbers))
-    panels[0].set_xlabel(_axis_label(data, dim))
-    if over_points:
-        chosen = some(data.sizes[dim], _LINES)
-        lines = [
-            (", ".join(of_value(data, name, at) for name in along), data[shown_quantity(data)].isel({dim: at}).values)
-            for at in chosen
-        ]
-        _lines(panels[1], data[points].values, lines, len(chosen))
-        panels[1].set_xlabel(label(data[points]))
-        if panels[1].lines:
-            panels[1].legend(title=", ".join(along), fontsize=8, framealpha=0.9)
-    for axes in panels:
-        axes.set_ylabel(label(data[shown_quantity(data)], longest=42))
-    return figure
-
-
-def _lines(axes: Axes, x: np.ndarray, lines: list[tuple[str, np.ndarray]], count: int) -> None:
-    colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.9, max(count, 2)))
-    seen = []
-    for (text, y), colour in zip(lines, colours, strict=False):
+def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
+    """Draw a line for each of some places along `by`; a single line with its interval, if it has one."""
+    name = shown_quantity(data)
+    x, seen = _x_values(data, against), []
+    places = [{by: int(at)} for at in some(data.sizes[by], _LINES)] if by else [{}]
+    for number, place in enumerate(places):
+        y = data[name].isel(place).values
         drawn = np.isfinite(y) & (y > 0.0)
         if not drawn.any():
             continue
-        axes.plot(x[drawn], y[drawn], color=colour, marker="o" if x.size <= 30 else "", markersize=3.5, label=text)
+        look = look_of("", number) | ({} if x.size <= _MARKED else {"marker": ""})
+        axes.plot(x[drawn], y[drawn], label=_place_in_words(data, place), **look)
         seen.append(y[drawn])
+        if len(places) == 1 and f"{name}_low" in data:
+            low, high = (data[f"{name}_{end}"].isel(place).values[drawn] for end in ("low", "high"))
+            draw_band(axes, x[drawn], low, high, color=SKY, alpha=0.25, label=f"{data.attrs['level']:.0%} interval")
+            seen += [low[low > 0.0], high]
+    axes.set_ylabel(label(data[name], longest=42))
     if not seen:
         say(axes, NOT_PRESSED)
         return
     scale_friction(axes, np.concatenate(seen))
-    if _is_log(x):
-        axes.set_xscale("log")
-    finish(axes)
+    if data[name].attrs.get("units", "1") != "1":
+        along(axes, "y", name, np.concatenate(seen), log=False)
+    _name_axis(axes, "x", data, against)
+    if by in varied(data) and (legend := axes.get_legend()):
+        legend.set_title(", ".join(coordinates_along(data, str(by))).replace("_", " "))
+
+
+def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
+    """Return what a place along dimensions is: a load, or the values of what varies."""
+    points, texts = points_dimension(data), []
+    for dim, at in place.items():
+        names = coordinates_along(data, dim)
+        values = [of_value(data, name, at) for name in names] if dim != points else [of_point(data, at)]
+        texts += (
+            values
+            if dim == points or len(place) == 1
+            else [f"{one} = {value}" for one, value in zip(names, values, strict=True)]
+        )
+    return "\n".join(texts) if len(place) > 1 else ", ".join(texts)
 
 
 def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
-    """Heat maps over the two dimensions with most values. Of two one at each of some points; of more at the middle point, a row
-    and a column of them for some values of the next two; of what varies beside these, the middle."""
-    places: list[tuple[dict[str, int], int]] = [({}, int(at)) for at in some(_points(data), _MAPS)]
+    """Draw heat maps over the two dimensions with most values.
+
+    Two dimensions have one map at each of some points; more have a row and a column of maps, at the middle point, for some
+    values of the next two. Everything else is at its middle.
+    """
+    points = points_dimension(data)
+    count = data.sizes[points] if points else 1
+    places = [{points: int(at)} if points else {} for at in some(count, _MAPS)]
     columns = min(len(places), 3)
     if len(dims) > 2:
         dims = sorted(dims, key=lambda dim: -data.sizes[dim])
-        fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in dims[4:]}
+        fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in dims[4:]} | ({points: (count - 1) // 2} if points else {})
         outer = {dim: some(data.sizes[dim], _MULTIPLES) for dim in reversed(dims[2:4])}
-        middle = (_points(data) - 1) // 2
-        places = [(fixed | dict(zip(outer, map(int, at), strict=True)), middle) for at in product(*outer.values())]
+        places = [fixed | dict(zip(outer, map(int, at), strict=True)) for at in product(*outer.values())]
         columns = len(outer[dims[2]])
     rows = -(-len(places) // columns)
     figure, panels = canvas(4.0 * columns + 1.6, 3.6 * rows + 0.9, rows, columns)
     for axes in panels[len(places) :]:
         axes.set_axis_off()
-    panels = panels[: len(places)]
     up, across = dims[:2]
-    tables = [_at_point(data, point).isel(at).transpose(up, across).values for at, point in places]
+    name = shown_quantity(data)
+    tables = [data[name].isel(place).transpose(up, across).values for place in places]
     seen = np.concatenate([table[np.isfinite(table) & (table > 0.0)] for table in tables])
     if not seen.size:
         for axes in panels:
             say(axes, "not defined here")
         return figure
-    wide = seen.max() > WIDE * seen.min()
-    norm = LogNorm(seen.min(), seen.max()) if wide else Normalize(0.0, seen.max())
+    norm = LogNorm(seen.min(), seen.max()) if seen.max() > WIDE * seen.min() else Normalize(0.0, seen.max())
     x, y = _x_values(data, across), _x_values(data, up)
-    for axes, (at, point), table in zip(panels, places, tables, strict=True):
-        said = [f"{name} = {of_value(data, name, place)}" for dim, place in at.items() for name in coordinates_along(data, dim)]
+    for axes, place, table in zip(panels, places, tables, strict=False):
         drawn = np.ma.masked_where(~(np.isfinite(table) & (table > 0.0)), table)
-        mesh = axes.pcolormesh(_edges(x), _edges(y), drawn, norm=norm, cmap="viridis")
-        for values, scale in ((x, axes.set_xscale), (y, axes.set_yscale)):
-            if _is_log(values):
-                scale("log")
-        axes.set(
-            title="\n".join([of_point(data, point), *said]), xlabel=_axis_label(data, across), ylabel=_axis_label(data, up)
-        )
-        axes.title.set_fontsize(9)
+        mesh = axes.pcolormesh(_edges(x), _edges(y), drawn, norm=norm, cmap=COLOUR_MAP)
+        _name_axis(axes, "x", data, across)
+        _name_axis(axes, "y", data, up)
+        axes.set_title(_place_in_words(data, place), fontsize=9)
+        axes.grid(False)
         axes.set_facecolor("#dddddd")
-    name = shown_quantity(data)
     figure.colorbar(mesh, ax=panels, label=f"{label(data[name])}; grey: not defined")
     return figure
 
@@ -139,30 +158,41 @@ def _rises(values: np.ndarray) -> bool:
 
 
 def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
-    """Where the values along a dimension are drawn: at those of its first quantity, or one after another where that neither
-    rises nor falls."""
-    name = coordinates_along(data, dim)[0]
-    values = data[name].values
-    return values * _prefix(data, name)[0] if _rises(values) else np.arange(1.0, values.size + 1.0)
+    """Return where values along a dimension are drawn: at those of its first quantity, or in order if it is unsorted."""
+    values = data[dim if dim == points_dimension(data) else coordinates_along(data, dim)[0]].values
+    return values if _rises(values) else np.arange(1.0, values.size + 1.0)
 
 
-def _prefix(data: "xarray.Dataset", name: str) -> tuple[float, str]:
-    """What values of a quantity are drawn times, and the unit with a fitting prefix that they then have."""
-    unit, largest = data[name].attrs.get("units", "1"), float(np.abs(data[name].values).max())
-    return (1.0, unit) if unit == "1" or largest == 0.0 else prefix(name.rpartition(".")[2], largest)
-
-
-def _axis_label(data: "xarray.Dataset", dim: str) -> str:
-    names = coordinates_along(data, dim)
-    if not _rises(data[names[0]].values):
-        return f"place in the list of {', '.join(names)}"
-    beside = f"\nwith {', '.join(names[1:])}" if names[1:] else ""
-    unit, prefixed = data[names[0]].attrs.get("units", "1"), _prefix(data, names[0])[1]
-    return label(data[names[0]], longest=60).replace(f"[{unit}]", f"[{prefixed}]") + beside
+def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None:
+    """Label and scale an axis along a dimension."""
+    if dim == points_dimension(data):
+        along_points(axes, data[dim])
+        return
+    first, *others = coordinates_along(data, dim)
+    values, quantity = data[first].values, first.rpartition(".")[2]
+    axis = getattr(axes, f"{which}axis")
+    if not _rises(values):
+        axis.set_label_text(f"place in the list of {', '.join([first, *others])}")
+        finish(axes)
+        return
+    if _is_log(values):
+        getattr(axes, f"set_{which}scale")("log")
+    if quantity in QUANTITIES:
+        along(axes, which, quantity, values, log=False)
+    elif data[first].attrs.get("units") == "m":
+        factor, unit = prefix("scan_size", float(np.abs(values).max()))
+        axis.set_major_formatter(InUnit(factor))
+        axis.set_label_text(label(data[first]).replace("[m]", f"[{unit}]"))
+        finish(axes)
+    else:
+        axis.set_label_text(label(data[first]))
+        finish(axes)
+    if others:
+        axis.set_label_text(f"{axis.get_label_text()}\nwith {', '.join(others)}")
 
 
 def _is_log(values: np.ndarray) -> bool:
-    """Whether values span a decade and are spaced by their logarithms rather than evenly."""
+    """Return whether values span a decade and are spaced by their logarithms rather than evenly."""
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))
@@ -170,7 +200,7 @@ def _is_log(values: np.ndarray) -> bool:
 
 
 def _edges(values: np.ndarray) -> np.ndarray:
-    """Borders (n + 1,) of cells around values (n,), between them halfway, on a logarithmic axis by ratio."""
+    """Return the borders (n + 1,) of cells around values (n,): halfway between them, on a logarithmic axis by ratio."""
     log = _is_log(values)
     at = np.log(values) if log else values
     if at.size == 1:

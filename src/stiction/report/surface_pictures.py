@@ -14,7 +14,7 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, GREEN, GREY, SKY, canvas, finish, look_of, plain, say, unit_for
+from stiction.report.pictures import BLUE, COLOUR_MAP, GREEN, GREY, SKY, canvas, finish, look_of, plain, say, unit_for
 from stiction.report.table import prefix
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
@@ -103,7 +103,7 @@ def _draw_map(axes: Axes, surface: HeightMap, ends: tuple[float, float], factor:
     top, right = (n * k * pitch * across for n, k, pitch in zip(shown.shape, step, surface.pitch, strict=True))
     if surface.missing:
         axes.patch.set(**_ABSENT)
-    look: dict[str, Any] = {"cmap": "viridis", "vmin": ends[0] * factor, "vmax": ends[1] * factor, "interpolation": "nearest"}
+    look: dict[str, Any] = {"cmap": COLOUR_MAP, "vmin": ends[0] * factor, "vmax": ends[1] * factor, "interpolation": "nearest"}
     image = axes.imshow(shown, extent=(0.0, right, 0.0, top), origin="lower", **look)
     axes.set_aspect("equal" if max(surface.size) < 4.0 * min(surface.size) else "auto")
     axes.set(xlim=(0.0, surface.size[1] * across), ylim=(0.0, surface.size[0] * across))
