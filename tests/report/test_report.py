@@ -20,6 +20,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.sources import bibliography
 from stiction.report import html_report
 from stiction.report.html_report import as_html, case_as_html, write_report
+from stiction.report.html_words import letters
 from stiction.report.prediction_pictures import prediction_figure
 from stiction.studies.findings import find_out
 
@@ -66,7 +67,7 @@ def test_without_a_model_the_prediction_answers(tmp_path):
     low, high = (
         f"{float(f'{found[name].item():.2g}'):g}" for name in ("friction_coefficient_low", "friction_coefficient_high")
     )
-    assert f"90% interval {low} to {high}" in text and found.attrs["regime"] in text
+    assert f"90% interval {low} to {high}" in text and letters(found.attrs["regime"]) in text
 
 
 @pytest.mark.parametrize(("ranges", "counted"), [("", "counted"), ("[uncertainty]\nranges = false\n", "not counted")])

@@ -1,5 +1,7 @@
-"""The command line. What is slow to import is imported inside the commands, so that
-`stiction --help` answers at once."""
+"""Define the command line.
+
+What is slow to import is imported inside the commands, so that `stiction --help` answers at once.
+"""
 
 import atexit
 import gc
@@ -19,10 +21,10 @@ __all__ = ["app", "main"]
 
 
 def main() -> None:
-    """Entry point of the command `stiction`.
+    """Run the command `stiction`.
 
-    A command is over in seconds, and what it imports lives until then. Looking for cycles in all that, again and again while it
-    is imported and three times at the end, took a third of the processor time of a run.
+    A command is over in seconds, and what it imports lives until then. Looking for reference cycles again and again while it is
+    imported, and three times at the end, took a third of the processor time of a run.
     """
     gc.set_threshold(200_000)
     atexit.register(gc.freeze)

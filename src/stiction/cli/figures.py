@@ -9,7 +9,7 @@ from stiction.quantities.table import QUANTITIES
 
 
 def _bounds(name: str) -> str:
-    """Meaning, bounds and unit of a quantity, for --help."""
+    """Return the meaning, bounds and unit of a quantity, for --help."""
     quantity = QUANTITIES[name]
     return f"{quantity.meaning}; {quantity.wanted}"
 
@@ -24,11 +24,11 @@ def figures(
     out: Out = Path("figures"),
     json: Json = False,
 ) -> None:
-    """Figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.
+    """Draw figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.
 
-    theta and lambda of the figures are not printed in the paper: 40 and 10 show its claims (a) to (c). The map of the claims
-    covers theta 1 to 1e4 and lambda 1e-3 to 1e4 in both readings, and with the film solved in place of its law. Written:
-    fig1a.png to fig3.png, curves.csv, claims.png, claims.csv.
+    The paper does not print theta and lambda of its figures; 40 and 10 show its claims (a) to (c). The map of the claims covers
+    theta 1 to 1e4 and lambda 1e-3 to 1e4 in both variants, and with the film solved instead of its law. Files: fig1a.png to
+    fig3.png, curves.csv, claims.png, claims.csv.
     """
     require("figures", "matplotlib")
     with solving():

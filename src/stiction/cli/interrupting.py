@@ -12,8 +12,11 @@ INTERRUPTED = 130  # exit code
 
 @contextmanager
 def ended_by_interrupts() -> Iterator[None]:
-    """Within, Ctrl-C ends the program with a line. What was begun has nothing to keep, and libraries that are imported would
-    take an exception for one of their own. Where somebody else handles Ctrl-C it is theirs."""
+    """End the program with one line on Ctrl-C.
+
+    Nothing begun here is worth keeping, and libraries that are being imported would take an exception for one of their own.
+    A handler of Ctrl-C that is already set stays.
+    """
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.default_int_handler or current_thread() is not main_thread():
         yield

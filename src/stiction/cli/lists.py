@@ -22,7 +22,10 @@ def models(
     keys: list[str] | None = argument("[KEY]...", "Say all of these; else a line of each.", None, autocompletion=every_key),
     json: Json = False,
 ) -> None:
-    """Every model and law by kind: key, grade, what it is. With KEY also its source, validity, assumptions and equations."""
+    """List every model and law by kind, with its grade and title.
+
+    With KEY, also print its source, validity, assumptions and equations.
+    """
     from stiction.report.tables import grades, model_in_full, models_list
     from stiction.solving.overview import models as all_models
 
@@ -41,8 +44,10 @@ def materials(
     ),
     json: Json = False,
 ) -> None:
-    """Presets of materials: modulus, Poisson's ratio, hardness, surface energy, each with its range. With NAME also where each
-    number comes from; stiction cite KEY prints what stands in brackets."""
+    """List the material presets with modulus, Poisson's ratio, hardness and surface energy, each with its range.
+
+    With NAME, also print the source of each number. stiction cite KEY prints the entry of a key in brackets.
+    """
     from stiction.report.lists import material_in_full, material_rows, materials_table
 
     rows = material_rows(names or None)
@@ -60,8 +65,11 @@ def interfaces(
     ),
     json: Json = False,
 ) -> None:
-    """States of an interface: shear strength and how it grows with pressure, each with range and grade. With NAME also where
-    the numbers come from and where the state must not be used; stiction cite KEY prints what stands in brackets."""
+    """List the states of an interface with their shear strength and its growth with pressure, each with range and grade.
+
+    With NAME, also print the sources and where the state must not be used. stiction cite KEY prints the entry of a key in
+    brackets.
+    """
     from stiction.contact.interfaces import interfaces as rows_of
     from stiction.report.lists import interface_in_full, interfaces_table
 
@@ -73,7 +81,7 @@ def interfaces(
 def cite(
     keys: list[str] | None = argument("[KEY]...", "Models or entries; all if none.", None, autocompletion=every_key),
 ) -> None:
-    """BibTeX of models, film laws and entries of the bibliography."""
+    """Print BibTeX entries of models, film laws and the bibliography."""
     from stiction.solving.overview import cite as bibtex_of
 
     print(bibtex_of(keys or None), end="")
@@ -81,7 +89,7 @@ def cite(
 
 @app.command()
 def schema(out: Path | None = option("File to write to; else it is printed.")) -> None:
-    """JSON schema of a case file, for editors that complete and check TOML."""
+    """Print the JSON schema of a case file, for editors that complete and check TOML."""
     from stiction.case.read import json_schema
     from stiction.report.files import as_json
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """A command that also takes the options of models and laws, as their records name them: --variant published."""
+    """Accept the options of models and laws too, by the names in their records: --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
@@ -29,7 +29,10 @@ OPTIONS = "stiction.options"
 
 
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
-    """The options of records among the words of a command line, by name, and the other words; own: the command's options."""
+    """Return the options of records among the words of a command line, by name, and the other words.
+
+    own: options of the command itself.
+    """
     from stiction.records.registry import all_options
 
     known = {f"--{name.replace('_', '-')}": (name, values) for name, values in all_options().items()}
@@ -48,7 +51,7 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
 
 
 def option(told: str, default: Any = None, *names: str, **more: Any) -> Any:
-    """Return an option of a command; names: by default that of its parameter."""
+    """Return an option of a command; names: by default the name of its parameter."""
     return typer.Option(default, *names, help=told, **more)
 
 
@@ -58,7 +61,7 @@ def argument(metavar: str, told: str, default: Any = ..., **more: Any) -> Any:
 
 
 def keys_of(kind: str) -> Callable[[str], list[str]]:
-    """What completes a word on the command line to the keys of the records of a kind, by its keyword in `solve`."""
+    """Return a completer for the keys of the records of a kind, given by its keyword in `solve`."""
 
     def complete(incomplete: str) -> list[str]:
         from stiction.records.registry import kinds, of_kind
@@ -70,12 +73,12 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
 
 
 def names_of(module: str, function: str) -> Callable[[str], list[str]]:
-    """Return what completes a word to a name that a function of the package lists."""
+    """Return a completer for the names that a function of the package lists."""
     return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
 
 
 def every_key(incomplete: str) -> list[str]:
-    """What completes a word to the key of any record."""
+    """Complete a word to the key of any record."""
     from stiction.records.registry import records
 
     return [one.key for one in records() if one.key.startswith(incomplete)]
@@ -90,7 +93,7 @@ def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
 
 
 def folder(text: str | Path) -> Path:
-    """A folder that is named, by a user or by default: without a name it would be the current one, which nobody asked for."""
+    """Return a path to a folder; refuse an empty name, which would mean the current folder."""
     if not str(text).strip():
         raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
     return Path(text)

@@ -14,7 +14,7 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
-    """What stands for characters that an encoding has not: "um^2" for µm², and "?" where nothing does."""
+    """Return a replacement for characters that an encoding lacks: "um^2" for µm², and "?" where there is none."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_one_in_ascii, error.object[error.start : error.end])), error.end
@@ -38,7 +38,7 @@ def readable() -> None:
 
 
 def print_json(content: Any) -> None:
-    """One JSON object, with escapes where the reader's encoding is not that of all characters."""
+    """Print one JSON object, with escapes where the reader's encoding lacks characters."""
     from stiction.report.files import as_json
 
     everything = (sys.stdout.encoding or "").lower().replace("_", "-").startswith("utf")
@@ -47,7 +47,7 @@ def print_json(content: Any) -> None:
 
 @contextmanager
 def said_if_unwritable() -> Iterator[None]:
-    """Where what was printed cannot be written, on a full disk or into a closed pipe, the program ends with one line."""
+    """End the program with one line where the output cannot be written: on a full disk, or into a closed pipe."""
     try:
         yield
         sys.stdout.flush()
@@ -65,5 +65,5 @@ def give_up_output(error: OSError) -> NoReturn:
 
 
 def closed_pipe() -> NoReturn:
-    """Whoever read what is printed has gone."""
+    """Raise BrokenPipeError, as the reader of the output has gone."""
     raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))

@@ -31,7 +31,7 @@ _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the t
 
 
 class _Commands(TyperGroup):
-    """Bad input and wrong usage are one line and exit code 2, an interruption exit code 130; none is a traceback."""
+    """Report bad input and wrong usage as one line with exit code 2, an interruption with 130; never a traceback."""
 
     def __init__(self, *given, **named):
         super().__init__(*given, **named)
@@ -58,8 +58,7 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """What the user can cause is said in one line, and ends the program with its exit code; so is what else
-    the user should know."""
+    """Print user errors and notices as one line each, and exit with the matching code."""
     try:
         with warnings.catch_warnings():
             for category in _SAID:
@@ -89,7 +88,7 @@ def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> Non
 
 
 def _as_input(error: Any) -> InputError:
-    """Wrong usage, as typer found it, with the field, the value and what is allowed."""
+    """Return a usage error of typer as an InputError with the field, the value and what is allowed."""
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
@@ -112,13 +111,15 @@ def _as_input(error: Any) -> InputError:
 
 
 def _name(param: Any) -> str:
-    """How the user writes an option, or reads of an argument."""
+    """Return how the user writes an option, or the name of an argument."""
     return next((name for name in param.opts if name.startswith("--")), param.metavar or param.name)
 
 
 def _refused(error: Any) -> tuple[Any, str]:
-    """The value of an option that is of a wrong kind, and what its kind is: from "Input should be a valid number, ..." with the
-    value in the cause, or from "'abc' is not a valid float"."""
+    """Return the refused value of an option, and what is allowed.
+
+    The text is "Input should be a valid number, ..." with the value in the cause, or "'abc' is not a valid float".
+    """
     value, _, allowed = error.message.rstrip(".").rpartition(" is not ")
     if (cause := error.__cause__) is not None and hasattr(cause, "errors"):
         value, allowed = cause.errors()[0]["input"], error.message.removeprefix("Input should be ").partition(", ")[0]
@@ -145,7 +146,7 @@ def _version(wanted: bool) -> None:
 def _stiction(
     version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")] = False,
 ) -> None:
-    """Static friction of rough, adhesive, possibly soft-coated contacts: every number with its source."""
+    """Predict the static friction of rough, adhesive, possibly soft-coated contacts: every number with its source."""
 
 
 def console():
@@ -158,21 +159,21 @@ def console():
 
 @contextmanager
 def busy(text: str) -> Iterator[None]:
-    """A line with a running clock on the terminal while something goes on, gone when it is done."""
+    """Show a line with a running clock on the terminal, and remove it at the end."""
     with _line(text):
         yield
 
 
 @contextmanager
 def writing(text: str = "Writing the results") -> Iterator[None]:
-    """The same while results are written. Ctrl-C waits until they are: what took long is not lost at its end."""
+    """Show the same line while results are written, and delay Ctrl-C until they are."""
     with busy(text), uninterrupted():
         yield
 
 
 @contextmanager
 def telling_how_far() -> Iterator[Callable[[str], None]]:
-    """Yield what tells how far something is: in a line on the terminal, else in a line at once and then now and then."""
+    """Yield a function that shows progress: in a line on the terminal, else as a line printed every ten seconds."""
     with _line("") as line:
         if line is not None:
             yield line.say
@@ -194,13 +195,13 @@ _EVERY = 10.0  # seconds between lines that nobody watches
 
 @contextmanager
 def solving() -> Iterator[None]:
-    """The same while something is solved: it says when kernels have to be compiled for that, and how many are done."""
+    """Show the same line while something is solved, with the number of kernels compiled on the way."""
     with _line("Solving") as line, _saying_what_goes_on(line, "Solving"):
         yield
 
 
 def bar(text: str):
-    """A wrapper of a loop's list that shows how far the loop is, and what is compiled on the way."""
+    """Return a wrapper of a list that shows how far its loop is, and which kernels are compiled on the way."""
 
     def wrapped(steps):
         with _line(text) as line, _saying_what_goes_on(line, text):
@@ -211,7 +212,7 @@ def bar(text: str):
 
 @dataclass(frozen=True)
 class _Line:
-    """A line on the terminal that can be written anew."""
+    """Hold a line on the terminal that can be rewritten."""
 
     progress: Any
     task: Any
@@ -225,7 +226,7 @@ class _Line:
 
 @contextmanager
 def _line(text: str) -> Iterator[_Line | None]:
-    """A line with a bar and a clock; None where nobody would see it."""
+    """Yield a line with a bar and a clock; None where the output is no terminal."""
     from rich.console import Console
 
     terminal = Console(stderr=True)
@@ -241,7 +242,7 @@ def _line(text: str) -> Iterator[_Line | None]:
 
 @contextmanager
 def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
-    """Which kernels are compiled, and how far the solution of a map is."""
+    """Show how many kernels are compiled, and how far the solution of a map is."""
     if line is None:
         yield
         return
@@ -265,10 +266,10 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
 
 
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
-    """Write what a result shows into a folder, if one is given, and print it, as JSON if that is asked for.
+    """Write a result into a folder, if one is given, and print it, as JSON if requested.
 
-    details: print all parts, and not only those that fit into the lines of an answer. Raises KeyboardInterrupt at the end where
-    the result is that of a study which was interrupted.
+    details: print all parts instead of the few lines of a short answer. Raises KeyboardInterrupt at the end if the study was
+    interrupted.
     """
     names = []
     if out is not None:
@@ -288,8 +289,10 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 
 
 def show(parts: Iterable[Any]) -> None:
-    """Print paragraphs and tables. Text that does not wrap stays on one line; a terminal cuts off the end of a long one if
-    the text allows that, and a pipe has all of it."""
+    """Print paragraphs and tables.
+
+    Text with `no_wrap` stays on one line; a terminal may cut off its end if the text allows that, a pipe never does.
+    """
     from rich.text import Text
 
     terminal = console()

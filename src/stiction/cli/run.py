@@ -101,7 +101,7 @@ def slide(
 
 
 def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
-    """Return the command with an option for each kind of law that goes beside a model."""
+    """Return the command with an option for each kind of law that is added to a model."""
     own = [one for one in signature(command).parameters.values() if one.kind is not Parameter.VAR_KEYWORD]
     options = {
         name: option(f"{text.capitalize()}.", autocompletion=keys_of(name), **LAW)

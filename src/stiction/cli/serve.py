@@ -18,11 +18,10 @@ def serve(
         "Address to bind. The default is this machine alone; any other lets whoever reaches it use the page.", "127.0.0.1"
     ),
 ) -> None:
-    """A page in the browser, with a knob for every number: friction, models, surfaces and studies of a case, drawn anew as they
-    turn.
+    """Open a page in the browser with a control for every number of a case: friction, models, surfaces and studies.
 
-    Nothing leaves this machine, and no network is needed. The address of the page holds the case: who gets it sees the same.
-    Uploads are kept in a temporary folder, and deleted with the page. Ctrl-C ends it.
+    The page works without a network, and its data stays on this machine. Its address holds the case: share it to share the
+    case. Uploads are kept in a temporary folder and deleted with the page. Ctrl-C ends it.
     """
     require("serve", "nicegui", "matplotlib")
     with busy("Starting"):

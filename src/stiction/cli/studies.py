@@ -37,7 +37,7 @@ _SHARED: dict[str, tuple[Any, Any]] = {
 
 
 def _add_command(folder: str, study: Study) -> None:
-    """Add the command of a study: its options are those of its plan, and --out, --details and --json."""
+    """Add the command of a study, with the options of its plan and --out, --details and --json."""
     own = inspect.signature(study.plan).parameters
 
     def command(context: typer.Context, **given: Any) -> None:
@@ -87,11 +87,10 @@ def report(
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """One file of HTML that holds all of itself: the answer with its validity warnings, inputs and sources, pictures, every
-    model compared.
+    """Write a report as one file: answer, validity warnings, inputs with sources, pictures, and every model compared.
 
-    It is read without a network and without scripts, on paper too, and holds the case file to run it again. With --json the
-    answer is printed as numbers, besides. Where numbers of the case are several, models are not compared.
+    The file needs neither network nor scripts, can be printed, and contains the case file. --json also prints the answer as
+    numbers. Models are not compared where numbers of the case are arrays.
     """
     with busy("Reading the case"):
         from stiction.report.html_report import write_report
@@ -110,12 +109,11 @@ def validate(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """Compare the prediction and every model that applies with measured series: by what factor each is off.
+    """Compare the prediction and every applicable model with measured series: the ratio of predicted to measured friction.
 
-    An entry is a TOML file with the tables [contact] of a case file and [measured], which says who measured what and where
-    that is printed, beside a CSV file of the values, or with ranges in [[measured.band]]. Of a folder, every entry in it. With
-    --out: a CSV file for each entry, with what each model says of every value, and a picture of the prediction. The mean ratio
-    is of predicted over measured.
+    An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source, and a CSV file of
+    values or ranges in [[measured.band]]. A folder stands for every entry in it. --out writes a CSV file for each entry with
+    the values of each model, and a picture of the prediction.
     """
     with busy("Reading the measured series"):
         from stiction.studies.validation import entries_in, read_entry

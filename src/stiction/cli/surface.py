@@ -41,11 +41,11 @@ def surface(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """A measured surface: heights, kind, asperities, and the lines of a case file that use it.
+    """Analyse a measured surface: heights, kind, asperities, and the lines of a case file that use it.
 
-    With --contact, its contact with a flat, solved at every point: real area, separation, stiffness.
-    With --out: map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study (how sigma, R and N,
-    and with --case mu, change with the method and the shortest wavelength) as fan.png, fan.csv and fan.nc.
+    --contact also solves its contact with a flat, point by point: real area, separation, stiffness.
+    --out writes map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study as fan.png, fan.csv
+    and fan.nc: how sigma, R and N, and with --case mu, change with the method and the shortest wavelength.
     """
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
@@ -74,7 +74,7 @@ def surface(
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:
-    """The nominal pressures of --contact; empty where it is not asked for."""
+    """Return the nominal pressures of --contact; an empty list without that option."""
     if contact is None:
         if hardness is not None:
             raise InputError("--hardness", hardness, "together with --contact: it is the hardness of that")
@@ -93,7 +93,7 @@ def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) 
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
-    """The case whose mu is wanted, and at which load."""
+    """Return the case of --case and its load."""
     if case is None:
         if load is not None:
             raise InputError("--load", load, "together with --case: it is the load of that")

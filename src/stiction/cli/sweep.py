@@ -44,7 +44,7 @@ def sweep(
 
 
 class _Shown:
-    """Shows how far a sweep is, its rate and the time that is left: a bar on a terminal, else a line now and then."""
+    """Show progress, rate and remaining time of a sweep: a bar on a terminal, else a line every ten seconds."""
 
     def __init__(self) -> None:
         self.done = self.size = self.computed = 0

@@ -41,7 +41,7 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def confidence(mu: float, low: float, high: float) -> str:
-    """Return how sure mu is: "high", "fair" or "low", by the larger factor from the median to an end of its interval."""
+    """Return "high", "fair" or "low", by the larger factor between the median and an end of its interval."""
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
 
@@ -76,7 +76,7 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def model_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer of one model as JSON has it: at the middle point of its curve, with the band over uncertain inputs."""
+    """Return the answer of one model for JSON: at the middle point of its curve, with the band over uncertain inputs."""
     here = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(here[_MU]) if _MU in here else None
     answer = {"load": float(here["load"]), "friction_coefficient": mu, "interval": None, "level": None}
@@ -107,7 +107,7 @@ def headline(data: "xarray.Dataset") -> str:
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
-    """Return the end of the line of the models: the laws of menisci and contamination that the prediction takes."""
+    """Return the end of the line of the models: the laws of menisci and contamination in the prediction."""
     return "".join(f"; {name}" for name in attrs["beside_area"])
 
 
@@ -148,7 +148,7 @@ def _along(data: "xarray.Dataset") -> str:
 
 
 def _of_measured(data: "xarray.Dataset") -> str:
-    """Return what measured values tell of uncertain numbers, or of the interface with the line of a case that keeps it."""
+    """Return what measured values say about uncertain numbers, or about the interface with its line in a case."""
     if "measured" not in data.attrs:
         return ""
     count = data.attrs["measured"]

@@ -16,7 +16,10 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches f
 
 
 class Card(NamedTuple):
-    """The answer in short. rows: all of it, as a head and a text; named: what a model that was named says, "" for none."""
+    """Hold the answer in short.
+
+    rows: all of it, as pairs of a head and a text. named: the number of a model that the user named, or "".
+    """
 
     mu: float
     low: float

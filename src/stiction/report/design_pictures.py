@@ -18,8 +18,7 @@ _BARS = 12
 
 
 def design_figure(data: "xarray.Dataset") -> Figure:
-    """The best for each choice from the lists, if there are several; the front of two objectives, with what is chosen along it;
-    how the search of one objective went."""
+    """Draw the best design of each choice from the lists, and the designs evaluated or the front of two objectives."""
     said = data.attrs["objectives"].split("\n")
     objectives = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
     several, two = data.sizes["design"] > 1, len(objectives) == 2
@@ -63,7 +62,7 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """What is chosen along the front: numbers, between the ends between which they were searched."""
+    """Draw the chosen numbers along the front, each between the ends of its search."""
     columns = columns_of(data, "front")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
@@ -77,7 +76,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw every design that was asked for against the number that was chosen, between the ends of its search."""
+    """Draw every evaluated design against the chosen number, between the ends of its search."""
     columns = columns_of(data, "asked")
     name = next((one for one in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[one]].attrs), "")
     if not name:

@@ -30,7 +30,7 @@ _ABANDONED = 600.0  # s: in less, whoever is alive has written something
 
 
 def as_json(content: Any, only_ascii: bool = False) -> str:
-    """Strict JSON: NaN and infinities, which it does not know, become null; only_ascii: other characters are escaped."""
+    """Return strict JSON, in which NaN and infinities are null; only_ascii: other characters are escaped."""
     return json.dumps(_plain(content), ensure_ascii=only_ascii, allow_nan=False, indent=2)
 
 
@@ -45,13 +45,13 @@ def _plain(value: Any) -> Any:
 
 
 def unit_of(variable: "xarray.DataArray") -> str:
-    """The unit of a result, or what a normalised one is divided by; "" where it has neither."""
+    """Return the unit of a result, or the divisor of a normalised one; "" where it has neither."""
     unit = variable.attrs.get("normalised_by") or variable.attrs.get("units", "")
     return "" if unit == "1" else unit
 
 
 def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any]:
-    """A result as one JSON object: attrs, groups, and variables by name with unit, meaning, dimensions and values."""
+    """Return a result for JSON: attributes, groups, and variables with unit, meaning, dimensions and values."""
     variables = {}
     for name in _names(data):
         variable = data[name]
@@ -70,13 +70,12 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
 
 
 def _names(data: "xarray.Dataset") -> list[str]:
-    """Coordinates first, then results."""
+    """Return the names of coordinates, then of results."""
     return [str(name) for name in (*data.coords, *data.data_vars)]
 
 
 def comments_of(data: "xarray.Dataset") -> list[str]:
-    """What a table of a result has to say before its first row: what was computed, by which model, with what validity warnings,
-    from which inputs, and what the columns are."""
+    """Return the comment lines above the table of a result: model, validity warnings, inputs, and its columns."""
     used = data.attrs
     said: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
@@ -110,8 +109,7 @@ def _column_said(variable: "xarray.DataArray") -> str:
 
 
 def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
-    """Every variable as a column under "name [unit]", a row for each point; floats to their last digit. comments: lines before
-    that, each after a "#"."""
+    """Write every variable as a column with the head "name [unit]", after comment lines; floats have all digits."""
     import xarray
 
     names = _names(data)
@@ -126,7 +124,7 @@ def rows_of(data: "xarray.Dataset", names: Iterable[str]) -> list[list[Any]]:
 
 
 def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], comments: Iterable[str] = ()) -> None:
-    """A CSV file with one line of heads, after lines of comments."""
+    """Write a CSV file with one line of heads, after comment lines."""
     with path.open("w", encoding="utf-8", newline="") as file:
         file.writelines(f"# {line}\n" for line in comments)
         writer = csv.writer(file, lineterminator="\n")
@@ -135,9 +133,9 @@ def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], 
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """netCDF4, to be opened again with xarray.open_dataset(path).
+    """Write netCDF4, which xarray.open_dataset(path) opens.
 
-    Made in memory first: on a disk that is full the library would not only fail, but take the program down with it.
+    It is made in memory first: on a full disk the library would take the program down with it.
     """
     made = io.BytesIO()
     data.to_netcdf(made, engine="h5netcdf")
@@ -145,12 +143,12 @@ def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
 
 
 def write_picture(figure: "Figure", path: Path) -> None:
-    """A PNG file."""
+    """Write a PNG file."""
     figure.savefig(path, dpi=_DOTS_PER_INCH)
 
 
 def undrawn_of(names: Iterable[str]) -> list[str]:
-    """The pictures among names of files that cannot be drawn here: all of them without matplotlib, an optional extra."""
+    """Return the names of pictures that cannot be drawn here: all of them without matplotlib."""
     return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
 
 
@@ -164,8 +162,8 @@ def check_folder(folder: Path) -> None:
 def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> None:
     """Write files (name -> function that writes to a path) into a folder, made if it is missing.
 
-    All are finished in a folder beside it before the first is moved into place; other files in it stay.
-    Pictures are left out where there is nothing to draw them. Raises InputError where they cannot be written.
+    All are finished in a temporary folder next to it before the first is moved into place; other files stay. Pictures are
+    left out without matplotlib. Raises InputError if a file cannot be written.
     """
     check_folder(folder)
     undrawn = set(undrawn_of(files))
@@ -189,7 +187,7 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
 
 
 def _clear_abandoned(folder: Path) -> None:
-    """Remove what a program that was killed left beside the folder: nothing has been written there for a while."""
+    """Remove temporary folders of programs that were killed, if nothing has been written there for a while."""
     made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
     for beside in folder.parent.iterdir():
         if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():

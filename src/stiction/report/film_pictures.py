@@ -18,8 +18,10 @@ _LEVELS = 12
 
 
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
-    """The von Mises stress over the yield stress of what is there, in section, with the largest marked; and the stresses along
-    the interface. data: one point of `film_stresses`; section: of `film_section`."""
+    """Draw the von Mises stress over the local yield stress in section, and the stresses along the interface.
+
+    data: one point of `film_stresses`. section: result of `film_section`.
+    """
     figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
     _interface_panel(right, section)
@@ -30,7 +32,7 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
 
 
 def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
-    """The load, and what the mean asperity is, with units where the contact has them."""
+    """Return the load and the sizes of the mean asperity as text, with units where the contact has them."""
     used = section.attrs
     words = [f"load {with_unit(data['load'])}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
     if "mean_pressure" in used:

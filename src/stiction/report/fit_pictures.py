@@ -20,7 +20,7 @@ _TOP = 12.0  # of the rise of chi square that is shown
 
 
 def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """A row for each measured quantity: measured and fitted, residuals, and predictions with their bands."""
+    """Draw a row for each measured quantity: measured and fitted, residuals, and predictions with their bands."""
     quantities = list(dict.fromkeys(data["quantity"].values.tolist()))
     predicted = [name for name in quantities if f"predicted_{name}" in data]
     columns = 3 if predicted else 2
@@ -40,7 +40,7 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield each sample of a quantity: its name, its look, and its values by load, or in their order where no load is known."""
+    """Yield each sample of a quantity: its name, look, loads (or numbers where a load is unknown) and values."""
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))
     for at, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
@@ -102,7 +102,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
-    """A panel for each free number: how much worse the best fit is for every value of it."""
+    """Draw a panel for each free number: how much worse the best fit is at each of its values."""
     count = data.sizes["parameter"]
     columns = min(count, 3)
     rows = -(-count // columns)

@@ -6,9 +6,11 @@ _MOST = 3  # digits, of a friction coefficient that is computed: what is read of
 
 
 def rounded(value: float, ends: list[float]) -> str:
-    """The value, to the place of the leading digit of half the width of all that it may be, or one further where that digit is
-    1; at least one digit and at most three. ends: low and high ends of what it may be, in any order; where there are none, or
-    they are no width, two digits. "not defined" where the value is no number."""
+    """Return a value as text with as many digits as its uncertainty allows, one to three.
+
+    The last digit is at the leading digit of half the range of value and `ends`, one further if that digit is 1. Without a
+    range the value has two digits. NaN is "not defined".
+    """
     if not math.isfinite(value):
         return "not defined"
     if value == 0.0:
@@ -25,11 +27,11 @@ def rounded(value: float, ends: list[float]) -> str:
 
 
 def _place(value: float) -> int:
-    """The power of ten of the leading digit."""
+    """Return the power of ten of the leading digit."""
     return int(f"{abs(value):e}".partition("e")[2])
 
 
 def _padded(text: str, digits: int) -> str:
-    """With the zeros at the end that are digits: 0.30 of two."""
+    """Return a text with the zeros at its end that are significant digits: 0.30."""
     shown = len(text.replace(".", "").lstrip("-0"))
     return text if shown >= digits else text + ("" if "." in text else ".") + "0" * (digits - shown)

@@ -40,14 +40,40 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 def write_report(
     case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = silent
 ) -> dict[str, Any]:
-    """A report of a case as one file of HTML: question, answer with its validity warnings, inputs with their sources, pictures,
-    all models compared, uncertainty, validity, measured surfaces, citations, versions, and the case to run it again.
+    """Write a report of a case as one file of HTML or PDF.
 
-    case: path of a case file, its tables as a dict, or a Case. path: of the file to be written: .html, or .pdf where a browser
-    or weasyprint prints it; one that is there is replaced, when the new one is finished. load: the working load [N], or text
-    with its unit; by default the middle one of the case. ranges: whether numbers of materials vary within their ranges,
-    whatever the case says. progress: from a text, what wraps a list of steps. Returns the answer as numbers and words, a dict.
-    Raises InputError.
+    Parameters
+    ----------
+    case : path, dict or Case
+        A case file, its tables, or a case that was read.
+    path : path
+        File to write, .html or .pdf (which needs a browser or weasyprint); an existing one is replaced at the end.
+    load : number or text, optional
+        Working load [N]; by default the middle one of the case.
+    ranges : bool, optional
+        Whether numbers of materials vary within their ranges; by default as the case states.
+    progress : callable, optional
+        Takes a label and returns a wrapper of a list of steps.
+
+    Returns
+    -------
+    dict
+        The answer as numbers and words, as `stiction report --json` prints it.
+
+    Raises
+    ------
+    InputError
+        A case without an answer, or a file that cannot be written.
+
+    Notes
+    -----
+    The report has the answer, inputs with their sources, pictures, all models compared, uncertainty, validity, measured
+    surfaces, citations, versions, and the case file.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> answer = st.write_report("case.toml", "report.html")  # doctest: +SKIP
     """
     require("report", "matplotlib")
     check_place(Path(path), case)
@@ -63,13 +89,15 @@ def write_report(
 
 
 def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
-    """The page of a case that was read from this text. Raises InputError."""
+    """Return the report of a case that was read from this text. Raises InputError."""
     return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
-    """The page; name: of the case file; again: the command line that makes it. The same findings give the same text but for the
-    date."""
+    """Return the report as HTML; it depends on its arguments and the date alone.
+
+    name: of the case file. again: command line that makes the report.
+    """
     import jinja2
 
     from stiction.report.report_pictures import all_of_one
@@ -109,12 +137,12 @@ def as_html(findings: ReportData, name: str, again: str, progress: Progress = si
 
 
 def _as_link(text: str) -> str:
-    """What a browser saves as a file when it is asked to."""
+    """Return a link from which a browser saves the text as a file."""
     return f"data:text/plain;charset=utf-8;base64,{base64.b64encode(text.encode()).decode('ascii')}"
 
 
 def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, list]]:
-    """The pictures, section by section."""
+    """Yield the name of each section and its pictures."""
     from stiction.report.report_pictures import (
         pictures_of_answer,
         pictures_of_comparison,
@@ -136,7 +164,7 @@ def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, l
 
 
 def report_record(findings: ReportData) -> dict[str, Any]:
-    """The answer as numbers and words, for JSON."""
+    """Return the answer as numbers and words, for JSON."""
     data, here = findings.data, findings.here
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
     if findings.prediction is not None:
@@ -190,7 +218,7 @@ def _browser() -> str:
 
 
 def _printed_page(made: Path) -> Path:
-    """Return the path of a page of HTML printed as PDF, beside it."""
+    """Print a page of HTML as PDF in the same folder, and return its path."""
     page, printed_to = made.rename(made.with_suffix(".html")), made.with_suffix(".pdf")
     if browser := _browser():
         words = [browser, "--headless", "--disable-gpu", "--no-pdf-header-footer", f"--user-data-dir={made.parent / 'profile'}"]
@@ -204,7 +232,7 @@ def _printed_page(made: Path) -> Path:
 
 
 def write_html(path: Path, text: str) -> None:
-    """Write the page, finished beside its place and then moved there. Raises InputError where it cannot be written."""
+    """Write the page: finish it in a temporary folder, then move it into place. Raises InputError."""
     check_place(path)
     path = path.resolve()
     try:

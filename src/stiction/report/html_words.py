@@ -13,7 +13,7 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 
 def letters(text: str) -> str:
-    """Greek letters in place of their names: "σ/R" of "sigma/R"."""
+    """Return a text with Greek letters in place of their names: "σ/R" for "sigma/R"."""
     return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(").replace("+-", "±")
 
 
@@ -29,7 +29,7 @@ def breakable(text: str) -> Markup:
 
 
 def formula(text: str) -> Markup:
-    """HTML of a symbol, or of a meaning with formulas; all of it is escaped."""
+    """Return HTML of a symbol, or of a meaning with formulas; all of it is escaped."""
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
     shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda found: f"<sup>{found[1] or found[2]}</sup>", shown)

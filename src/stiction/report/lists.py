@@ -19,8 +19,7 @@ LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
 
 
 def material_rows(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Name and numbers of these presets, or of all: value, unit, low and high end, and source of each. Raises InputError for
-    an unknown name."""
+    """Return name and numbers of these presets, or of all: value, unit, range and source of each. Raises InputError."""
     return [_row(material(name)) for name in (material_names() if names is None else names)]
 
 
@@ -39,7 +38,7 @@ def _row(preset: Material) -> dict[str, Any]:
 
 
 def with_range(preset: Material, name: str) -> str:
-    """A number with its range, as text: "82 GPa (82 to 83 GPa)"; "" if there is none."""
+    """Return a number with its range, "82 GPa (82 to 83 GPa)"; "" if there is none."""
     value = getattr(preset, name)
     if value is None:
         return ""
@@ -48,7 +47,7 @@ def with_range(preset: Material, name: str) -> str:
 
 
 def materials_table(names: Iterable[str]) -> Table:
-    """A line for each of these presets: its numbers, each with its range."""
+    """Return a row for each preset: its numbers, each with its range."""
     columns = [Column("material\n"), *(Column(f"{QUANTITIES[name].symbol}\nrange", wrap=True) for name in LISTED)]
     rows = [
         [_lines(name, ", ".join(symbols_of(name))), *(_two_lines(material(name), quantity) for quantity in LISTED)]
@@ -58,7 +57,7 @@ def materials_table(names: Iterable[str]) -> Table:
 
 
 def _two_lines(preset: Material, name: str) -> Text:
-    """A number, and its range below."""
+    """Return a number, and its range below."""
     number, _, ends = with_range(preset, name).partition(" (")
     return _lines(number, ends.removesuffix(")"))
 
@@ -69,7 +68,7 @@ def _lines(first: str, second: str) -> Text:
 
 
 def material_in_full(name: str) -> Group:
-    """Every number of a preset, with its range and its source."""
+    """Return every number of a preset, with its range and source."""
     preset = material(name)
     symbols = "".join(f", {one}" for one in symbols_of(preset.name))
     lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]

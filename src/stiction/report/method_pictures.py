@@ -53,11 +53,11 @@ _MOST_NOTES = 5  # of values that are missing, below a picture
 
 
 def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Figure:
-    """A resolution study: sigma, R, N and, if it is there, mu against the shortest wavelength left, a line for each method.
+    """Draw sigma, R, N and, if present, mu against the shortest wavelength left, a line for each method.
 
-    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, stands left of the others as "none". Where a
-    method has no value its line has a gap, and a note below says where; so it does where friction is 0, which has no place on
-    the axis. The marks of friction say which distribution of heights it rests on: mu leaps where that changes.
+    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, stands at the left as "none". A line has a
+    gap where its method has no value or friction is 0, and a note below says why. Marks show the distribution of heights: mu
+    leaps where that changes.
     """
     panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
     figure, grid = canvas(12, 8.6, 2, 2) if len(panels) > 3 else canvas(14, 4.8, 1, len(panels))
@@ -111,7 +111,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
 
 
 def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
-    """Other marks on the lines where the heights of the asperities are not taken for Gaussian. Cutoffs ascend."""
+    """Mark the points whose asperity heights are not taken as Gaussian; cutoffs ascend."""
     taken = resolution_study["height_distribution"].transpose(METHOD, "cutoff").values
     for line, names in zip(tuple(axes.lines), taken, strict=True):
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
@@ -127,13 +127,13 @@ def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
 
 
 def _places(cutoffs: np.ndarray) -> np.ndarray:
-    """Where the cutoffs are drawn on a logarithmic axis: 0 at half of the smallest other one."""
+    """Return where the cutoffs stand on a logarithmic axis: 0 at half of the smallest other one."""
     others = cutoffs[cutoffs > 0.0]
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
-    """Those of the ascending places that are apart by this part of the axis, so that their labels have room."""
+    """Return those of the ascending places that are at least this part of the axis apart, so that labels have room."""
     at = np.log(places / places[0])
     kept = [0]
     for i in range(1, len(at)):
@@ -143,7 +143,7 @@ def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
-    """A line for each reason why points are missing: which methods, at which cutoffs."""
+    """Return a line for each reason why points are missing, with methods and cutoffs."""
     where: dict[str, list[str]] = {}
     for method in resolution_study[METHOD].values:
         one = resolution_study.sel({METHOD: method})
@@ -165,10 +165,10 @@ def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> 
 
 
 def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Friction coefficient against load after all methods of finding asperities: the one taken bold, the others thin, and the
-    band between the lowest and the highest shaded.
+    """Draw friction against load for all methods of finding asperities: the one used bold, others thin, their range shaded.
 
-    data: of `with_band`, along one dimension or at one load; its first method is the one taken. InputError if it has no band.
+    data: of `with_band`, along one dimension or at one load; its first method is the one used. Raises InputError without a
+    band.
     """
     if "friction_coefficient_by_method" not in data:
         raise InputError("friction_coefficient_by_method", None, "a result for a contact whose roughness is measured in scans")

@@ -20,8 +20,7 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Rows of a name and a text, and notes: validity warnings, what is not used, or worth knowing; as HTML in a notebook, as
-    text where it is printed."""
+    """Hold pairs of a name and a text, and notes; a notebook shows HTML, `print` shows text."""
 
     def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
         self.title, self.rows, self.notes, self.card = title, rows, notes, card
@@ -39,10 +38,24 @@ class Summary:
 
 
 def summary(result: "xarray.Dataset") -> Summary:
-    """Return what a result says, in short: the answer of `predict`, or model, grade, ranges of results and validity warnings of
-    others.
+    """Return a short summary of a result.
 
-    result: as `predict`, `solve` or `compare` gives it. Returns a Summary, which a notebook shows as HTML, and `print` as text.
+    Parameters
+    ----------
+    result : xarray.Dataset
+        Result of `predict`, `solve` or `compare`.
+
+    Returns
+    -------
+    Summary
+        The answer of `predict`; of other results model, grade, ranges and validity warnings. A notebook shows it as HTML.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> print(st.summary(st.solve(st.Indices(theta=40, lam=10), load=1e-3)))  # doctest: +ELLIPSIS
+    Result
+      model ...
     """
     used = result.attrs
     if "regime" in used:
@@ -59,7 +72,7 @@ def summary(result: "xarray.Dataset") -> Summary:
 
 
 def _range(values: "xarray.DataArray") -> str:
-    """The value, or the ends of the values and along what they are."""
+    """Return the value, or the ends of the values and their dimensions."""
     unit = values.attrs.get("units", "1")
     ends = [f"{float(end):.4g}" for end in (values.min(), values.max())]
     along = f", along {', '.join(map(str, values.dims))}" if values.dims else ""

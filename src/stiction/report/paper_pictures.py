@@ -32,7 +32,7 @@ _VARYING: tuple[dict[str, Any], ...] = (
 
 
 def panel_figure(curves: "PanelCurves") -> Figure:
-    """One of the paper's figures: friction coefficient against load for films, beside the uncoated surface."""
+    """Draw one of the paper's figures: friction coefficient against load for films, and for the bare surface."""
     figure, (axes,) = canvas(7, 5.4)
     along = curves.panel.along
     _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
@@ -45,7 +45,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
 
 
 def _with_letters(text: str) -> str:
-    """The text with the symbols of the groups set as formulas."""
+    """Return the text with the symbols of the groups set as formulas."""
     letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
     return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
 
@@ -57,8 +57,10 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """The map of the claims: a column for each, a row for each variant and for the film that is solved; here: theta and lam
-    that are marked."""
+    """Draw where each claim holds: a column for each claim, a row for each variant and for the solved film.
+
+    here: theta and lam of the star.
+    """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
     colours = matplotlib.colormaps["viridis"]

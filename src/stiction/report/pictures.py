@@ -59,7 +59,7 @@ WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
-    """Meaning, symbol and unit for an axis: "net normal load $P$ [N]". What follows a comma in the meaning is left out.
+    """Return the label of an axis: meaning up to a comma, symbol and unit, "net normal load $P$ [N]".
 
     longest: number of characters above which the unit goes to a second line.
     """
@@ -72,7 +72,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
 
 
 def _unit(variable: "xarray.DataArray") -> str:
-    """Its unit with the exponents and letters set: "K R^(1/2) sigma^(3/2) per asperity" has a formula before " per "."""
+    """Return the unit with exponents and letters set: "K R^(1/2) sigma^(3/2) per asperity" has a formula before " per "."""
     unit = unit_of(variable).replace("m^2", "m²")
     formula, per, rest = unit.partition(" per ")
     if "sigma" not in formula:
@@ -83,9 +83,9 @@ def _unit(variable: "xarray.DataArray") -> str:
 
 
 def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """One curve: friction coefficient, contact area and friction against load, and load against separation.
+    """Draw one curve: friction coefficient, contact area and friction against load, and load against separation.
 
-    data: result of `solve` with one dimension. Friction, or the separation, is left out where the model has none.
+    data: result of `solve` with one dimension. Panels without data are left out.
     """
     drawn = panels(data)
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
@@ -107,19 +107,19 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """The panels that a curve has: a quantity, and that against which it is drawn."""
+    """Return the panels of a curve: pairs of the quantities along y and x."""
     return [names for names in _PANELS if all(name in data for name in names)]
 
 
 def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
-    """One of the panels of a curve as a picture of its own."""
+    """Draw one panel of a curve as a picture of its own."""
     figure, (axes,) = canvas(5.2, 3.9)
     _draw_panel(axes, data, what, against)
     return figure
 
 
 def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """The friction coefficient over load with its band over what is uncertain."""
+    """Draw the friction coefficient over load with its band over uncertain inputs."""
     figure, (axes,) = canvas(7.0, 5.2)
     friction_panel(axes, data)
     figure.suptitle(heading(data, title), fontsize=11)
@@ -154,7 +154,7 @@ def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> N
 
 
 def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
-    """Lines, of so many characters, that say below a picture its validity warnings; none where nothing is."""
+    """Return the lines below a picture with its validity warnings, at most `width` characters each."""
     warnings = [letters(str(warning)) for warning in warnings_of(data)]
     if not warnings:
         return []
@@ -170,13 +170,16 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Marks on a line of few points: a line alone would claim what is between them, and of one point show nothing."""
+    """Return the look of marks for a line of few points, between which a line alone would claim too much."""
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
 def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw friction against the load, with what is known of its bands: the interval of a prediction, the range over methods of
-    finding asperities, quantiles over what is uncertain with their median and the error of their sampling."""
+    """Draw friction against the load with its bands.
+
+    Bands are the interval of a prediction, the range over methods of finding asperities, and quantiles over uncertain inputs
+    with their median and sampling error.
+    """
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
     text = "median" if "level" in data.attrs else "at nominal inputs" if f"{_MU}_quantile" in data else ""
@@ -245,8 +248,7 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 
 
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
-    """Yield low and high end, and look, of the bands of friction that are known: over the methods of finding asperities in a
-    measured surface, and over what is uncertain of the inputs."""
+    """Yield low end, high end and look of each band of friction: over methods of finding asperities, over uncertain inputs."""
     if f"{_MU}_low" in data:
         text = f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}"
         text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
@@ -260,7 +262,7 @@ def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.nda
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
-    """A quantity and its parts against another one, on a logarithmic axis; dotted where it is negative."""
+    """Draw a quantity and its parts on a logarithmic axis; dotted where it is negative."""
     stem = "friction" if what == "friction_force" else what
     names = [what] + [stem + part for part in _PARTS if part and stem + part in data]
     x = data[against].values
@@ -298,8 +300,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
 
 
 def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
-    """Set names and scales of the axes, grid, a legend of what is named, and small ticks only where a logarithmic axis has few
-    large ones."""
+    """Set names, scales and ticks of the axes, the grid, and a legend of the named lines."""
     axes.set(**named)
     axes.title.set_fontsize(9)
     for axis in (axes.xaxis, axes.yaxis):
@@ -320,7 +321,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
 
 
 class InUnit(Formatter):
-    """Labels of ticks in a unit with a prefix; on an axis of many decades powers of ten."""
+    """Format ticks in a unit with a prefix; as powers of ten on an axis of many decades."""
 
     def __init__(self, factor: float = 1.0):
         self.factor = factor
@@ -353,14 +354,16 @@ def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more:
 
 
 def say(axes: Axes, text: str) -> None:
-    """A word in place of curves, without numbers along the axes."""
+    """Write a text in place of curves, without numbers along the axes."""
     axes.set(xticks=[], yticks=[])
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
 def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
-    """Label and ticks of the "x" or "y" axis for values (n,) of a quantity, in SI, in a unit with a fitting prefix; logarithmic
-    where they span a decade, unless that is not wanted. named: of the axes, as `finish` takes them."""
+    """Label an axis for values (n,) of a quantity in SI, with ticks in a unit with a fitting prefix.
+
+    which: "x" or "y". log: whether the axis is logarithmic where values span a decade. named: arguments of `finish`.
+    """
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
     if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
@@ -385,20 +388,20 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, at: int) -> dict[str, Any]:
-    """Colour and mark of a method, the same in all pictures; of anything else, of its place among the lines."""
+    """Return the colour and mark of a method, the same in all pictures; else those of a place among the lines."""
     known = list(methods())
     at = known.index(method) if method in known else at
     return {"color": COLOURS[at % len(COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:
-    """What a method finds, in a few words; anything else as it is."""
+    """Return what a method finds, in a few words; any other name without underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """What values up to this one, in SI, are to be multiplied by, and the unit they then have."""
+    """Return the factor and the unit in which values up to this one, in SI, are drawn."""
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
     return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

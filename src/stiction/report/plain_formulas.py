@@ -28,7 +28,11 @@ _OPEN = "([{⟨"
 
 @dataclass
 class _Piece:
-    """A part of a formula; word: needs a space beside another value; relation: a sign between two spaces."""
+    """Hold a part of a formula.
+
+    word: needs a space next to another value. relation: a sign between two spaces. fraction: or a power, after which a bracket
+    needs a space.
+    """
 
     text: str
     word: bool = False
@@ -39,7 +43,7 @@ class _Piece:
 
 @dataclass
 class _Reader:
-    """The tokens of a formula, read from left to right."""
+    """Read the tokens of a formula from left to right."""
 
     tokens: list[str]
     place: int = 0
@@ -147,7 +151,7 @@ class _Reader:
         return text
 
     def _rows(self, kind: str) -> str:
-        """The rows of an environment on lines of their own, their cells parted by spaces."""
+        """Return the rows of an environment on lines of their own, their cells parted by spaces."""
         inner = []
         while self.place < len(self.tokens) and self.tokens[self.place] != "\\end":
             inner.append(self._next())
@@ -172,7 +176,7 @@ def _joined(pieces: list[_Piece]) -> str:
 
 
 def _apart(before: _Piece, piece: _Piece) -> bool:
-    """Whether two values would be read as one, or a bracket as part of the fraction before it."""
+    """Return whether two values would be read as one, or a bracket as part of the fraction before it."""
     if before.fraction:
         return piece.text[:1].isalnum() or piece.text[:1] in (*_OPEN, "√")
     if not before.text or not (before.text[-1].isalnum() or before.text[-1] in ")]*'∞\u0304"):
@@ -181,7 +185,7 @@ def _apart(before: _Piece, piece: _Piece) -> bool:
 
 
 def _grouped(pieces: list[_Piece], product: bool = False) -> str:
-    """An argument in brackets, unless it is one value, or, where that is enough, a product."""
+    """Return an argument in brackets, unless it is one value, or, with `product`, a product."""
     text = _joined(pieces)
     single = " " not in text and "/" not in text and sum(bool(one.text.strip()) for one in pieces) == 1
     several = any(one.relation or "/" in one.text or one.text[:1] in ("∑", "∫") for one in pieces)

@@ -25,7 +25,7 @@ _DRAWN = {
 
 @xarray.register_dataset_accessor("stiction")
 class Plotting:
-    """What stiction adds to a dataset."""
+    """Add `plot` to datasets, as `result.stiction.plot()`."""
 
     def __init__(self, data: xarray.Dataset):
         self._data = data

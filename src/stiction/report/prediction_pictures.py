@@ -28,7 +28,7 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Return mu along the load, of a named model beside the prediction, and the three main parts of the interval.
+    """Return mu along the load, of the named model and the prediction, and the three main parts of the interval.
 
     data: the result of a named model, or the prediction itself.
     """
@@ -49,7 +49,7 @@ def validation_figure(data: "xarray.Dataset") -> Figure:
 
 
 def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw measured friction, and beside it the predicted median with its 50 % (thick) and 90 % interval."""
+    """Draw measured friction next to the predicted median with its 50 % (thick) and 90 % interval."""
     data = data.isel(row=np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))))
     load, quantiles = data["load"].values, data["prediction"].transpose("quantile", "row").values
     axes.vlines(load, quantiles[0], quantiles[4], color=BLUE, linewidth=2, label="90 % interval")

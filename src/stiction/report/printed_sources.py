@@ -17,7 +17,7 @@ _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 @dataclass(frozen=True)
 class Printed:
-    """One entry: key, what is printed of it, and its DOI, "" where none was checked."""
+    """Hold one entry: key, text, and its DOI, "" where none was checked."""
 
     key: str
     text: str
@@ -25,7 +25,7 @@ class Printed:
 
 
 def printed(keys: Iterable[str]) -> list[Printed]:
-    """The entries of these keys, in the order of the bibliography. Raises InputError for one that is not in it."""
+    """Return the entries of these keys, in the order of the bibliography. Raises InputError for an unknown key."""
     return [_printed(entry["key"], entry["fields"]) for entry in ENTRY.finditer(entries(keys))]
 
 
@@ -42,7 +42,7 @@ def _printed(key: str, body: str) -> Printed:
 
 
 def in_letters(text: str) -> str:
-    """TeX as plain text: letters with their accents, no braces."""
+    """Return TeX as plain text: letters with their accents, no braces."""
     text = _ACCENT.sub(lambda found: unicodedata.normalize("NFC", found[2] + _ACCENTS[found[1].strip()]), text)
     text = re.sub(r"\$_(\d)\$", lambda found: found[1].translate(_LOW), text)
     for tex, letter in _LETTERS.items():

@@ -22,9 +22,10 @@ _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
-    """Return the map of Johnson and Greenwood for an asperity that adheres, and that of the plasticity index for bare bodies.
+    """Draw the adhesion map of Johnson and Greenwood for an adhesive asperity, and the plasticity index for bare bodies.
 
-    contact: a single contact that adheres or is bare; data: its result, whose `touching_asperities`, if known, share the load.
+    contact: a single contact with adhesion, or without a film. data: its result, whose `touching_asperities`, if present, share
+    the load.
     """
     load = float(data["load"].max())
     drawn: list[Callable[[Axes], None]] = []
@@ -103,7 +104,7 @@ def pressure_of_first_flow(index: float, density: float) -> float:
 
 @cache
 def _gaussian_sums() -> tuple[np.ndarray, ...]:
-    """Return depths z, and at 201 separations the heights there (201, z.size), and the sums of z and of z^1.5 over them."""
+    """Return depths z, heights there at 201 separations (201, z.size), and the sums of z and of z^1.5 over the heights."""
     z = np.linspace(0.0, 12.0, 1201)
     separation = np.linspace(-4.0, 6.0, 201)[:, None]
     heights = np.exp(-0.5 * (separation + z) ** 2) / np.sqrt(2.0 * np.pi)

@@ -28,7 +28,7 @@ def plain_name(name: str) -> str:
 
 
 def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) -> str:
-    """A result with its unit, or what it is divided by; "not defined" of what is no number."""
+    """Return a result with its unit or divisor; "not defined" for NaN."""
     if not np.isfinite(value):
         return "not defined"
     if variable.attrs.get("normalised_by"):
@@ -37,7 +37,7 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 
 
 def interval_of(here: "xarray.Dataset") -> list[float]:
-    """Return the ends of mu of a named model over what is uncertain, or over ways of finding asperities; none of neither."""
+    """Return the ends of mu of a named model over uncertain inputs, or over methods of finding asperities; else []."""
     if f"{_MU}_quantile" in here:
         ends = [float(here[f"{_MU}_quantile"].isel(quantile=at)) for at in (0, -1)]
     else:
@@ -46,7 +46,7 @@ def interval_of(here: "xarray.Dataset") -> list[float]:
 
 
 def question(findings: ReportData) -> str:
-    """What is asked."""
+    """Return the question that the report answers."""
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
     if not isinstance(subject, Contact):
@@ -75,7 +75,7 @@ def load_in_words(findings: ReportData) -> str:
 
 
 def headline(findings: ReportData) -> str:
-    """The number, with as many digits as its uncertainty leaves it; the ends of several."""
+    """Return the number with as many digits as its uncertainty allows, or the ends of several numbers."""
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
     data, here = findings.data, findings.here
@@ -103,7 +103,7 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
 
 
 def answer_in_words(findings: ReportData) -> str:
-    """One sentence with its validity warnings."""
+    """Return the answer as one sentence with its validity."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
     data, here = findings.data, findings.here
@@ -125,7 +125,7 @@ def answer_in_words(findings: ReportData) -> str:
 
 
 def _along(findings: ReportData) -> str:
-    """What there is to say of a curve, or of numbers that are several, without a working load."""
+    """Return a sentence for a curve, or for array parameters, without a working load."""
     data = findings.data
     dim = points_dimension(data)
     ends = list(dict.fromkeys(of_point(data, at) for at in (0, -1))) if dim else []
@@ -139,14 +139,14 @@ def _along(findings: ReportData) -> str:
 
 
 def _span(data: "xarray.Dataset", name: str) -> str:
-    """What a quantity goes through: "thickness = 100 nm to 1 µm"."""
+    """Return the ends of a varied quantity: "thickness = 100 nm to 1 µm"."""
     quantity = name.rpartition(".")[2]
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else name
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
 def warnings_here(findings: ReportData) -> list[ValidityWarning]:
-    """The validity warnings of the result that is the answer."""
+    """Return the validity warnings at the working load."""
     return warnings_of(findings.result)
 
 

@@ -39,8 +39,10 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """HTML of a figure, the same for the same figure. name: letters, unique on the page; words: what it shows, for those who do
-    not see it. Black and white become the colours of the page."""
+    """Return HTML of a figure, the same for the same figure, in the colours of the page.
+
+    name: letters, unique on the page. words: description for readers who do not see it.
+    """
     drawn = io.StringIO()
     figure.savefig(drawn, format="svg", transparent=True)
     text = drawn.getvalue()
@@ -81,7 +83,7 @@ _NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 @dataclass(frozen=True)
 class Picture:
-    """content: HTML; wide: it needs a line for itself, and scrolls where there is little room."""
+    """Hold a picture of the page; wide: it fills a line, and scrolls on narrow pages."""
 
     content: str
     caption: str
@@ -95,7 +97,7 @@ def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str =
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
-    """What a line does: from where to where."""
+    """Return from where to where a line goes, as text."""
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
@@ -106,8 +108,7 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 
 
 def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
-    """Friction, area and force against load, load against separation, and what bears them; of numbers that are several one
-    picture of what varies."""
+    """Yield friction, area and force against load, load against separation, and shares; one picture of array parameters."""
     # Validity warnings stand in words on the page, and not below every picture.
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
     if findings.prediction is not None:
@@ -133,13 +134,13 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """The part that is nearly all of its stack wherever something presses; "" where there is none."""
+    """Return the part that is nearly all of its stack at every compressive load; "" where there is none."""
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """What a picture of shares would be of one colour for."""
+    """Return a sentence in place of each picture of shares that would have one colour."""
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []
@@ -152,7 +153,7 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield mu along the load beside what its interval comes from, if there is a prediction."""
+    """Yield mu along the load next to the parts of its interval, if there is a prediction."""
     data, prediction = findings.data, findings.recommended
     if prediction is not None:
         caption = "mu against load, and the parts of its interval at the working load, each alone."
@@ -160,7 +161,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
-    """Yield the models that agree at the working load, beside the prediction."""
+    """Yield the models that agree at the working load, with the prediction."""
     told, data = findings.told, findings.recommended
     if told is None:
         return
@@ -174,7 +175,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """The band of a named model over the inputs, and over the ways of finding asperities."""
+    """Yield the band of a named model over uncertain inputs, and over methods of finding asperities."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
@@ -186,7 +187,7 @@ def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
-    """Heights, spectrum and asperities of the scan of one body."""
+    """Yield heights, spectrum and asperities of the scan of one body."""
     found = findings.analyses[body]
     surface = replace(found.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."

@@ -54,7 +54,7 @@ _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
-    """The inputs of a case, part by part, in the order in which a reader asks for them."""
+    """Return the inputs of a case, a table for each part of the contact."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {".".join(one.path[1:]): with_powers(f"{one.distribution.words}: counted") for one in findings.case.uncertain}
@@ -74,7 +74,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
 
 
 def groups_of_groups(findings: ReportData) -> list[Table]:
-    """The dimensionless groups that follow from the bodies; none where they are what was given."""
+    """Return the dimensionless groups that follow from the bodies; none where groups are the inputs."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return []
@@ -100,14 +100,14 @@ def _material(subject: Any, part: str) -> Material | None:
 
 
 def _range(material: Material | None, name: str, counted: bool) -> str:
-    """What tables and makes give of a number, and whether the answer counts it."""
+    """Return the known range of a number of a material, and whether the answer counts it."""
     if material is None or name not in material.range:
         return ""
     return with_powers(f"known to be {range_in_words(*material.range[name], name)}: {'counted' if counted else 'not counted'}")
 
 
 def _source_of_material(material: Material, name: str, here: tuple[str, ...], places: frozenset) -> str:
-    """Where a number of a material comes from: what its preset says, unless the case has another number in its place."""
+    """Return the source of a number of a material: its preset, or the case where that overrides the number."""
     tables = (here[:-1], ("materials", material.name))
     in_case = any((*table, name) in places for table in tables)
     said_in_case = any((*table, "source") in places for table in tables)
@@ -151,8 +151,10 @@ def answer_table(findings: ReportData, name: str) -> Table:
 
 
 def card(findings: ReportData, name: str) -> Markup:
-    """Return the card of the prediction, of a named model with its own number above; empty where there is none. name: of the
-    case file."""
+    """Return the card of the prediction, with the number of a named model above; empty where there is no prediction.
+
+    name: of the case file.
+    """
     if findings.recommended is None:
         return Markup("")
     named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
@@ -206,8 +208,7 @@ def validity_line(findings: ReportData) -> str:
 
 
 def here_table(findings: ReportData) -> Table | None:
-    """Results at the working load, each with the validity warnings that are of this quantity; those of no quantity in the list
-    stand beside the first."""
+    """Return results at the working load, each with its validity warnings; other warnings are in the first row."""
     here = findings.here
     if here is None:
         return None
@@ -225,7 +226,7 @@ def here_table(findings: ReportData) -> Table | None:
 
 
 def model_lines(findings: ReportData) -> list[str]:
-    """By which model and laws, and how well these are founded; nothing of a prediction, which says it in its rows."""
+    """Return the named model and laws with their grade; nothing for a prediction."""
     used = findings.data.attrs
     if used.get("model", RECOMMENDED) == RECOMMENDED:
         return []
@@ -233,7 +234,7 @@ def model_lines(findings: ReportData) -> list[str]:
 
 
 def curve_rows(findings: ReportData) -> Table:
-    """Some points of the curve, or of the numbers that are several."""
+    """Return some points of the curve, or of array parameters."""
     data = findings.data
     if findings.prediction is not None:
         return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
@@ -245,7 +246,7 @@ def curve_rows(findings: ReportData) -> Table:
 
 
 def compared(findings: ReportData) -> Table | None:
-    """Every model at the working load."""
+    """Return a row for every model at the working load."""
     if findings.told is None:
         return None
     rows = [[letters(cell) for cell in group_row(one)] for one in groups_of(findings.told, every=True)]
@@ -254,7 +255,7 @@ def compared(findings: ReportData) -> Table | None:
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
-    """What the criteria say, and which models are left out and why."""
+    """Return the lines on criteria, and the models that are excluded with the reasons."""
     if findings.told is None:
         return {}
     used = findings.told.attrs
@@ -262,7 +263,7 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
 
 
 def uncertainty_lines(findings: ReportData) -> list[str]:
-    """What is uncertain, how it was drawn, and what is not known."""
+    """Return lines on uncertain inputs, on how they were sampled, and on their effect."""
     used = findings.data.attrs
     if findings.prediction is not None:
         return [
@@ -282,14 +283,14 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
 
 
 def _unknown(some: "list[Uncertain]") -> str:
-    """Numbers that are drawn together: what they are, where they stand, and what is known of them."""
+    """Return what numbers that vary together are, where they stand, and their distribution."""
     names = dict.fromkeys(QUANTITIES[one.quantity].meaning for one in some)
     places = ", ".join(one.where for one in some)
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
 
 
 def validity_table(findings: ReportData) -> Table | None:
-    """Every validity warning of the whole curve: the quantity, its value, what is claimed, and what that means."""
+    """Return every validity warning of the curve: quantity, value, claimed range, and what it means."""
     found = warnings_of(findings.data)
     if not found:
         return None
@@ -311,7 +312,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """What else is to be known of the result: measured errors, inputs that change nothing, what mu means."""
+    """Return further notes on the result: measured errors, unused inputs, the meaning of mu."""
     warnings = [f"Input warning: {one}" for one in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
@@ -319,7 +320,7 @@ def notes(findings: ReportData) -> list[str]:
 
 
 def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
-    """Of each scan its title, facts, asperities by every method, and notes."""
+    """Return title, facts, asperities by every method, and notes of each scan."""
     from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
     parts = []
@@ -337,14 +338,14 @@ def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
 
 
 def versions() -> list[tuple[str, str]]:
-    """What computed this: programs with their versions, no place on any machine."""
+    """Return the programs that computed this, with their versions."""
     rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
     rows += [(name, version(name)) for name in _PACKAGES]
     return [*rows, ("system", f"{platform.system()} {platform.machine()}")]
 
 
 def command(name: str, load: Any, ranges: bool | None) -> str:
-    """The command line that makes the report again."""
+    """Return the command line that makes the report again."""
     words = ["stiction", "report", name, "--out", "report.html"]
     words += ["--load", str(load)] if load is not None else []
     words += [] if ranges is None else ["--ranges" if ranges else "--no-ranges"]
@@ -352,7 +353,7 @@ def command(name: str, load: Any, ranges: bool | None) -> str:
 
 
 def measured_table(findings: ReportData) -> Table | None:
-    """sigma, R and N of a measured surface by every method, with the friction that follows."""
+    """Return sigma, R and N of a measured surface by every method, with the resulting friction."""
     if findings.case.measured is None:
         return None
     from stiction.report.views.surface import roughness_table
@@ -362,8 +363,7 @@ def measured_table(findings: ReportData) -> Table | None:
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
-    """Keys of the bibliography: what the answer used, what the numbers of its materials are from, and what only the models
-    compared with it did."""
+    """Return bibliography keys of the answer, of the materials, and of models used in the comparison only."""
     measured = findings.case.measured
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())

@@ -22,8 +22,10 @@ _NAMED = 0.05  # of the largest effect, above which an input has its name
 
 
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
-    """Ranked Sobol indices at the working load, the total ones over load, the effects of Morris, and the elasticities of all
-    numbers; the last alone where nothing is uncertain."""
+    """Draw ranked Sobol indices, total indices over load, effects of Morris, and logarithmic sensitivities.
+
+    Without uncertain inputs only the last is drawn.
+    """
     if "friction_coefficient_share" in data:
         figure, (shares, slopes) = canvas(11.0, 4.8, 1, 2)
         _shares(shares, data)
@@ -46,7 +48,7 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
 
 
 def _shares(axes: Axes, data: "xarray.Dataset") -> None:
-    """The share of each part in the variance of ln mu."""
+    """Draw the share of each part in the variance of ln mu."""
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()
@@ -58,7 +60,7 @@ def _symbol(name: str) -> str:
 
 
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    """Total and first indices of one result, with their intervals; of the others the total ones as marks."""
+    """Draw total and first indices of one result with their intervals, and the total indices of others as marks."""
     one = at_working_load(data)
     order = ranked(one, name, "total_order", "input")[:_SHOWN]
     y = np.arange(len(order))[::-1]

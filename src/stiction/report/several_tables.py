@@ -18,34 +18,34 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area"}
 
 
 def shown_quantity(data: "xarray.Dataset") -> str:
-    """What is shown of a result: the friction coefficient, or the contact area of a model without friction."""
+    """Return the quantity to show: the friction coefficient, or the contact area of a model without friction."""
     return "friction_coefficient" if "friction_coefficient" in data else "contact_area"
 
 
 def points_dimension(data: "xarray.Dataset") -> str | None:
-    """The dimension of the loads or separations; None where there is one only, without a dimension."""
+    """Return the dimension of the loads or separations; None for a single one without a dimension."""
     return next((name for name in _POINT_NAMES if name in data.dims), None)
 
 
 def varied(data: "xarray.Dataset") -> list[str]:
-    """The dimensions of the numbers that are several, in their order."""
+    """Return the dimensions of the array parameters, in their order."""
     return [str(dim) for dim in data[shown_quantity(data)].dims if dim not in _POINT_NAMES]
 
 
 def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
-    """The quantities that vary along a dimension."""
+    """Return the quantities that vary along a dimension."""
     return [str(name) for name, one in data.coords.items() if one.dims == (dim,)]
 
 
 def of_value(data: "xarray.Dataset", name: str, at: int) -> str:
-    """One of the values of a quantity that varies, as text: "200 nm"."""
+    """Return one value of a varied quantity as text: "200 nm"."""
     quantity = name.rpartition(".")[2]
     value = data[name].values[at]
     return shown(float(value), quantity) if quantity in QUANTITIES else f"{value:g}"
 
 
 def of_point(data: "xarray.Dataset", at: int) -> str:
-    """A load or a separation as text: "P = 1 N", "d/sigma = 2"."""
+    """Return a load or a separation as text: "P = 1 N", "d/sigma = 2"."""
     dim = points_dimension(data)
     if dim is None:
         return "at the point"
@@ -55,14 +55,14 @@ def of_point(data: "xarray.Dataset", at: int) -> str:
 
 
 def _head(name: str) -> str:
-    """The symbol of a quantity, and of which body or film: "H" and "second" on a line each."""
+    """Return the symbol of a quantity below its body or film: "second" and "H" on a line each."""
     part, _, quantity = name.rpartition(".")
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else quantity
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
 def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """A row for each combination of what varies, at most about nine or all; a column for each of at most four points."""
+    """Return about nine combinations of array parameters, or all, with a column for at most four points."""
     name, dims = shown_quantity(data), varied(data)
     points = points_dimension(data)
     with_ends = f"{name}_low" in data

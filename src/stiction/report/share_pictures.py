@@ -17,7 +17,7 @@ _HATCHES = ("", "//", "..", "\\\\", "xx")
 
 
 def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
-    """What may be drawn as shares: words -> the total and its parts, found by their names and units among the results."""
+    """Return what can be drawn as shares: words -> the total and its parts, by their names and units in the result."""
     found: dict[str, tuple[str, list[str]]] = {}
     for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
                                ("load", "load", "load")):  # fmt: skip
@@ -35,20 +35,20 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Shares (parts, points) of the sizes of parts; not a number where there are none."""
+    """Return shares (parts, points) of the sizes of parts; NaN where all are 0."""
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
     return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)
 
 
 def part_in_words(name: str, total: str) -> str:
-    """What a part is called: "elastic-plastic" of contact_area_elastic_plastic."""
+    """Return the name of a part: "elastic-plastic" for contact_area_elastic_plastic."""
     stem = "friction_" if total == "friction_force" else f"{total}_"
     return name.removeprefix(stem).replace("_", "-")
 
 
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
-    """One of the stacks of a curve, over the loads that press; colours with hatches, for those who cannot tell them apart."""
+    """Draw one stack of a curve over compressive loads, in colours with hatches for colour-blind readers."""
     total, parts = stacks(curve)[what]
     figure, (axes,) = canvas(5.2, 3.9)
     load, shares = curve["load"].values, shares_of(curve, parts)

@@ -15,8 +15,11 @@ if TYPE_CHECKING:
 
 
 def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Force over load against displacement, with the static friction that it cannot pass and where it is largest; and, where
-    asperities keep their strength, the energy lost in cycles. data: result of `slide` with one dimension of points, or none."""
+    """Draw force over load against displacement, and the energy lost in cycles where asperities keep their strength.
+
+    data: result of `slide` with one dimension of points, or none. Dotted lines are the static friction coefficient, dots its
+    largest force.
+    """
     lost = "energy_loss" in data
     figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)
     points = [one for one in data["tangential_force"].dims if one != "displacement"]
@@ -29,7 +32,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _named(row: "xarray.Dataset") -> str:
-    """The load of a row."""
+    """Return the load of a row as text."""
     return f"${QUANTITIES['load'].latex}$ = {with_unit(row['load'], digits=3)}"
 
 

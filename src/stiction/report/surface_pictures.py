@@ -32,10 +32,10 @@ _ENOUGH = 10**6
 
 
 def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = None) -> Figure:
-    """The heights in colours, or of a profile as a line, and their histogram beside it; missing points are grey and hatched.
+    """Draw the heights in colours, or a profile as a line, with a histogram; missing points are grey and hatched.
 
-    Colours and histogram of a map leave out a thousandth of the heights at either end, and spikes. title: by default its name.
-    found: asperities of this surface, each a mark at its place, where the method says where they are.
+    Colours and histogram leave out a thousandth of the heights at either end, and spikes. title: by default the name of the
+    surface. found: asperities of this surface, marked where the method gives places.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -67,7 +67,7 @@ def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = N
 
 
 def _draw_places(axes: Axes, surface: HeightMap, found: Asperities, factor: float) -> str:
-    """A mark at every asperity, smaller where they are many; says what the marks are."""
+    """Draw a mark at every asperity, smaller where they are many; return what the marks are."""
     if not len(found.places):
         return f"{plain(found.method)}: averages only, no places"
     across, _ = prefix("scan_size", surface.size[1] if surface.is_profile else max(surface.size))
@@ -82,12 +82,12 @@ def _draw_places(axes: Axes, surface: HeightMap, found: Asperities, factor: floa
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """So many of the heights, evenly taken, that a histogram looks the same."""
+    """Return evenly spaced heights, enough for the same histogram."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 
 def _limits(heights: np.ndarray) -> tuple[float, float]:
-    """Between which heights nearly all are, whatever a few others do; their ends if the others are all alike."""
+    """Return limits that hold nearly all heights without outliers; the ends where heights are alike."""
     low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
     reach = _FAR * 0.5 * (above - below)
     if reach > 0.0:
@@ -121,13 +121,13 @@ def _draw_profile(axes: Axes, surface: HeightMap, factor: float, unit: str) -> N
 
 
 def _runs(marked: np.ndarray) -> np.ndarray:
-    """(first, last + 1) of every unbroken row of marked points, shape (n, 2)."""
+    """Return (first, last + 1) of every unbroken row of marked points, shape (n, 2)."""
     steps = np.diff(np.concatenate(([0], marked.astype(np.int8), [0])))
     return np.column_stack((np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)))
 
 
 def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit: str) -> None:
-    """How often each height is there, on its side; and the Gaussian distribution of the same mean and deviation."""
+    """Draw the distribution of heights on its side, and the Gaussian of the same mean and deviation."""
     edges, share = _shares(heights, ends, _BINS)
     outside = 100.0 * float(np.mean((heights < ends[0]) | (heights > ends[1])))
     text = "points" + (f" ({outside:.2g} % outside)" if outside else "")
@@ -146,7 +146,7 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
 
 
 def _shares(heights: np.ndarray, ends: tuple[float, float], most: int) -> tuple[np.ndarray, np.ndarray]:
-    """(edges, share of all heights per length) of a histogram between two heights."""
+    """Return edges and share of all heights per length of a histogram between two heights."""
     number, edges = np.histogram(heights, bins=min(most, max(6, math.isqrt(heights.size))), range=ends)
     return edges, number / (heights.size * np.diff(edges))
 
@@ -159,9 +159,9 @@ def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
 
 
 def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
-    """Power spectra against the wavevector, wavelengths above: full marks in the reliable band, which is shaded, empty outside.
+    """Draw power spectra against the wavevector; marks are filled in the reliable band, which is shaded.
 
-    spectrum: one, or several by what is to be said of them; all of maps or all of profiles. The band shaded is the first one's.
+    spectrum: one, or several by name; all of maps or all of profiles. The shaded band is that of the first.
     """
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
     figure, (axes,) = canvas(8.2, 5.6)
@@ -205,7 +205,7 @@ def _wavelengths_above(axes: Axes, factor: float) -> None:
 
 
 def _round_lengths(low: float, high: float) -> list[float]:
-    """Powers of ten between the two; where there are fewer than two of them, 1, 2 and 5 times these."""
+    """Return powers of ten between two lengths; where they are fewer than two, 1, 2 and 5 times these."""
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     tens, more = ([lead * 10.0**power for power in powers for lead in leads] for leads in ((1,), (1, 2, 5)))
     tens, more = ([length for length in lengths if low <= length <= high] for lengths in (tens, more))
@@ -216,11 +216,10 @@ def _round_lengths(low: float, high: float) -> list[float]:
 
 
 def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
-    """What several methods take for the asperities of one surface: how their heights over the mean plane are distributed, with
-    sigma, R and N of each in the legend.
+    """Draw how the asperity heights of one surface are distributed by several methods, with sigma, R and N of each.
 
-    A method that has averages only is drawn as the Gaussian distribution it stands for, dashed. surface: the map in which they
-    were found; the heights of all its points are then grey beneath.
+    A method with averages only is drawn as a dashed Gaussian. surface: the map of the asperities; the heights of all its points
+    are grey.
     """
     sets = list(found)
     figure = Figure(figsize=(11, 5.2), layout="constrained")
@@ -245,7 +244,7 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
 
 
 def _ends(sets: list[Asperities]) -> tuple[float, float]:
-    """Heights [m] between which the picture is: those of the asperities that were found one by one, or else of the averages."""
+    """Return the heights [m] that limit the picture: of single asperities, or else of the averages."""
     each = [_limits(one.heights) for one in sets if one.count and one.deviation > 0.0]
     each = each or [(one.mean_height - 4.0 * one.deviation, one.mean_height + 4.0 * one.deviation) for one in sets]
     low, high = min(low for low, _ in each), max(high for _, high in each)
@@ -254,7 +253,7 @@ def _ends(sets: list[Asperities]) -> tuple[float, float]:
 
 
 def _summed_up(one: Asperities, factor: float, unit: str) -> str:
-    """Lines of a legend: the method, how many it found, and its sigma, R and N."""
+    """Return lines of a legend: the method, how many asperities it found, and its sigma, R and N."""
     count = f": {one.count}" if one.count else ", averages only"
     sigma, radius = show(one.deviation, "asperity_height_deviation", 3), show(one.radius, "asperity_radius", 3)
     density = f"{one.density * factor:.3g}{unit.removeprefix('1')}"

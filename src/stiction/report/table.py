@@ -25,7 +25,7 @@ _WIDE = 10_000
 
 @dataclass(frozen=True)
 class Column:
-    """A column; right: whether it holds numbers; wrap: whether its cells may be broken; most: of its characters."""
+    """Hold a column; right: it holds numbers; wrap: its cells may be broken; most: characters of its width."""
 
     head: str
     right: bool = False
@@ -40,11 +40,11 @@ def numbers(*heads: str, wrap: bool = False) -> list[Column]:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of cells, each a text or, on a page, a list of lines; the first of a row is its name.
+    """Hold rows of cells, each a text or, on a page, a list of lines; the first of a row is its name.
 
     looks: of each row, "bold", "dim" or "". ruled: whether a line stands below the heads. gap: between columns. whole: a name
-    that has no room beside its row stands on a line above it, so that it can be copied. stacked: on a narrow page cells stand
-    below one another, each beside the head of its column. ranked: the first rows matter most.
+    without room in its row stands on a line above it, so that it can be copied. stacked: on a narrow page cells stand below one
+    another, each with the head of its column. ranked: the first rows matter most.
     """
 
     columns: Sequence[Column]
@@ -134,7 +134,7 @@ def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
 
 
 def shown(value: float, name: str, digits: int = 4) -> str:
-    """Return a value of the named quantity, given in SI, with a fitting prefix, to a few digits; "-" if it is no number."""
+    """Return a value of the named quantity, given in SI, with a fitting prefix and a few digits; "-" for NaN."""
     return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
@@ -146,7 +146,7 @@ def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: 
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:
-    """Return what values up to this one, in SI, are multiplied by, and the unit with a fitting prefix that they then have."""
+    """Return the factor and the prefixed unit for values of a quantity up to this one, in SI."""
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
     return float(text) / size, with_powers(unit)

@@ -40,8 +40,10 @@ HEADS = {
 
 
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
-    """About twelve points along a curve of one dimension, or all, each column in units with a fitting prefix. heads: name of a
-    result -> head of its column; by default those of a curve."""
+    """Return about twelve points of a curve of one dimension, or all, in units with a fitting prefix.
+
+    heads: name of a result -> head of its column; by default those of a curve.
+    """
     heads = HEADS if heads is None else heads
     count = data["load"].size
     chosen = some(count, count if all_rows else _ROWS)
@@ -56,14 +58,14 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
 
 
 def rows_shown(data: "xarray.Dataset") -> str:
-    """How many of the points `curve_table` shows; "" if all."""
+    """Return how many of the points `curve_table` shows; "" if all."""
     count = data["load"].size
     text = f"{_ROWS} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv"
     return text if count > _ROWS else ""
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
-    """Unit for the head, and the cells."""
+    """Return the unit for the head, and the cells."""
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
     unit = variable.attrs.get("units", "1")
     sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
@@ -74,7 +76,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
-    """What was solved: contact, groups, model with its options and grade, and the pull-off force if the model knows it."""
+    """Return what was solved: contact, groups, model with options and grade, and the pull-off force if known."""
     return facts(
         [
             ("case", case.title),
@@ -88,7 +90,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
 
 
 def _contact(subject: Any) -> list[tuple[str, str]]:
-    """Rows that describe a contact of real materials; none for dimensionless groups."""
+    """Return rows that describe a contact of real materials; none for dimensionless groups."""
     if not isinstance(subject, Contact):
         return []
     rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
@@ -105,13 +107,13 @@ def _material(material: Any) -> str:
 
 
 def _numbers(part: Any) -> str:
-    """The numbers of a part of a contact with their symbols and units: "E = 210 GPa, nu = 0.3"."""
+    """Return the numbers of a part of a contact with symbols and units: "E = 210 GPa, nu = 0.3"."""
     given = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
     return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in given if value is not None)
 
 
 def _number(value: Any, name: str) -> str:
-    """One number, or where it is several their ends: "100 nm to 2 um (5 values)"."""
+    """Return one number, or the ends of an array: "100 nm to 2 um (5 values)"."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     text = " to ".join(show(float(end), name).replace("m^2", "m²") for end in ends)
     return f"{text} ({value.size} values)" if hasattr(value, "dims") else text
@@ -140,7 +142,7 @@ _OF_MATERIALS = (
 
 
 def _groups(subject: Any) -> str:
-    """By name, or by what a group is made of: "elastic adhesion index = 40, N R sigma = 0.04"."""
+    """Return the groups by name, or by their formula: "elastic adhesion index = 40, N R sigma = 0.04"."""
     said = (one for one in subject.all_groups().items() if not (isinstance(subject, Contact) and one[0] in _OF_MATERIALS))
     return ", ".join(f"{_group(name)} = {group_in_words(value)}" for name, value in said)
 
@@ -151,7 +153,7 @@ def _group(name: str) -> str:
 
 
 def group_in_words(value: Any) -> str:
-    """A dimensionless group, or the ends of several."""
+    """Return a dimensionless group, or the ends of an array."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     return " to ".join(dict.fromkeys(f"{float(end):.4g}" for end in ends))
 
@@ -173,7 +175,7 @@ _NO_TENSION = "none: there is no tension at any separation"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:
-    """What a user should know of this result, one line each: how it is normalised, what mu means, what the laws are like."""
+    """Return notes on a result, one line each: its normalisation, the meaning of mu, the laws."""
     used = data.attrs
     notes = []
     normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
@@ -201,7 +203,7 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
 
 
 def _measured(rows: list[dict[str, Any]]) -> list[str]:
-    """What was measured of the film law near this result; where nothing was, why not."""
+    """Return the measured errors of the film law near this result, or why there are none."""
     return [f"measured: {in_words(row)}" for row in [row for row in rows if "error" in row] or rows[:1]]
 
 
@@ -233,7 +235,7 @@ _IN_FULL = {
 
 
 def model_in_full(row: Mapping[str, Any]) -> Group:
-    """All that one record says, and what its file says of assumptions and equations."""
+    """Return all of one record, and the assumptions and equations in its file."""
     pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
     for name, head in _IN_FULL.items():
         value = row.get(name) or []
@@ -247,5 +249,5 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
 
 
 def grades() -> Table:
-    """What the grades mean."""
+    """Return the meaning of the grades."""
     return facts((f"grade {grade}", meaning) for grade, meaning in GRADES.items())

@@ -30,8 +30,10 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 
 
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
-    """Yield the parts that fit into MOST_LINES, tables with a few of their rows, and a line that says how to see the rest;
-    written: whether a line follows that says where files are."""
+    """Yield the parts that fit into MOST_LINES, tables with few rows, and a line on how to see the rest.
+
+    written: whether a line on the written files follows.
+    """
     left = MOST_LINES - 1 - 2 * written
     for part in filter(None, parts):
         part = part.few(_ROWS) if isinstance(part, Table) else part
@@ -43,7 +45,7 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """told: what it shows, for a reader who does not see it; draw: makes the figure, and imports what draws it."""
+    """Hold a picture; told: its description for a reader who does not see it; draw: makes the figure."""
 
     told: str
     draw: "Callable[[], Figure]"
@@ -54,8 +56,10 @@ class Picture(NamedTuple):
 
 
 def picture(told: str, place: str, *arguments: Any) -> Picture:
-    """Return a picture that a function of this room makes from these arguments. place: "module.function", imported when it is
-    drawn, as matplotlib may be absent."""
+    """Return a picture that a function of this package draws from these arguments.
+
+    place: "module.function", imported when it is drawn, as matplotlib may be absent.
+    """
 
     def draw() -> "Figure":
         module, _, name = place.partition(".")
@@ -75,12 +79,12 @@ def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> di
 
 @dataclass(frozen=True)
 class View:
-    """One result as it is shown.
+    """Hold what is shown and written of one result.
 
     data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. record:
-    makes what JSON has. files: name of a file -> function that writes to a path. pictures: name of a file -> picture. warnings:
-    what is wrong with it, in sentences. short: makes the parts of a short answer, the most important first; by default all.
-    is_brief: whether the parts are the short answer already.
+    makes the content of JSON. files: name of a file -> function that writes to a path. pictures: name of a file -> picture.
+    warnings: what is wrong with it, in sentences. short: makes the parts of a short answer, the most important first; by
+    default all. is_brief: whether `parts` is the short answer already.
     """
 
     name: str

@@ -31,14 +31,14 @@ _DIGITS = 6  # of a load that is read: its result differs in the sixth
 
 
 def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
-    """The command line that computes one row of a comparison again; exact: to the last digit."""
+    """Return the command line that computes one row of a comparison again; exact: with all digits of the load."""
     case = data.attrs.get("case_file", "CASE.toml")
     load = _load_in_words(data, exact)
     return f"stiction run {shlex.quote(case)} --model {shlex.quote(model)}" + (f" --load {shlex.quote(load)}" if load else "")
 
 
 def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
-    """The working load as --load takes it."""
+    """Return the working load as --load takes it."""
     if "working_load" not in data.attrs:
         return ""
     unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
@@ -48,7 +48,7 @@ def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
-    """A comparison as one JSON object: attributes, and a list of models with what each says."""
+    """Return a comparison for JSON: attributes, and a list of models with their results."""
     units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
     rows = []
     for at, name in enumerate(data["model"].values):
@@ -76,7 +76,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
-    """What one model says of every way to find asperities in a measured surface, at the working load."""
+    """Return the friction of one model for every method of finding asperities, at the working load."""
     name = "friction_coefficient_at_load"
     if f"{name}_by_method" not in one:
         return {}
@@ -89,8 +89,7 @@ def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return what every model says at the working load; of a measured surface also the lowest and the highest friction
-    coefficient over the methods of finding asperities."""
+    """Return the results of every model at the working load, with the range of friction over asperity methods if any."""
     mu, *others = (f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1]))
     names = [mu, *(f"{mu}_{end}" for end in ("low", "high") if f"{mu}_{end}" in data), *others]
     errors = ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
@@ -107,11 +106,11 @@ GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model
 
 @dataclass(frozen=True)
 class Group:
-    """Models that agree.
+    """Hold models that agree.
 
-    family: what their friction rests on. names: in the order of mu. low, high: of mu. errors: mean errors of the area on solved
-    surfaces, of the models of which it is known. least, most: mu without its error there, at the ends of 90 %; as low and high
-    where nothing is known. status: of the first.
+    family: the basis of their friction. names: in the order of mu. low, high: ends of mu. errors: known mean errors of the area
+    on solved surfaces. least, most: mu corrected for the ends of 90 % of that error; low and high where it is unknown. status:
+    of the first.
     """
 
     family: str
@@ -135,7 +134,7 @@ class Group:
 
     @property
     def kind(self) -> tuple[str, bool, str]:
-        """Return what models of one row have in common beside mu."""
+        """Return what models of one row have in common apart from mu."""
         return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property
@@ -145,7 +144,7 @@ class Group:
 
 
 def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
-    """Return the groups of a comparison at its working load: those that fit first, then possible ones, by family and mu.
+    """Return groups of models that agree at the working load: first those that fit, then possible ones, by family and mu.
 
     every: each model by itself.
     """
@@ -243,8 +242,10 @@ _OF_ANSWER = ("friction force", "warning", "not used")
 def comparison_view(
     case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
-    """Return what all models of a case show, below its prediction; every: each model in a row of its own, and all that is said
-    of it; more: where every model is listed."""
+    """Return what a comparison shows below the prediction.
+
+    every: each model in a row of its own, with all notes. more: where every model is listed.
+    """
     measured = case.measured
     groups = groups_of(data, every) if "working_load" in data.attrs else []
 

@@ -31,7 +31,7 @@ def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
 
 
 def design_table(data: "xarray.Dataset", along: str) -> Table:
-    """A row for each design, at most about twelve."""
+    """Return a row for each design, at most about twelve."""
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("broken", "violated")]
     rows = [[_cell(name, data[columns[name]].values[at]) for name in shown_columns] for at in range(data.sizes[along])]
@@ -60,7 +60,7 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """The objectives, and which are missed."""
+    """Yield the objectives, and which are missed."""
     used = data.attrs
     yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:

@@ -15,8 +15,10 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
-    """The claims map in words: for each claim and variant the share of the plane where it holds, and where. here: the indices
-    at which the last column tells the share of films for which it holds."""
+    """Return for each claim and variant the share of the plane where it holds, and where.
+
+    here: the indices of the last column, the share of films for which the claim holds there.
+    """
     some, not_comparable, there = numbers("for some", "not com-\nparable", here, wrap=True)
     columns = [Column("claim"), Column("variant"), Column("holds for all films", wrap=True), some,
                Column("for none", wrap=True), not_comparable, there]  # fmt: skip
@@ -36,7 +38,7 @@ def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
 
 
 def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
-    """What each claim says and how it was made precise."""
+    """Return the text of each claim and its exact definition."""
     unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
     return facts((f"({key})", text) for key, text in unique.items())
 

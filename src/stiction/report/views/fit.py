@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def parameter_table(data: "xarray.Dataset") -> Table:
-    """A row for each free number: its best value, and its interval."""
+    """Return a row for each free number: its best value, and its interval."""
     rows = []
     for at, name in enumerate(data["parameter"].values.tolist()):
         one, quantity = data.isel(parameter=at), name.partition(" (")[0].rpartition(".")[2]
@@ -35,7 +35,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 
 
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """How good the fit is, and what the data do not say."""
+    """Yield how good the fit is, and what the data leave open."""
     used = data.attrs
     good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
@@ -49,7 +49,7 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def evidence_table(data: "xarray.Dataset") -> Table:
-    """Models by what the data say for them."""
+    """Return the models ranked by how well the data support them."""
     left = "chi_square" if "chi_square" in data else "scatter"
     rows: list[list[Any]] = []
     for at, name in enumerate(data["model"].values.tolist()):
@@ -64,7 +64,7 @@ def evidence_table(data: "xarray.Dataset") -> Table:
 
 
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Heads and rows of the table of free numbers, for a file."""
+    """Return heads and rows of the table of free numbers, for a file."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
     heads = ["parameter", *keys]
     rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
@@ -72,7 +72,7 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Heads and rows of the measured values with what the model says, in SI units."""
+    """Return heads and rows of measured and fitted values in SI units."""
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
     return keys, rows_of(data, keys)
 
@@ -85,9 +85,10 @@ _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
 def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
-    """Return what a fit shows. found: a fit, or the path of the case, the case, its prediction and whether to show details.
+    """Return what a fit shows.
 
-    folder: where its files go, from which the fitted case names other files.
+    found: a fit, or the path of the case, the case, its prediction and whether to show details. folder: where its files go,
+    from which the fitted case names other files.
     """
     if isinstance(found, tuple):
         return _prediction_view(found, folder)
@@ -116,7 +117,7 @@ def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> 
 
 
 def _prediction_view(found: tuple[Any, ...], out: Path | None) -> View:
-    """Return what a prediction that knows measured friction shows."""
+    """Return what a prediction with measured friction shows."""
     path, case, data, details = found
     view = prediction_view(case, data, str(path), details)
     if out is not None and "parameter" in data.dims:

@@ -28,7 +28,7 @@ _ROWS = 12
 
 
 def band_table(data: "xarray.Dataset") -> Table | Text:
-    """The nominal result and its quantiles at about twelve of the points, with the largest error of their sampling."""
+    """Return the nominal result and its quantiles at about twelve points, with the largest sampling error."""
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:
         return Text(f"{name} does not vary with what is uncertain", style="dim")
@@ -65,18 +65,18 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
-    """How many draws there were, and by which seed, by the attributes of a result."""
+    """Return the number of samples and their seed, from the attributes of a result."""
     return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
 
 
 def with_meaning(warning: str) -> str:
-    """A validity warning that begins with the name of a quantity, with what that means in its place."""
+    """Return a validity warning with the meaning of a quantity in place of its name."""
     name, _, rest = warning.partition(" ")
     return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else warning
 
 
 def in_draws(share: float, text: str) -> str:
-    """How often something holds of what was drawn."""
+    """Return in which share of the samples a text holds."""
     return f"in {share:.1%} of the random draws, each a possible set of the uncertain inputs: {text}"
 
 

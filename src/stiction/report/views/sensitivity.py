@@ -27,8 +27,7 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 
 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
-    """The results of which there are such tables, by how their names end, friction first; those of which nothing is known left
-    out, but for the first."""
+    """Return the results with such a table, by how their names end, friction first; unknown ones are left out."""
     there = [name for name in _HEADS if f"{name}_{end}" in data]
     return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
 
@@ -38,7 +37,7 @@ def head_of(name: str) -> str:
 
 
 def working_place(data: "xarray.Dataset") -> int:
-    """The place of the working load among the points; the middle one where none presses."""
+    """Return the place of the working load among the points; the middle one where no load is compressive."""
     dim = points_dimension(data)
     count = data.sizes[dim] if dim else 1
     if "working_load" not in data.attrs or dim != "load":
@@ -47,20 +46,19 @@ def working_place(data: "xarray.Dataset") -> int:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """The results at the working load."""
+    """Return the results at the working load."""
     dim = points_dimension(data)
     return data.isel({dim: working_place(data)}) if dim else data
 
 
 def ranked(one: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
-    """The places along a dimension, from the largest size of a table down; what is not known last."""
+    """Return the places along a dimension in descending order of size; NaN last."""
     size = np.abs(one[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
 
 def indices_table(data: "xarray.Dataset") -> Table:
-    """Sobol indices and Morris effects of friction (or the first result there is) at the working load, and of the others the
-    total indices; the most important input first."""
+    """Return Sobol indices and Morris effects of the first result, and total indices of the others, ranked."""
     one, (first, *others) = at_working_load(data), results_of(data, "total_order")
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
     rows = []
@@ -79,7 +77,7 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 
 
 def elasticities_table(data: "xarray.Dataset") -> Table:
-    """d ln y/d ln x of every number of the contact at the working load, the largest of friction first."""
+    """Return d ln y/d ln x of every number of the contact at the working load, ranked by friction."""
     one, names = at_working_load(data), results_of(data, "log_sensitivity")
     order: Any = ranked(one, names[0], "log_sensitivity", "number") if names else []
     rows = [
@@ -105,7 +103,7 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
 
 
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """What was varied, how, and the validity warnings of the nominal contact."""
+    """Yield what was varied, how, and the validity warnings of the nominal contact."""
     used = data.attrs
     if "input" in data.dims:
         for line in used["uncertain_inputs"].splitlines():

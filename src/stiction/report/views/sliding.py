@@ -25,12 +25,12 @@ _HEADS = {
 
 
 def sliding_table(data: "xarray.Dataset") -> Table:
-    """A row for each point: mu, the largest force on the way over the load, where it is, and the stiffness at rest."""
+    """Return a row for each point: mu, the largest force over load, its displacement, and the initial stiffness."""
     return curve_table(data.drop_dims("displacement"), True, _HEADS)
 
 
 def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """What a user should know of this result, one line each."""
+    """Yield notes on a result, one line each."""
     used = data.attrs
     yield f"mu: the whole contact at its strength together; {used['sliding']}"
     if used["kept"] == 1.0:

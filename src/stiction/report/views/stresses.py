@@ -34,7 +34,7 @@ _HEADS = {
 
 
 def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """About twelve points of a result of `film_stresses`, or all; every number with its unit where it has one."""
+    """Return about twelve points of a result of `film_stresses`, or all."""
     count = max(data["load"].size, 1)
     chosen = some(count, count if all_rows else _ROWS)
     names = [name for name in _HEADS if name in data]

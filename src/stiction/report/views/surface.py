@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def surface_summary(analysis: Analysis) -> Table:
-    """The scan, its statistics and its spectral moments."""
+    """Return the scan, its statistics and its spectral moments."""
     surface, found, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size") for length in surface.size)
@@ -65,7 +65,7 @@ def surface_summary(analysis: Analysis) -> Table:
 
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
-    """Return the parameters of ISO 25178-2 beside those of the heights, with their names."""
+    """Return further parameters of ISO 25178-2, with their names."""
     found = asdict(areal_parameters(surface))
     ratios = {"Sdr", "Str", "Smr1", "Smr2"}
     texts = {
@@ -120,9 +120,9 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 
 
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
-    """Return the roughness of a case file with the asperities that stand for the surface; empty where none were found.
+    """Return the roughness of a case file with the asperities that represent the surface; empty where none were found.
 
-    Heights that no formula describes are Gaussian here, and so are those of a known kind: its errors are of such laws.
+    Heights without a formula are Gaussian here, and so are those of a known kind: its errors are known for such laws.
     """
     if not analysis.standing:
         return {}
@@ -154,7 +154,7 @@ def _moments(one: ProfileMoments) -> str:
 
 
 def asperity_table(analysis: Analysis) -> Table:
-    """sigma, R, N by every method."""
+    """Return sigma, R, N by every method."""
     rows = []
     for method, one in analysis.asperities.items():
         cells = _cells(one.deviation, one.radius, one.density)
@@ -164,7 +164,7 @@ def asperity_table(analysis: Analysis) -> Table:
 
 
 def surface_notes(analysis: Analysis) -> list[Table]:
-    """What each method rests on, and why one found nothing."""
+    """Return the basis of each method, and why one found nothing."""
     lines = []
     if analysis.spikes:
         lines.append(
@@ -178,8 +178,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
 
 
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
-    """sigma, R, N by every method, and mu at the ends of the compressive loads of a result with a spread over methods; the
-    method that stands for the surface is bold."""
+    """Return sigma, R, N by every method, and mu at the least and largest compressive load; the method used is bold."""
     friction = None if data is None else data.get("friction_coefficient_by_method")
     loads = _ends(data) if friction is not None and data is not None else []
     rows = []
@@ -192,7 +191,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 
 
 def roughness_notes(measured: "Measured") -> list[Table]:
-    """What found nothing, what was done to the scans, and what the band is."""
+    """Return what was done to the scans, which methods found nothing, and what the band is."""
     count = measured.counts[measured.method]
     found = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
@@ -203,7 +202,7 @@ def roughness_notes(measured: "Measured") -> list[Table]:
 
 
 def map_notes(data: "xarray.Dataset") -> list[Table]:
-    """What was done to the maps whose contact was solved, how well they are resolved, and both areas at the last load."""
+    """Return how the maps were prepared, how well they are resolved, and both areas at the last load."""
     last = data.isel({name: -1 for name in data["load"].dims})
     every = int(last["point_spacing"])
     lines = [
@@ -219,14 +218,14 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
 
 
 def contact_table(contact: "ContactOfMap") -> Table:
-    """The contact of a map: a row for each nominal pressure."""
+    """Return the contact of a map: a row for each nominal pressure."""
     heads = (re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns)
     rows = [[short(one, 3) for one in row] for row in zip(*contact.columns.values(), strict=True)]
     return Table(numbers(*heads, wrap=True), rows)
 
 
 def contact_notes(contact: "ContactOfMap") -> list[Text]:
-    """How the contact of a map was solved, and its validity warnings."""
+    """Return how the contact of a map was solved, and its validity warnings."""
     yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
     of_map = contact.curve.of_map
     solved = (
@@ -250,7 +249,7 @@ def _cells(deviation: float, radius: float, density: float) -> list[str]:
 
 
 def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
-    """Place and load [N] of the least and the largest compressive load."""
+    """Return place and load [N] of the least and the largest compressive load."""
     loads = np.atleast_1d(data["load"].values).ravel()
     pressed = np.flatnonzero(loads > 0.0)
     if not pressed.size:
@@ -314,7 +313,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
 
 
 def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
-    """Pressure maps over E* h', one for each nominal pressure that was solved."""
+    """Write the pressure maps over E* h', one for each solved nominal pressure."""
     import numpy as np
 
     maps = [one.pressure / solved.gradient for one in solved.curve.contacts if one is not None and one.pressure is not None]

@@ -26,7 +26,7 @@ _HOW = {
 
 
 def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
-    """Title, source and what else is said of the values."""
+    """Yield title and source of the values."""
     about = data.attrs
     if about["kind"] == "synthetic":
         yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
@@ -41,7 +41,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def validation_table(data: "xarray.Dataset") -> Table:
-    """Model by model: grade, how many values it answers, how far it is off, and what it is outside of."""
+    """Return a row for each model: grade, answered values, error, and the claims it leaves."""
     errors = {"bias": "mean ratio", "factor": "factor off"}
     if np.isfinite(data["error"].values).any():
         errors["in_errors"] = "in errors"
@@ -57,7 +57,7 @@ def validation_table(data: "xarray.Dataset") -> Table:
 
 
 def prediction_table(data: "xarray.Dataset") -> Table | None:
-    """Row by row: the measured friction, the prediction, and which of its intervals hold what was measured."""
+    """Return a row for each measured friction: the prediction, and whether its intervals hold the measured value."""
     rows = []
     for at in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
         one = data.isel(row=at)
@@ -71,7 +71,7 @@ def prediction_table(data: "xarray.Dataset") -> Table | None:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Heads and rows of a file: every measured value, and beside it what each model says, in SI units."""
+    """Return heads and rows of a file: measured values and those of each model, in SI units."""
     columns = ["quantity", "sample", "load", "measured", "error"]
     levels = [f"prediction_{level:g}" for level in data["quantile"].values]
     rows = zip(rows_of(data, columns), data["prediction"].values.T.tolist(), data["predicted"].values.T.tolist(), strict=True)
@@ -80,7 +80,7 @@ def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """All of it as data for JSON."""
+    """Return all results for JSON."""
     over_models = ("grade", "answered", "bias", "factor", "in_errors", "outside_validity")
     keys = ["model", *over_models, "predicted"]
     models = [dict(zip(keys, row, strict=True)) for row in rows_of(data, keys)]
