@@ -5,20 +5,21 @@ that do not touch nothing) has C q = w on them. The compliance of a map is w ove
 
     w/<q> = minimum of <q C q>/<q>^2 over all q on these points                                                           (1)
 
-so that a small error of q enters with its square (for rough contact: Barber 2003, Proc. R. Soc. A 459, 53).
+so that a small error of q enters with its square (for rough contact: Barber 2003, Proc. R. Soc. A 459, 53), and single
+precision is enough.
 """
 
 import math
 
 import numpy as np
 
-from stiction.solvers.boundary_elements.minimise import Displacement, dot
+from stiction.solvers.boundary_elements.minimise import Boundary, dot, total
 
 _TOLERANCE = 3e-3
 _MOST = 300
 
 
-def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.ndarray) -> float:
+def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarray) -> float:
     """Return the change of mean pressure with approach [Pa/m] at fixed contact.
 
     NaN where no point is free, infinite in full contact of unbounded half-spaces. free: points that respond, bool, of the
@@ -27,19 +28,21 @@ def stiffness_per_area(displacement: Displacement, free: np.ndarray, start: np.n
     count = int(np.count_nonzero(free))
     if not count:
         return math.nan
-    q = np.ones(free.shape) if count == free.size else np.where(free, start, 0.0)
-    q *= 1.0 / q.mean()
+    q = np.ones(free.shape, np.float32) if count == free.size else (start * free).astype(np.float32)
+    q *= q.dtype.type(free.size / total(q))
     moved = displacement(q)
     direction, square = None, 0.0
     for _ in range(_MOST):
-        level = float(np.mean(moved, where=free))
-        rest = np.where(free, level - moved, 0.0)
-        last, square = square, dot(rest, rest)
-        if math.sqrt(square / count) <= _TOLERANCE * abs(level):
+        level = total(moved * free) / count
+        rest = (q.dtype.type(level) - moved) * free
+        if math.sqrt(dot(rest, rest) / count) <= _TOLERANCE * abs(level):
             break
-        direction = rest if direction is None else rest + (square / last) * direction
+        stiff = displacement.inverse(rest) * free
+        stiff -= free * q.dtype.type(total(stiff) / count)
+        last, square = square, dot(rest, stiff)
+        direction = stiff if direction is None else stiff + q.dtype.type(square / last) * direction
         answer = displacement(direction)
-        length = square / dot(direction, answer)
+        length = q.dtype.type(square / dot(direction, answer))
         q += length * direction
         moved += length * answer
     curvature = dot(q, moved) / free.size

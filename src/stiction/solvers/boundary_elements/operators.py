@@ -23,9 +23,13 @@ The first is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) of a point force; over 
 
 D is finite at k = 0, falls off as e^(-2 k t), and is transformed on the doubled grid; c = 1.5 t. (2) and (3) derived here.
 The copies of D that this leaves shift displacements by about (t/L)^3 of the largest, L the side of the map: 1e-3 at L = 10 t.
+
+Every boundary computes in the precision of the pressure it is given, single or double. Its `inverse` divides each wave by C(k):
+exact on a periodic or mirrored map, and only near to it on a map that ends.
 """
 
 import math
+from functools import cached_property
 
 import numpy as np
 from scipy.fft import dctn, fftfreq, idctn, irfft2, next_fast_len, rfft2, rfftfreq
@@ -51,6 +55,21 @@ def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray
     return np.hypot(*components(shape, size))
 
 
+class _Kernel:
+    """Factors of the waves in both precisions."""
+
+    def __init__(self, factors: np.ndarray):
+        self._double = factors
+
+    @cached_property
+    def _single(self) -> np.ndarray:
+        return self._double.astype(np.float32)
+
+    def like(self, values: np.ndarray) -> np.ndarray:
+        """Return the factors in the precision of these values."""
+        return self._single if values.dtype == np.float32 else self._double
+
+
 class PeriodicBoundary:
     """Displacements of one period of a map.
 
@@ -61,11 +80,19 @@ class PeriodicBoundary:
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.shape = shape
         self.knows_approach = compliance.far == 0.0
-        self._kernel = compliance.at(wavevectors(shape, size))
+        self._kernel = _Kernel(compliance.at(wavevectors(shape, size)))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         """Return the displacement [m], positive away from the pressure [Pa]."""
         return _through(pressure, self.shape, self._kernel)
+
+    @cached_property
+    def _stiffness(self) -> _Kernel:
+        return _Kernel(_inverted(self._kernel.like(np.empty(0))))
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the pressure [Pa] whose displacement [m] this is, of zero mean where C(0) is not defined."""
+        return _through(displacement, self.shape, self._stiffness)
 
 
 class MirroredBoundary:
@@ -77,14 +104,19 @@ class MirroredBoundary:
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.knows_approach = compliance.far == 0.0
         along_y, along_x = (math.pi * np.arange(count) / length for count, length in zip(shape, size, strict=True))
-        self._kernel = compliance.at(np.hypot(along_y[:, None], along_x))
+        self._kernel = _Kernel(compliance.at(np.hypot(along_y[:, None], along_x)))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         """Return the displacement [m], positive away from the pressure [Pa]."""
-        workers = _workers(pressure.size)
-        waves = dctn(pressure, workers=workers)
-        waves *= self._kernel
-        return idctn(waves, workers=workers, overwrite_x=True)
+        return _through_cosines(pressure, self._kernel)
+
+    @cached_property
+    def _stiffness(self) -> _Kernel:
+        return _Kernel(_inverted(self._kernel.like(np.empty(0))))
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the pressure [Pa] whose displacement [m] this is, of zero mean where C(0) is not defined."""
+        return _through_cosines(displacement, self._stiffness)
 
 
 class FreeBoundary:
@@ -97,26 +129,45 @@ class FreeBoundary:
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.shape = shape
+        self._periodic = PeriodicBoundary(compliance, shape, size)
         pitch = (size[0] / shape[0], size[1] / shape[1])
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)
         kernel = compliance.near * _of_pixels(self._doubled, pitch)
         if compliance.films:
             kernel += (compliance.far - compliance.near) * _of_pixels(self._doubled, pitch, _DEPTH * compliance.depth)
-        self._kernel = rfft2(kernel).real.copy()  # even in both directions: no imaginary part
+        waves = rfft2(kernel).real.copy()  # even in both directions: no imaginary part
         if compliance.films:
-            self._kernel += _rest(compliance, self._doubled, pitch)
+            waves += _rest(compliance, self._doubled, pitch)
+        self._kernel = _Kernel(waves)
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         """Return the displacement [m], positive away from the pressure [Pa]."""
         return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return a pressure [Pa] of about this displacement [m]: that of the map as one period."""
+        return self._periodic.inverse(displacement)
 
 
 def _through(pressure, grid, kernel):
     """Multiply the zero-padded pressure with the kernel in wavevectors."""
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
-    waves *= kernel
+    waves *= kernel.like(pressure)
     return irfft2(waves, s=grid, workers=workers, overwrite_x=True)
+
+
+def _through_cosines(pressure, kernel):
+    """Multiply the pressure with the kernel in the cosines of a window."""
+    workers = _workers(pressure.size)
+    waves = dctn(pressure, workers=workers)
+    waves *= kernel.like(pressure)
+    return idctn(waves, workers=workers, overwrite_x=True)
+
+
+def _inverted(factors):
+    """Return one over C(k), and 0 where that is 0."""
+    return np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0)
 
 
 def _workers(points):
