@@ -15,7 +15,7 @@ import numpy as np
 
 from stiction.solvers.boundary_elements.minimise import Boundary, dot, total
 
-_TOLERANCE = 3e-3
+_TOLERANCE = 1e-2
 _MOST = 300
 
 

@@ -13,21 +13,25 @@ one length a, and the gap g = u - h - a:
 
 so how it was found needs no belief: `residual` says how far (2) is from being met.
 
-The way there is that of Polonsky & Keer, conjugate gradients over the points of 0 < p < H, with five changes, to converge
-also where points flow, and in a number of steps that hardly grows with the map: the gradient is turned into a pressure by one
-over C(k) before it is followed, on the free points and with zero sum, which near full contact is the solution itself; the
-pressure is brought back to its mean by a shift of the pressed points instead of a factor, which would lift it over H;
-directions are combined by the rule of Polak & Ribiere and go on where points come and go, instead of beginning anew (as
-Bugnicourt et al. 2018, Tribology Lett. 66, 29); the energy must fall in each step. Where it does not, the step is one along
-the gradient, projected, and shortened until it does (Bertsekas 1999, Nonlinear Programming, section 2.3: converges from
-anywhere). And steps are in single precision while the residual is far above its rounding; double precision goes on from there,
-and `residual` is always that of a state computed in double. Equation numbers of Polonsky & Keer could not be compared with
-print.
+The way there is that of Polonsky & Keer, conjugate gradients over the points of 0 < p < H, with five changes, so that it
+converges also where points flow, and in a number of steps that hardly grows with the map:
+
+- the gradient is turned into a pressure by one over C(k) before it is followed, on the free points and with zero sum, which
+  near full contact is the solution itself;
+- the pressure is brought back to its mean by a shift of the free points instead of a factor, which would lift it over H;
+- directions are combined by the rule of Polak & Ribiere and go on where points come and go, instead of beginning anew (as
+  Bugnicourt et al. 2018, Tribology Lett. 66, 29);
+- the energy must fall in each step. Where it does not, the step is one along the gradient, projected, and shortened until it
+  does (Bertsekas 1999, Nonlinear Programming, section 2.3: converges from anywhere);
+- steps change the gap in single precision. From time to time it is computed from the pressure in double precision, and steps
+  go on from there (iterative refinement: Moler 1967, J. ACM 14, 316). `residual` is always that of a gap in double.
+
+Equation numbers of Polonsky & Keer could not be compared with print.
 """
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -45,10 +49,11 @@ class Boundary(Protocol):
 
 _ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
 _SHIFTS = 100
-_ROUNDING = {"f": 1e-6, "d": 1e-13}  # of the mean pressure, by precision
+_ROUNDING = 1e-13  # of the mean pressure
 _WRONG = 0.05  # of the pressure that would close a wrong gap: more lets points come and go
-_SINGLE = 3e-5  # residual down to which single precision leads
-_SINGLE_DIGITS = 2e-7  # of the range of heights: the rounding of gaps in single precision
+_DIGITS = 1e-4  # residual over the last one in double at which single precision has done its part
+_AIM = 0.7  # of the tolerance, for the residual in single precision
+_BLOCK = 2**16  # points that are worked on together: their numbers stay in the processor's cache
 
 
 @dataclass(frozen=True)
@@ -82,41 +87,6 @@ class Found:
     converged: bool
 
 
-class _State:
-    """Pressure, its displacement and the gap (2); the arrays belong to the state.
-
-    exact: whether the displacement was computed from this pressure, not added up on the way.
-    """
-
-    def __init__(self, problem: Problem, pressure: np.ndarray, displacement: np.ndarray, *, exact: bool = False):
-        self.pressure, self.displacement, self.exact = pressure, displacement, exact
-        pressed = pressure > 0.0
-        flows = pressure >= problem.hardness if math.isfinite(problem.hardness) else None
-        self.free = pressed if flows is None else pressed & ~flows
-        self.count = int(np.count_nonzero(self.free))
-        self.gap = displacement - problem.heights
-        self.offset = self._offset(pressed)
-        self.gap -= self.gap.dtype.type(self.offset)
-        self.wrong = (self.gap < 0.0) & ~pressed
-        if flows is not None:
-            self.wrong |= flows & (self.gap > 0.0)
-        self.any_wrong = bool(self.wrong.any())
-        missed = self.gap * (self.free | self.wrong)
-        points = max(int(np.count_nonzero(pressed)), 1)
-        self.residual = math.sqrt(dot(missed, missed) / points) / problem.length
-
-    def _offset(self, pressed: np.ndarray) -> float:
-        """Return a of (2), the mean over the free points.
-
-        Where no point is free, it lies midway between the flowing and the untouched points.
-        """
-        if self.count:
-            return total(self.gap * self.free) / self.count
-        highest = float(np.max(self.gap, where=pressed, initial=-math.inf))
-        lowest = float(np.min(self.gap, where=~pressed, initial=math.inf))
-        return 0.5 * (highest + lowest) if math.isfinite(lowest) else highest
-
-
 def minimise(
     problem: Problem, start: np.ndarray, *, tolerance: float, most: int, seen: Callable[[int, float], None] | None = None
 ) -> Found:
@@ -125,142 +95,226 @@ def minimise(
     start: any pressure of the map's shape [Pa]; tolerance: of the residual; most: number of steps; seen: called with the
     number of the step and the residual before each. Without convergence the state of least residual is returned.
     """
-    rounding = _SINGLE_DIGITS * float(np.ptp(problem.heights)) / problem.length
-    rough = _Search(replace(problem, heights=problem.heights.astype(np.float32)), seen)
-    pressure = rough.run(start.astype(np.float32), max(_SINGLE, rounding, tolerance), most).pressure
-    fine = _Search(problem, seen, rough.steps)
-    best = fine.run(pressure.astype(np.float64), tolerance, most)
-    return Found(best.pressure, best.gap, best.offset, best.residual, fine.steps, best.residual <= tolerance)
+    best = last = _in_double(problem, on_level(start, problem))
+    search = _Search(problem, seen)
+    while best.residual > tolerance and search.steps < most:
+        before = search.steps
+        pressure = search.run(last, max(_AIM * tolerance, _DIGITS * last.residual), most)
+        if search.steps == before:
+            break  # no step lowers the energy: rounding
+        last = _in_double(problem, on_level(pressure, problem))
+        if last.residual < best.residual:
+            best = last
+    return Found(best.pressure, best.gap, best.offset, best.residual, search.steps, best.residual <= tolerance)
+
+
+@dataclass(frozen=True)
+class _State:
+    """Pressure [Pa] with its gap [m], offset [m] and residual, in double precision."""
+
+    pressure: np.ndarray
+    gap: np.ndarray
+    offset: float
+    residual: float
+
+
+def _in_double(problem: Problem, pressure: np.ndarray) -> _State:
+    gap = problem.displacement(pressure)
+    gap -= problem.heights
+    offset, residual, _ = _settle(problem, pressure, gap, problem.length)
+    return _State(pressure, gap, offset, residual)
+
+
+def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: float) -> tuple[float, float, bool]:
+    """Take the offset from the gap; return it with the residual and whether (2) is missed where points are not free.
+
+    length: unit of gaps, in the unit of this gap. The offset is the mean over the free points; where no point is free, it
+    lies midway between the flowing and the untouched ones.
+    """
+    total, count, pressed = 0.0, 0, 0
+    for rows in blocks(gap.shape):
+        touches = pressure[rows] > 0.0
+        free = touches & (pressure[rows] < problem.hardness)
+        total += dot(gap[rows], free.astype(gap.dtype))
+        count += int(np.count_nonzero(free))
+        pressed += int(np.count_nonzero(touches))
+    offset = total / count if count else _between(pressure > 0.0, gap)
+    missed = wrong = 0.0
+    for rows in blocks(gap.shape):
+        here = gap[rows]
+        here -= here.dtype.type(offset)
+        free = (pressure[rows] > 0.0) & (pressure[rows] < problem.hardness)
+        at_bounds = _wrong(problem, pressure[rows], here)
+        wrong += dot(at_bounds, at_bounds)
+        here = here * free
+        missed += dot(here, here)
+    return offset, math.sqrt((missed + wrong) / max(pressed, 1)) / length, wrong > 0.0
+
+
+def _between(touches: np.ndarray, gap: np.ndarray) -> float:
+    """Return the middle between the highest gap that touches and the lowest that does not."""
+    highest = float(np.max(gap, where=touches, initial=-math.inf))
+    lowest = float(np.min(gap, where=~touches, initial=math.inf))
+    return 0.5 * (highest + lowest) if math.isfinite(lowest) else highest
+
+
+def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
+    """Return the gap where (2) forbids its sign: negative without pressure, positive at the hardness."""
+    wrong = np.minimum(gap, 0.0)
+    wrong *= pressure <= 0.0
+    if math.isfinite(problem.hardness):
+        wrong += np.maximum(gap, 0.0) * (pressure >= problem.hardness)
+    return wrong
 
 
 class _Search:
-    """The steps of one precision, that of the heights of the problem.
+    """Steps in single precision, gaps in units of the problem's length.
 
-    steps: how many were taken, with those before it.
+    steps: how many were taken.
     """
 
-    def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None, steps: int = 0):
-        self.problem, self.steps = problem, steps
-        self._seen = seen
-        self._directions = _Directions()
+    def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None):
+        self.steps = 0
+        self._problem, self._seen = problem, seen
         self._point_stiffness = _point_stiffness(problem)
 
-    def run(self, start: np.ndarray, tolerance: float, most: int) -> _State:
-        """Return the state of least residual from this start; steps end below the tolerance."""
-        state = best = self._at(on_level(start, self.problem))
-        while True:
-            if state.residual <= tolerance and not state.exact:
-                state = self._at(state.pressure)  # what was added up on the way has its rounding
-            if self._seen is not None:
-                self._seen(self.steps, state.residual)
-            if state.residual <= best.residual:
-                best = state
-            if state.residual <= tolerance or self.steps >= most:
-                break
-            moved = self._conjugate_step(state)
-            if moved is None:
-                self._directions.forget()
-                moved = self._projected_step(state)
-            if moved is None:
-                break  # no step lowers the energy: rounding
-            state = moved
-            self.steps += 1
-        return best if best.exact else self._at(best.pressure)
-
-    def _at(self, pressure: np.ndarray) -> _State:
-        return _State(self.problem, pressure, self.problem.displacement(pressure), exact=True)
-
-    def _conjugate_step(self, state: _State) -> _State | None:
-        """Return the next state, None if energy rises."""
-        if not state.count:
-            return None
-        direction = self._directions.next(self.problem, state)
-        response = self.problem.displacement(direction)
-        bent = dot(direction, response)
-        length = -dot(direction, state.gap) / bent if bent > 0.0 else 0.0
-        if not length > 0.0:
-            return None
-        kind = direction.dtype.type
-        pressure = state.pressure + kind(length) * direction
-        if not state.any_wrong and within(pressure, self.problem):
-            response *= kind(length)
-            response += state.displacement
-            return _State(self.problem, pressure, response)
-        pressure -= kind(_WRONG * self._point_stiffness) * (state.gap * state.wrong)
-        moved = self._at(on_level(pressure, self.problem))
-        return moved if _energy_change(state, moved) < 0.0 else None
-
-    def _projected_step(self, state: _State) -> _State | None:
-        """Step along the gradient, projected on the bounds and halved until energy falls.
-
-        None if no step lowers the energy enough.
-        """
-        length = self._point_stiffness
-        for _ in range(60):
-            way = state.gap.dtype.type(length) * state.gap
-            moved = self._at(_nearest(state.pressure - way, self.problem))
-            change = moved.pressure - state.pressure
-            if _energy_change(state, moved) <= -_ENOUGH / length * dot(change, change) < 0.0:
-                return moved
-            length *= 0.5
-        return None
-
-
-class _Directions:
-    """Conjugate directions over the free points.
-
-    By the rule of Polak & Ribiere, never negative: it restarts by itself where conjugacy is lost.
-    """
-
-    def __init__(self) -> None:
-        self.forget()
-
-    def forget(self) -> None:
-        """Restart along the gradient."""
-        self._gradient: np.ndarray | None = None
+    def run(self, start: _State, aim: float, most: int) -> np.ndarray:
+        """Return the pressure at which the residual is below this aim, or after which no step lowers the energy."""
+        self._pressure = start.pressure.copy()
+        self._gap = (start.gap * (1.0 / self._problem.length)).astype(np.float32)
         self._direction: np.ndarray | None = None
-        self._square = 0.0
+        self._settle()
+        while True:
+            if self._seen is not None:
+                self._seen(self.steps, self._residual)
+            if self._residual <= aim or self.steps >= most:
+                break
+            if not self._conjugate_step():
+                self._direction = None
+                if not self._projected_step():
+                    break
+            self.steps += 1
+        return self._pressure
 
-    def next(self, problem: Problem, state: _State) -> np.ndarray:
-        """Return the direction from this state, with zero sum over the free points."""
-        gradient = state.gap * state.free
-        downhill = _balanced(problem.displacement.inverse(gradient), state)
-        np.negative(downhill, out=downhill)
-        square = -dot(gradient, downhill)
-        direction = downhill
-        if self._direction is not None and self._gradient is not None and self._square > 0.0:
-            part = (square + dot(downhill, self._gradient)) / self._square
-            if part > 0.0:
-                direction = _balanced(self._direction, state)
-                direction *= direction.dtype.type(part)
-                direction += downhill
-                if dot(direction, gradient) >= 0.0:
-                    direction = downhill
-        self._gradient, self._square, self._direction = gradient, square, direction
-        return direction
+    def _settle(self) -> None:
+        _, self._residual, self._any_wrong = _settle(self._problem, self._pressure, self._gap, 1.0)
+
+    def _conjugate_step(self) -> bool:
+        """Go along the next direction; return False if energy rises."""
+        slope = self._turn()
+        if not slope < 0.0:
+            return False
+        response = self._respond(self._direction)
+        bent = sum(dot(self._direction[rows], response[rows]) for rows in blocks(response.shape))
+        if not bent > 0.0:
+            return False
+        length = np.float32(-slope / bent)
+        pressure, inside = self._along(length)
+        if inside and not self._any_wrong:
+            response *= length
+            self._arrive(pressure, response)
+            return True
+        return self._accept(on_level(pressure, self._problem))
+
+    def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
+        """Return the pressure so far along the direction, mended where (2) is missed, and whether it is within bounds."""
+        problem, pressure, inside = self._problem, np.empty_like(self._pressure), True
+        mend = _WRONG * self._point_stiffness * problem.length
+        for rows in blocks(pressure.shape):
+            here = np.add(self._pressure[rows], length * self._direction[rows], out=pressure[rows])
+            if self._any_wrong:
+                here -= mend * _wrong(problem, self._pressure[rows], self._gap[rows])
+            inside = inside and bool(here.min() >= 0.0) and bool(here.max() <= problem.hardness)
+        return pressure, inside
+
+    def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
+        """Go to this pressure if energy falls; least: [1/(Pa m)] decrease over the square of the change."""
+        change = (pressure - self._pressure).astype(np.float32)
+        response = self._respond(change)
+        energy = square = 0.0
+        for rows in blocks(change.shape):
+            energy += dot(change[rows], self._gap[rows]) + 0.5 * dot(change[rows], response[rows])
+            square += dot(change[rows], change[rows]) if least else 0.0
+        falls = energy < 0.0 and energy <= -least * square
+        if falls:
+            self._arrive(pressure, response)
+        return falls
+
+    def _arrive(self, pressure: np.ndarray, response: np.ndarray) -> None:
+        self._pressure = pressure
+        self._gap += response
+        self._settle()
+
+    def _respond(self, change: np.ndarray) -> np.ndarray:
+        """Return the displacement of a change of the pressure, in lengths."""
+        response = self._problem.displacement(change)
+        response *= np.float32(1.0 / self._problem.length)
+        return response
+
+    def _turn(self) -> float:
+        """Find the next direction, with zero sum over the free points; return the slope of the energy along it.
+
+        By the rule of Polak & Ribiere, never negative: it restarts by itself where conjugacy is lost.
+        """
+        gradient = np.empty_like(self._gap)
+        for rows in blocks(gradient.shape):
+            np.multiply(self._gap[rows], self._free(rows), out=gradient[rows])
+        downhill = self._problem.displacement.inverse(gradient)
+        if self._direction is None:
+            self._direction, self._gradient, self._square = np.zeros_like(gradient), np.zeros_like(gradient), math.inf
+        last, before = self._direction, self._gradient
+        sums = np.zeros(6)
+        for rows in blocks(gradient.shape):
+            free, down = self._free(rows), downhill[rows]
+            down *= free
+            sums += (
+                free.sum(), down.sum(), dot(down, gradient[rows]), dot(down, before[rows]), dot(free, before[rows]),
+                dot(free, last[rows]),
+            )  # fmt: skip
+        count, total, square, mixed, before_total, last_total = sums.tolist()
+        if not count:
+            return 0.0
+        mean = total / count
+        part = max(0.0, square - mixed + mean * before_total) / self._square
+        shift = np.float32(mean - part * last_total / count)
+        slope = 0.0
+        for rows in blocks(gradient.shape):
+            here = last[rows]
+            here *= np.float32(part)
+            here += shift
+            here *= self._free(rows)
+            here -= downhill[rows]
+            slope += dot(here, gradient[rows])
+        self._gradient, self._square = gradient, square
+        return slope
+
+    def _free(self, rows: slice) -> np.ndarray:
+        """Return 1 at the free points of these rows, 0 at others."""
+        here = self._pressure[rows]
+        return ((here > 0.0) & (here < self._problem.hardness)).astype(np.float32)
+
+    def _projected_step(self) -> bool:
+        """Step along the gradient, projected on the bounds and halved until energy falls enough."""
+        length = self._point_stiffness * self._problem.length
+        for _ in range(60):
+            if self._accept(_nearest(self._pressure - length * self._gap, self._problem), _ENOUGH / length):
+                return True
+            length *= 0.5
+        return False
 
 
-def _balanced(values: np.ndarray, state: _State) -> np.ndarray:
-    """Return the values on the free points, less their mean there."""
-    kept = values * state.free
-    kept -= state.free * kept.dtype.type(total(kept) / state.count)
-    return kept
+def blocks(shape: tuple[int, ...]) -> Iterator[slice]:
+    """Yield the rows of a map in blocks that fit into the processor's cache."""
+    step = max(1, _BLOCK // shape[1])
+    for first in range(0, shape[0], step):
+        yield slice(first, first + step)
 
 
 def _point_stiffness(problem: Problem) -> float:
     """Return the pressure on one point that would move it alone, over its displacement [Pa/m]."""
-    point = np.zeros(problem.heights.shape, dtype=problem.heights.dtype)
+    point = np.zeros(problem.heights.shape, dtype=np.float32)
     point[0, 0] = 1.0
     return float(problem.displacement.inverse(point)[0, 0])
-
-
-def _energy_change(state: _State, moved: _State) -> float:
-    """Return the change of (1) times the number of points.
-
-    Formed without the difference of two large numbers.
-    """
-    change = moved.pressure - state.pressure
-    return dot(change, state.gap) + 0.5 * dot(change, moved.displacement - state.displacement)
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:
@@ -276,30 +330,27 @@ def total(values: np.ndarray) -> float:
     return float(values.sum(axis=1).sum(dtype=np.float64))
 
 
-def within(pressure: np.ndarray, problem: Problem) -> bool:
-    """Return whether no pressure is outside of 0 ... H."""
-    return bool(pressure.min() >= 0.0) and (math.isinf(problem.hardness) or bool(pressure.max() <= problem.hardness))
-
-
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
     """Return the pressure cut to 0 ... H and shifted to the right mean.
 
-    Only pressed points are shifted; others where the pressed ones cannot carry the load.
+    Only free points are shifted; all of them where these cannot carry the load.
     """
     top, wanted = problem.hardness, problem.mean * pressure.size
     cut = np.clip(pressure, 0.0, top)
-    rounding = _ROUNDING[cut.dtype.char]
+    pressed = cut > 0.0
+    values = cut[pressed]
     for _ in range(_SHIFTS):
-        missing = wanted - total(cut)
-        if abs(missing) <= rounding * wanted:
+        missing = wanted - float(values.sum())
+        if abs(missing) <= _ROUNDING * wanted:
+            cut[pressed] = values
+            return cut
+        free = (values > 0.0) & (values < top)
+        count = int(np.count_nonzero(free))
+        if not count:
             break
-        movable = (cut > 0.0) & (cut < top) if missing > 0.0 else cut > 0.0
-        count = int(np.count_nonzero(movable))
-        if count == 0:
-            return _nearest(pressure, problem)
-        cut += cut.dtype.type(missing / count) * movable
-        np.clip(cut, 0.0, top, out=cut)
-    return cut
+        values += (missing / count) * free
+        np.clip(values, 0.0, top, out=values)
+    return _nearest(pressure, problem)
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
@@ -312,11 +363,10 @@ def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
     low = -float(pressure.max())
     high = (top if math.isfinite(top) else wanted * pressure.size) - float(pressure.min())
     shift = min(max(0.0, low), high)
-    kind = pressure.dtype.type
     for _ in range(_SHIFTS):
-        cut = np.clip(pressure + kind(shift), 0.0, top)
-        missing = wanted - total(cut) / cut.size
-        if abs(missing) <= _ROUNDING[cut.dtype.char] * wanted:
+        cut = np.clip(pressure + shift, 0.0, top)
+        missing = wanted - float(cut.mean())
+        if abs(missing) <= _ROUNDING * wanted:
             break
         low, high = (shift, high) if missing > 0.0 else (low, shift)
         slope = float(np.count_nonzero((cut > 0.0) & (cut < top))) / cut.size

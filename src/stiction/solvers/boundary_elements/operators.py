@@ -32,7 +32,7 @@ import math
 from functools import cached_property
 
 import numpy as np
-from scipy.fft import dctn, fftfreq, idctn, irfft2, next_fast_len, rfft2, rfftfreq
+from scipy.fft import dctn, fftfreq, idctn, ifft, irfft, next_fast_len, rfft2, rfftfreq
 
 from stiction.solvers.boundary_elements.compliance import Compliance
 
@@ -154,7 +154,8 @@ def _through(pressure, grid, kernel):
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel.like(pressure)
-    return irfft2(waves, s=grid, workers=workers, overwrite_x=True)
+    waves = ifft(waves, axis=0, workers=workers, overwrite_x=True)  # by itself: irfft2 would copy the waves
+    return irfft(waves, n=grid[1], axis=1, workers=workers)
 
 
 def _through_cosines(pressure, kernel):

@@ -252,7 +252,16 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
     start = _from_coarser(request, compliance, boundary, mean, coarse)
     problem = Problem(boundary(compliance, coarse.shape, request.size), coarse, mean, request.hardness, rms_step(coarse))
     solution = minimise(problem, start, tolerance=_COARSE_TOLERANCE, most=request.how.most_steps)
-    return solution.pressure.repeat(2, axis=0).repeat(2, axis=1)
+    return _between(_between(solution.pressure, request.periodic).T, request.periodic).T
+
+
+def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
+    """Return a map of twice the rows, new ones midway between their neighbours."""
+    fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
+    fine[::2] = coarse
+    fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])
+    fine[-1] = 0.5 * (coarse[-1] + coarse[0]) if periodic else coarse[-1]
+    return fine
 
 
 def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approach: bool) -> MapContact:
