@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from stiction.solvers.boundary_elements.minimise import Boundary, dot, total
+from stiction.solvers.boundary_elements.minimise import Boundary, blocks, dot, total
 
 _TOLERANCE = 1e-2
 _MOST = 300
@@ -28,22 +28,31 @@ def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarr
     count = int(np.count_nonzero(free))
     if not count:
         return math.nan
-    q = np.ones(free.shape, np.float32) if count == free.size else (start * free).astype(np.float32)
-    q *= q.dtype.type(free.size / total(q))
-    moved = displacement(q)
-    direction, square = None, 0.0
+    rows_of = list(blocks(free.shape))
+    q = np.ones(free.shape, np.float32) if count == free.size else np.multiply(start, free, dtype=np.float32, casting="same_kind")
+    q *= np.float32(free.size / total(q))
+    moved, direction, rest = displacement(q), np.zeros_like(q), np.empty_like(q)
+    square = math.inf
     for _ in range(_MOST):
-        level = total(moved * free) / count
-        rest = (q.dtype.type(level) - moved) * free
-        if math.sqrt(dot(rest, rest) / count) <= _TOLERANCE * abs(level):
+        level = sum(dot(moved[rows], free[rows].astype(np.float32)) for rows in rows_of) / count
+        missed = 0.0
+        for rows in rows_of:
+            here = np.subtract(np.float32(level), moved[rows], out=rest[rows])
+            here *= free[rows]
+            missed += dot(here, here)
+        if math.sqrt(missed / count) <= _TOLERANCE * abs(level):
             break
-        stiff = displacement.inverse(rest) * free
-        stiff -= free * q.dtype.type(total(stiff) / count)
-        last, square = square, dot(rest, stiff)
-        direction = stiff if direction is None else stiff + q.dtype.type(square / last) * direction
+        stiff = displacement.inverse(rest)
+        mean = sum(dot(stiff[rows], free[rows].astype(np.float32)) for rows in rows_of) / count
+        last, square = square, sum(dot(rest[rows], stiff[rows]) for rows in rows_of)
+        for rows in rows_of:
+            here = direction[rows]
+            here *= np.float32(square / last)
+            here += (stiff[rows] - np.float32(mean)) * free[rows]
         answer = displacement(direction)
-        length = q.dtype.type(square / dot(direction, answer))
-        q += length * direction
-        moved += length * answer
+        length = np.float32(square / sum(dot(direction[rows], answer[rows]) for rows in rows_of))
+        for rows in rows_of:
+            q[rows] += length * direction[rows]
+            moved[rows] += length * answer[rows]
     curvature = dot(q, moved) / free.size
     return 1.0 / curvature if curvature > 0.0 else math.inf

@@ -85,8 +85,9 @@ def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Wav
     power = np.square(np.abs(rfft2(heights, workers=_WORKERS))) / float(heights.size) ** 2
     power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
     bins = np.linspace(0.0, float(k.max()) * (1.0 + 1e-9), 4 * max(heights.shape))
-    height, _ = np.histogram(k, bins, weights=power)
-    gradient, _ = np.histogram(k, bins, weights=power * k * k)
+    places = (k * (1.0 / bins[1])).astype(np.int32).ravel()
+    height = np.bincount(places, power.ravel(), minlength=bins.size - 1)
+    gradient = np.bincount(places, (power * k * k).ravel(), minlength=bins.size - 1)
     return Waves(
         2.0 * math.pi / _where_sum_reaches(bins, gradient, 1.0 - _SHORT),
         2.0 * math.pi / _where_sum_reaches(bins, height, _LONG),

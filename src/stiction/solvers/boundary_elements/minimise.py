@@ -95,7 +95,7 @@ def minimise(
     start: any pressure of the map's shape [Pa]; tolerance: of the residual; most: number of steps; seen: called with the
     number of the step and the residual before each. Without convergence the state of least residual is returned.
     """
-    best = last = _in_double(problem, on_level(start, problem))
+    best = last = _in_double(problem, on_level(np.clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)
     while best.residual > tolerance and search.steps < most:
         before = search.steps
@@ -181,8 +181,10 @@ class _Search:
     def run(self, start: _State, aim: float, most: int) -> np.ndarray:
         """Return the pressure at which the residual is below this aim, or after which no step lowers the energy."""
         self._pressure = start.pressure.copy()
-        self._gap = (start.gap * (1.0 / self._problem.length)).astype(np.float32)
-        self._direction: np.ndarray | None = None
+        self._gap = np.multiply(start.gap, 1.0 / self._problem.length, dtype=np.float32, casting="same_kind")
+        self._other = np.empty_like(self._pressure)
+        self._direction, self._gradient, self._spare, self._change = (np.zeros_like(self._gap) for _ in range(4))
+        self._restart()
         self._settle()
         while True:
             if self._seen is not None:
@@ -190,11 +192,15 @@ class _Search:
             if self._residual <= aim or self.steps >= most:
                 break
             if not self._conjugate_step():
-                self._direction = None
+                self._restart()
                 if not self._projected_step():
                     break
             self.steps += 1
         return self._pressure
+
+    def _restart(self) -> None:
+        """Forget the last direction."""
+        self._square = math.inf
 
     def _settle(self) -> None:
         _, self._residual, self._any_wrong = _settle(self._problem, self._pressure, self._gap, 1.0)
@@ -211,25 +217,27 @@ class _Search:
         length = np.float32(-slope / bent)
         pressure, inside = self._along(length)
         if inside and not self._any_wrong:
-            response *= length
-            self._arrive(pressure, response)
+            self._arrive(pressure, response, length)
             return True
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
-        """Return the pressure so far along the direction, mended where (2) is missed, and whether it is within bounds."""
-        problem, pressure, inside = self._problem, np.empty_like(self._pressure), True
+        """Return the pressure so far along the direction, mended where (2) is missed and cut, and whether nothing was cut."""
+        problem, pressure, inside = self._problem, self._other, True
         mend = _WRONG * self._point_stiffness * problem.length
         for rows in blocks(pressure.shape):
             here = np.add(self._pressure[rows], length * self._direction[rows], out=pressure[rows])
             if self._any_wrong:
                 here -= mend * _wrong(problem, self._pressure[rows], self._gap[rows])
             inside = inside and bool(here.min() >= 0.0) and bool(here.max() <= problem.hardness)
+            np.clip(here, 0.0, problem.hardness, out=here)
         return pressure, inside
 
     def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
         """Go to this pressure if energy falls; least: [1/(Pa m)] decrease over the square of the change."""
-        change = (pressure - self._pressure).astype(np.float32)
+        change = self._change
+        for rows in blocks(change.shape):
+            np.subtract(pressure[rows], self._pressure[rows], out=change[rows], casting="same_kind")
         response = self._respond(change)
         energy = square = 0.0
         for rows in blocks(change.shape):
@@ -240,9 +248,11 @@ class _Search:
             self._arrive(pressure, response)
         return falls
 
-    def _arrive(self, pressure: np.ndarray, response: np.ndarray) -> None:
-        self._pressure = pressure
-        self._gap += response
+    def _arrive(self, pressure: np.ndarray, response: np.ndarray, part: np.float32 | None = None) -> None:
+        """Take this pressure, and the gap with this response or part of it."""
+        self._pressure, self._other = pressure, self._pressure
+        for rows in blocks(response.shape):
+            self._gap[rows] += response[rows] if part is None else part * response[rows]
         self._settle()
 
     def _respond(self, change: np.ndarray) -> np.ndarray:
@@ -256,13 +266,10 @@ class _Search:
 
         By the rule of Polak & Ribiere, never negative: it restarts by itself where conjugacy is lost.
         """
-        gradient = np.empty_like(self._gap)
+        gradient, before, last = self._spare, self._gradient, self._direction
         for rows in blocks(gradient.shape):
             np.multiply(self._gap[rows], self._free(rows), out=gradient[rows])
         downhill = self._problem.displacement.inverse(gradient)
-        if self._direction is None:
-            self._direction, self._gradient, self._square = np.zeros_like(gradient), np.zeros_like(gradient), math.inf
-        last, before = self._direction, self._gradient
         sums = np.zeros(6)
         for rows in blocks(gradient.shape):
             free, down = self._free(rows), downhill[rows]
@@ -285,7 +292,7 @@ class _Search:
             here *= self._free(rows)
             here -= downhill[rows]
             slope += dot(here, gradient[rows])
-        self._gradient, self._square = gradient, square
+        self._gradient, self._spare, self._square = gradient, before, square
         return slope
 
     def _free(self, rows: slice) -> np.ndarray:
@@ -331,19 +338,18 @@ def total(values: np.ndarray) -> float:
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure cut to 0 ... H and shifted to the right mean.
+    """Return a pressure of 0 ... H shifted to the right mean, in place.
 
-    Only free points are shifted; all of them where these cannot carry the load.
+    Only free points are shifted; all points where these cannot carry the load.
     """
     top, wanted = problem.hardness, problem.mean * pressure.size
-    cut = np.clip(pressure, 0.0, top)
-    pressed = cut > 0.0
-    values = cut[pressed]
+    pressed = pressure > 0.0
+    values = pressure[pressed]
     for _ in range(_SHIFTS):
         missing = wanted - float(values.sum())
         if abs(missing) <= _ROUNDING * wanted:
-            cut[pressed] = values
-            return cut
+            pressure[pressed] = values
+            return pressure
         free = (values > 0.0) & (values < top)
         count = int(np.count_nonzero(free))
         if not count:
