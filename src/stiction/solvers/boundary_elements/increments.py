@@ -29,7 +29,7 @@ def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarr
     if not count:
         return math.nan
     rows_of = list(blocks(free.shape))
-    q = np.ones(free.shape, np.float32) if count == free.size else np.multiply(start, free, dtype=np.float32, casting="same_kind")
+    q = np.ones(free.shape, np.float32) if count == free.size else (start * free).astype(np.float32)
     q *= np.float32(free.size / total(q))
     moved, direction, rest = displacement(q), np.zeros_like(q), np.empty_like(q)
     square = math.inf
