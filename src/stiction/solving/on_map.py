@@ -24,9 +24,11 @@ _PLAIN = {
     "load_share_plastic": "plastic_share",
     "points_in_contact": "points",
     "solution_residual": "residual",
+    "solution_error": "pressure_error",
+    "area_solution_error": "area_error",
     "load_error": "load_error",
 }
-_SOLVED = ("solution_residual", "load_error")  # of solutions without adhesion
+_SOLVED = ("solution_residual", "solution_error", "area_solution_error", "load_error")  # of solutions without adhesion
 # Loads of a curve that has to be quick: how many; the heaviest as nominal pressure over modulus times gradient, and over the
 # hardness; the lightest over it.
 _FEW, _HEAVY, _OF_HARDNESS, _LIGHT = 5, 0.2, 0.3, 0.02

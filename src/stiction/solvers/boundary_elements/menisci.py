@@ -45,11 +45,12 @@ class Menisci:
 class Condensed:
     """Contact with condensed liquid.
 
-    found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape.
+    found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape; problem: (1).
     """
 
     found: Found
     wet: np.ndarray
+    problem: Problem
 
 
 def condense(
@@ -64,14 +65,14 @@ def condense(
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
     wet = np.zeros(solution.gap.shape, dtype=bool)
     if menisci is None:
-        return Condensed(solution, wet)
-    finely = False
+        return Condensed(solution, wet, problem)
+    finely, wetter = False, problem
     while (more := (solution.gap < menisci.height) & ~wet).any() or not finely:  # ends, as there are so many points and no more
         finely = not more.any()
         wet = wet | more
         wetter, pressed = _with_suction(problem, menisci, wet), solution.pressure + menisci.pressure * more
         solution = minimise(wetter, pressed, tolerance=tolerance if finely else roughly, most=most, seen=seen)
-    return Condensed(solution, wet)
+    return Condensed(solution, wet, wetter)
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:

@@ -32,13 +32,19 @@ Equation numbers of Polonsky & Keer could not be compared with print.
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
 
 
 class Boundary(Protocol):
-    """How the face of a map answers to pressure, in the precision of what it is given."""
+    """How the face of a map answers to pressure, in the precision of what it is given.
+
+    inverts: whether `inverse` is exact.
+    """
+
+    inverts: bool
 
     def __call__(self, pressure: np.ndarray, /) -> np.ndarray:
         """Return the displacement [m] of the pressure [Pa]."""
@@ -69,6 +75,13 @@ class Problem:
     mean: float
     hardness: float
     length: float
+
+    @cached_property
+    def point_stiffness(self) -> float:
+        """Return the pressure on one point that would move it alone, over its displacement [Pa/m]."""
+        point = np.zeros(self.heights.shape, dtype=np.float32)
+        point[0, 0] = 1.0
+        return float(self.displacement.inverse(point)[0, 0])
 
 
 @dataclass(frozen=True)
@@ -143,10 +156,9 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
     for rows in blocks(gap.shape):
         here = gap[rows]
         here -= here.dtype.type(offset)
-        free = (pressure[rows] > 0.0) & (pressure[rows] < problem.hardness)
         at_bounds = _wrong(problem, pressure[rows], here)
         wrong += dot(at_bounds, at_bounds)
-        here = here * free
+        here = here * ((pressure[rows] > 0.0) & (pressure[rows] < problem.hardness))
         missed += dot(here, here)
     return offset, math.sqrt((missed + wrong) / max(pressed, 1)) / length, wrong > 0.0
 
@@ -167,6 +179,13 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
     return wrong
 
 
+def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
+    """Return the part of the gap [m] by which (2) is missed."""
+    missed = _wrong(problem, pressure, gap)
+    missed += gap * ((pressure > 0.0) & (pressure < problem.hardness))
+    return missed
+
+
 class _Search:
     """Steps in single precision, gaps in units of the problem's length.
 
@@ -176,7 +195,6 @@ class _Search:
     def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None):
         self.steps = 0
         self._problem, self._seen = problem, seen
-        self._point_stiffness = _point_stiffness(problem)
 
     def run(self, start: _State, aim: float, most: int) -> np.ndarray:
         """Return the pressure at which the residual is below this aim, or after which no step lowers the energy."""
@@ -224,7 +242,7 @@ class _Search:
     def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
         """Return the pressure so far along the direction, mended where (2) is missed and cut, and whether nothing was cut."""
         problem, pressure, inside = self._problem, self._other, True
-        mend = _WRONG * self._point_stiffness * problem.length
+        mend = _WRONG * problem.point_stiffness * problem.length
         for rows in blocks(pressure.shape):
             here = np.add(self._pressure[rows], length * self._direction[rows], out=pressure[rows])
             if self._any_wrong:
@@ -302,7 +320,7 @@ class _Search:
 
     def _projected_step(self) -> bool:
         """Step along the gradient, projected on the bounds and halved until energy falls enough."""
-        length = self._point_stiffness * self._problem.length
+        length = self._problem.point_stiffness * self._problem.length
         for _ in range(60):
             if self._accept(_nearest(self._pressure - length * self._gap, self._problem), _ENOUGH / length):
                 return True
@@ -315,13 +333,6 @@ def blocks(shape: tuple[int, ...]) -> Iterator[slice]:
     step = max(1, _BLOCK // shape[1])
     for first in range(0, shape[0], step):
         yield slice(first, first + step)
-
-
-def _point_stiffness(problem: Problem) -> float:
-    """Return the pressure on one point that would move it alone, over its displacement [Pa/m]."""
-    point = np.zeros(problem.heights.shape, dtype=np.float32)
-    point[0, 0] = 1.0
-    return float(problem.displacement.inverse(point)[0, 0])
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:

@@ -77,6 +77,8 @@ class PeriodicBoundary:
     from their mean.
     """
 
+    inverts = True
+
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.shape = shape
         self.knows_approach = compliance.far == 0.0
@@ -100,6 +102,8 @@ class MirroredBoundary:
 
     shape: (rows, columns); size: (y, x) [m]. knows_approach: as of one period.
     """
+
+    inverts = True
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.knows_approach = compliance.far == 0.0
@@ -126,6 +130,7 @@ class FreeBoundary:
     """
 
     knows_approach = True
+    inverts = False
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
         self.shape = shape

@@ -16,6 +16,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError, nearest
 from stiction.records.validity_warning import ValidityWarning
+from stiction.solvers.boundary_elements.certificate import certify
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
 from stiction.solvers.boundary_elements.limits import TOLERANCE
@@ -42,8 +43,9 @@ class MapContact:
     they touch; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
     approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
     load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
-    load_error: relative; points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a
-    map that does not end; pull: by the liquid where faces do not touch [N], which is carried in addition to the load.
+    pressure_error, area_error, overlap [m]: bounds of its error on this grid (see `certificate`); load_error: relative;
+    points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a map that does not end;
+    pull: by the liquid where faces do not touch [N], which is carried in addition to the load.
     """
 
     load: float
@@ -59,6 +61,9 @@ class MapContact:
     plastic_area: float
     plastic_share: float
     residual: float
+    pressure_error: float
+    area_error: float
+    overlap: float
     load_error: float
     steps: int
     points: int
@@ -282,6 +287,7 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
     per_area = stiffness_per_area(problem.displacement, free, pressure) if request.how.stiffness else math.nan
     wanted = problem.mean + suction * float(wetted.wet.mean())
     error = abs(mean / wanted - 1.0)
+    certificate = certify(wetted.problem, solution)
     highest = float(request.heights.max())
     return MapContact(
         load=float(problem.mean) * nominal,
@@ -297,6 +303,9 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
         plastic_area=plastic * pixel,
         plastic_share=plastic * request.hardness / float(pressure.sum()) if plastic else 0.0,
         residual=solution.residual,
+        pressure_error=certificate.pressure_error,
+        area_error=certificate.area_error,
+        overlap=certificate.overlap,
         load_error=error,
         steps=solution.steps,
         points=int(np.count_nonzero(contact)),

@@ -62,6 +62,7 @@ def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
     return MapContact(
         load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,
         perimeter=one.perimeter, separation=one.mean_gap, mean_gap=one.mean_gap, approach=None, stiffness=math.nan,
-        plastic_area=0.0, plastic_share=0.0, residual=math.nan, load_error=math.nan, steps=0, points=one.points,
+        plastic_area=0.0, plastic_share=0.0, residual=math.nan, pressure_error=math.nan, area_error=math.nan, overlap=0.0,
+        load_error=math.nan, steps=0, points=one.points,
         load_at_ends=0.0, validity_warnings=one.validity_warnings,
     )  # fmt: skip

@@ -1,0 +1,84 @@
+"""How far a pressure can be from the solution on its grid, known from the pressure alone.
+
+Let s be the gap that must be added for the conditions (2) of `minimise` to hold: -g where the point is free, -min(g, 0)
+without pressure, -max(g, 0) at the hardness. The pressure p then solves the same problem for the heights h - s. With e its
+distance from the solution p* for h, the dual problem (Boyd & Vandenberghe 2004, Convex Optimization, section 5.5) bounds the
+energy E, and so e, since E rises from its minimum at least by half of <e C e>:
+
+    E(p) - E(p*) <= 1/2 <s C^-1 s>        <e C e> <= <s C^-1 s>                                                             (1)
+
+with the mean of s left out where C(0) is not defined. Derived here. Where a map ends C^-1 is not known, and the weaker
+
+    <e C e> <= <g p> - min <g q>   over all q of the same mean and bounds                                                   (2)
+
+is taken (Frank & Wolfe 1956, Naval Res. Logist. 3, 95). Both hold for any pressure of the right mean and bounds. They leave out
+what the points of the map miss of the surface between them.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from stiction.solvers.boundary_elements.minimise import Found, Problem, blocks, dot, missed_gap
+
+_MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, or to none, may be on the wrong side
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What is left of an exact solution.
+
+    overlap: deepest negative gap where nothing presses [m]; opening: largest gap, of either sign, at points that press and do
+    not flow [m]; lift: largest positive gap at points that flow [m]; pressure_error: bound on the error of the pressure over
+    the pressure, both as root of the elastic energy; area_error: points that may be on the wrong side of contact, over those
+    in contact (a judgement: those nearer to it than three of the largest missed gaps).
+    """
+
+    overlap: float
+    opening: float
+    lift: float
+    pressure_error: float
+    area_error: float
+
+
+def certify(problem: Problem, found: Found) -> Certificate:
+    """Return the certificate of a pressure that minimises the problem, or nearly."""
+    missed = missed_gap(problem, found.pressure, found.gap)
+    pressure, gap = found.pressure, found.gap
+    flows = pressure >= problem.hardness
+    free = (pressure > 0.0) & ~flows
+    overlap = abs(float(missed.min(where=pressure <= 0.0, initial=0.0)))
+    lift = float(missed.max(where=flows, initial=0.0))
+    opening = float(np.abs(missed).max(where=free, initial=0.0))
+    largest = _MARGIN * max(overlap, opening, lift)
+    doubted = np.count_nonzero((pressure <= 0.0) & (gap < largest))
+    doubted += np.count_nonzero(free & (pressure < largest * problem.point_stiffness))
+    return Certificate(
+        overlap=overlap,
+        opening=opening,
+        lift=lift,
+        pressure_error=math.sqrt(max(_energy_left(problem, found, missed), 0.0) / _energy(problem, found)),
+        area_error=float(doubted) / max(int(np.count_nonzero(pressure)), 1),
+    )
+
+
+def _energy(problem: Problem, found: Found) -> float:
+    """Return <p C p> times the number of points."""
+    raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure.shape))
+    return raised + found.offset * float(found.pressure.sum())
+
+
+def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
+    """Return the bound of (1) or (2) times the number of points."""
+    if problem.displacement.inverts:
+        scale = float(np.abs(missed).max()) or 1.0
+        missed = (missed / scale).astype(np.float32)
+        return scale**2 * dot(missed, problem.displacement.inverse(missed))
+    gap, mean = found.gap, problem.mean
+    carried = sum(dot(gap[rows], found.pressure[rows]) for rows in blocks(gap.shape))
+    if math.isinf(problem.hardness):
+        return carried - mean * gap.size * float(gap.min())
+    full, rest = divmod(mean * gap.size, problem.hardness)
+    lowest = np.sort(np.partition(gap, int(full), axis=None)[: int(full) + 1])
+    return carried - problem.hardness * float(lowest[:-1].sum()) - rest * float(lowest[-1])
