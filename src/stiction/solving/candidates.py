@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
@@ -99,7 +100,7 @@ def _alone(film: FilmLaw) -> Candidate:
     return Candidate(film.key, Choice(model, asperity=film.asperity or None, film=film.key))
 
 
-def choice_of(name: str | None, given: Mapping[str, str | None], subject: Subject) -> Choice:
+def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
     """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact, None for
     the default model; with laws and options in place of its own. Raises InputError for a name that neither knows."""
     if name is None:

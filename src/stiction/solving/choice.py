@@ -1,8 +1,9 @@
 """What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
 
-from collections.abc import Mapping
+import inspect
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypedDict, TypeVar
 
 from stiction.quantities.errors import InputError
 from stiction.records.additions import names_of_additions
@@ -12,6 +13,52 @@ LAWS = (*_OF_MODEL, *names_of_additions())  # keywords of the kinds of records t
 
 # The model that answers where none is named, and the name under which the prediction is asked for in place of a model.
 DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
+
+F = TypeVar("F", bound=Callable)
+
+
+class LawKeywords(TypedDict, total=False):
+    """Keywords of laws and options in the public interface, for editors; a test holds them to the registry.
+
+    Laws of other packages may have more options: they are taken by name, too.
+    """
+
+    asperity: str | None
+    tangential: str | None
+    film: str | None
+    ageing: str | None
+    contamination: str | None
+    meniscus: str | None
+    presliding: str | None
+    adhesion: str | None
+    alpha: str | None
+    bound: str | None
+    branch: str | None
+    film_shear: str | None
+    hardness: str | None
+    limiting_pressure: str | None
+    modulus: str | None
+    other_body: str | None
+    plastic_junctions: str | None
+    points: str | None
+    rim_pressure: str | None
+    shear: str | None
+    soft_film_exponent: str | None
+    transition: str | None
+    variant: str | None
+    yielding: str | None
+
+
+def with_law_keywords(function: F) -> F:
+    """Name each of LawKeywords in the signature of a function, in place of `**laws`: help() and notebooks show it."""
+    signature = inspect.signature(function)
+    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    laws = [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation="str | None")
+        for name in LawKeywords.__annotations__
+    ]
+    function.__signature__ = signature.replace(parameters=[*own, *laws])  # type: ignore[attr-defined]
+    return function
 
 
 @dataclass(frozen=True)
@@ -33,7 +80,7 @@ class Choice:
                 raise InputError(name, value, "text: the key of a law, or a value of an option")
 
     @classmethod
-    def of(cls, model: str | None, given: Mapping[str, str | None]) -> "Choice":
+    def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
         """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}

@@ -7,7 +7,7 @@ separation that the load had made (`laws/presliding/mindlin_1949.py` has the equ
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
 from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
+from stiction.solving.choice import LawKeywords, with_law_keywords
 from stiction.solving.on_map import OnMap
 from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
@@ -28,6 +29,8 @@ from stiction.solving.sliding_on_map import slide_on_map
 
 if TYPE_CHECKING:
     import xarray
+
+    from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
 _LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
@@ -39,17 +42,18 @@ _WAY = np.geomspace(1e-3, 1e3, 121)
 _NARROWED = 40
 
 
+@with_law_keywords
 def slide(
     contact: Subject,
     *,
-    separation: Any = None,
-    load: Any = None,
-    displacement: Any = None,
+    separation: "QuantityLike | None" = None,
+    load: "QuantityLike | None" = None,
+    displacement: "QuantityLike | None" = None,
     kept: float = 1.0,
-    weakening_slip: Any = None,
+    weakening_slip: "QuantityLike | None" = None,
     model: str | None = None,
     heights: Heights | str | None = None,
-    **laws: str | None,
+    **laws: Unpack[LawKeywords],
 ) -> "xarray.Dataset":
     """Tangential force against displacement of a contact that is pressed and moved aside, up to sliding.
 

@@ -1,6 +1,6 @@
 """Load, contact area and static friction of a contact, as a labelled dataset."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import RoughSurface, find
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import Choice
+from stiction.solving.choice import Choice, LawKeywords, with_law_keywords
 from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.method_spread import as_measured, with_method_spread
 from stiction.solving.points import Points, in_words, points_of, solve_points
@@ -21,16 +21,19 @@ from stiction.solving.results import as_dataset, as_variables, summary_of, varia
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.quantities.arguments import QuantityLike
 
+
+@with_law_keywords
 def solve(
     contact: Subject,
     *,
-    separation: Any = None,
-    load: Any = None,
+    separation: "QuantityLike | None" = None,
+    load: "QuantityLike | None" = None,
     model: str | None = None,
     heights: Heights | str | None = None,
     threads: int = 1,
-    **laws: str | None,
+    **laws: Unpack[LawKeywords],
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
 

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
-from stiction.solving.choice import Choice
+from stiction.solving.choice import Choice, LawKeywords, with_law_keywords
 from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.inversion import largest_tension
 from stiction.solving.points import (
@@ -45,22 +45,25 @@ from stiction.solving.results import labelled, summary_of
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.quantities.arguments import QuantityLike
+
 _LAW_OF_ITS_OWN = 2  # what a separation takes, as a number of points: bounds the memory
 # The way apart is searched in this many steps, finer where it begins, to where this share of the contact area is left.
 _STEPS, _LEFT = 81, 1e-10
 _ROUNDING = 1e-12  # of a separation that was found, and given back
 
 
+@with_law_keywords
 def unload(
     contact: Subject,
     *,
-    min_separation: Any = None,
-    max_load: Any = None,
-    separation: Any = None,
-    separation_increase: Any = None,
+    min_separation: "QuantityLike | None" = None,
+    max_load: "QuantityLike | None" = None,
+    separation: "QuantityLike | None" = None,
+    separation_increase: "QuantityLike | None" = None,
     model: str = "greenwood_williamson_1966",
     heights: Heights | str | None = None,
-    **laws: str | None,
+    **laws: Unpack[LawKeywords],
 ) -> "xarray.Dataset":
     """Solve a contact that was pressed together and is being drawn apart.
 
