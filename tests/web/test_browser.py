@@ -232,7 +232,7 @@ def test_a_comparison_follows_a_knob_that_moves_while_it_runs(fresh):
     coating = SILVER["contact"]["coating"] | {"thickness": "1 um"}
     case = SILVER | {"contact": SILVER["contact"] | {"interface": "soft-metal film", "coating": coating}}
     _, found, _ = compared(Query(case), None, lambda _: iter)
-    tables = [table for _, table in tables_of(groups_of(found))]
+    tables = [table for _, table in tables_of(found, groups_of(found))]
     bodies = page.get_by_role("tabpanel").locator("tbody").all()[: len(tables)]
     shown = [[cell.inner_text() for cell in row.locator("td").all()[:2]] for body in bodies for row in body.locator("tr").all()]
     assert shown == [row[:2] for table in tables for row in table.rows] and len(shown) > 5
@@ -270,6 +270,7 @@ def test_studies_are_made_and_stopped(page):
     page.get_by_role(
         "button", name="Design", exact=True
     ).click()  # an objective that the free number reaches, as it stands there
+    page.get_by_text("Notes", exact=True).click()
     page.get_by_text(re.compile("objective: friction_coefficient next to ")).wait_for()
     assert not page.get_by_text(re.compile("^Objective missed")).count()
     page.get_by_label("target mu").fill("0.5")  # beyond what the ends of the free number give
@@ -509,7 +510,7 @@ def test_the_address_opens_the_same_page_elsewhere_and_what_is_wrong_stands_besi
     page = of_model
     before = page.url
     page.get_by_label("work of adhesion gamma", exact=True).first.fill("0.3 J/m^2")
-    page.wait_for_function("() => !document.querySelector('[role=status]').innerText.startsWith('mu ≈ 0.046')")
+    page.wait_for_function("() => !document.querySelector('[role=status]').innerText.startsWith('μ ≈ 0.046')")
     page.wait_for_url(lambda url: url != before)
     said, url = _number(page), page.url
     page.get_by_label("asperity tip radius R", exact=True).fill("50")
@@ -523,7 +524,7 @@ def test_a_free_number_is_searched_from_a_third_of_it_to_three_times_as_much(fre
     page = fresh
     _tab(page, "Studies")
     page.get_by_label("free number").first.click()
-    page.get_by_role("option", name="coating.thickness").click()  # 200 nm
+    page.get_by_role("option", name="thickness t, film").click()  # 200 nm
     page.wait_for_function("() => [...document.querySelectorAll('input')].some(one => one.value === '66.67 nm')")
     assert [page.get_by_label(name, exact=True).first.input_value() for name in ("from", "to")] == ["66.67 nm", "600 nm"]
 

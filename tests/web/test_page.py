@@ -145,7 +145,7 @@ async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_lar
             "solve": {"separation": of_one_model()["solve"]["separation"]}})  # fmt: skip
         await _until(user, lambda: predicted.replace("mu", "μ") in _card(user))
         big = [part.partition("</span>")[0] for part in _card(user).split('line-height:1.2">')[1:]]
-        assert big == ["mu ≈ 0.046", predicted.replace("mu", "μ")] and "by soft coating 2015" in _card(user)
+        assert big == ["μ ≈ 0.046", predicted.replace("mu", "μ")] and "by soft coating 2015" in _card(user)
 
 
 @in_a_loop

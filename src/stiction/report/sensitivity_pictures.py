@@ -122,6 +122,7 @@ def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
         axes.barh(y + 0.4 - (at + 0.5) * height, values, height=height, color=colour, label=head_of(name))
     axes.set_yticks(y, [str(one["number"].values[at]) for at in order], fontsize=9)
     axes.axvline(0.0, color="black", linewidth=0.8)
+    axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     heads = "the result" if len(names) > 1 else head_of(names[0])
     finish(axes, len(names) > 1, xlabel=f"change of {heads} [%] per 1 % of the input", title="at nominal inputs")
     axes.grid(False, axis="y")

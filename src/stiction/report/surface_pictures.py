@@ -139,7 +139,7 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
             _bell(z, mean, deviation), z, color="black", linestyle="--", linewidth=1.2, label="Gaussian of the\nsame deviation"
         )
     axes.set(xlabel=f"share of the points [1/{unit}]", ylabel=f"height [{unit}]")
-    axes.xaxis.set_major_locator(MaxNLocator(4))
+    axes.xaxis.set_major_locator(MaxNLocator(2))
     axes.yaxis.set_label_position("right")
     axes.yaxis.tick_right()
     finish(axes)

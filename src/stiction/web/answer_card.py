@@ -9,7 +9,8 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.report.answer import answer_lines
-from stiction.report.card import briefly, card_of
+from stiction.report.card import Card, briefly, card_of
+from stiction.report.html_words import letters
 from stiction.web.asked import Answer, predicted_beside, remarks
 from stiction.web.drawn import Rows
 from stiction.web.explorer import Explorer
@@ -48,6 +49,7 @@ class AnswerCard:
         answer = self._explorer.good
         beside = self._beside[1] if self._beside is not None and self._beside[0] is answer else None
         number, where = self._explorer.headline
+        number = letters(number)
         warnings = [] if answer.prediction is not None or answer.data is None else warnings_of(answer.data)
         said = [] if answer.prediction is not None else [(_model(answer), where)]
         said += [(KINDS_OF_WARNING[one.kind], str(one)) for one in warnings]
@@ -55,12 +57,9 @@ class AnswerCard:
         if predicted is None:
             html = f'<div class="card"><p><span class="text-3xl font-bold">{escape(number)}</span> {escape(where)}</p></div>'
         else:
-            card = card_of(predicted, "" if answer.prediction is not None else f"{number} by {_model(answer)}")
-            action, command, _ = card.next_step.partition(": stiction fit")
-            if command:  # a visitor of the page has no file of the case
-                card = card._replace(next_step=f"{action} and enter it in Studies, Calibration")
+            card = card_on_page(predicted, "" if answer.prediction is not None else f"{number} by {_model(answer)}")
             if warnings:
-                card = card._replace(warning=briefly(str(warnings[0])))
+                card = card._replace(warning=briefly(warnings[0].why))
             html = card.html(why=False)
             said += answer_lines(predicted)[1:]
         self._card.set_content(html)
@@ -81,6 +80,13 @@ class AnswerCard:
             was, now = (show(load, "load", 3) for load in loads)
             self._load_moved.set_text(f"The load moved from {was} to {now}: the separations are given.")
         self._load_moved.set_visibility(moved)
+
+
+def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
+    """Return the answer card; its next step names a tab in place of a command, as a visitor has no case file."""
+    card = card_of(prediction, named)
+    action, command, _ = card.next_step.partition(": stiction fit")
+    return card._replace(next_step=f"{action} and enter it in Studies, Calibration") if command else card
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

@@ -146,7 +146,7 @@ def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark:
     for said, (low, high) in bands.items():
         series += _band(said, x, low, high)
     if here < x.size and np.isfinite(x[here]) and np.isfinite(y[here]):
-        series.append(mark("working load" if predicted else "the point in words", (x[here], y[here])))
+        series.append(mark("working load", (x[here], y[here])))
     options = chart(f"{y_axis['name']} against {', with its '.join([x_axis['name'], *bands])}", x_axis, y_axis, series, dark)
     options["legend"]["data"] = [series[0]["name"], *bands, series[-1]["name"]]
     return options

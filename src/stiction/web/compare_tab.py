@@ -1,12 +1,15 @@
 """The tab Compare: models that fit the contact, that do not, and that cannot be right, each by mu; it follows the knobs."""
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
+import xarray
 from nicegui import ui
 
+from stiction.laws.validity import read_warnings
+from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 from stiction.records.sources import bibliography
-from stiction.report.card import briefly
 from stiction.report.table import Column, Table, numbers
 from stiction.report.views.comparison import Group, comparison_view, group_row, groups_of, left_out_in_words, silent_models
 from stiction.solving.overview import models
@@ -64,7 +67,7 @@ class CompareTab:
         if not groups:
             said.append("no model says anything of friction at a load above 0 here")
         every = Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
-        return list(tables_of(groups)), said, every
+        return list(tables_of(data, groups)), said, every
 
     def _show(self, found: tuple[Any, ...]) -> None:
         tables, said, every = found
@@ -86,11 +89,11 @@ class CompareTab:
         self._mark()
 
 
-def tables_of(groups: list[Group]) -> Any:
+def tables_of(data: xarray.Dataset, groups: list[Group]) -> Iterator[tuple[str, Table]]:
     """Yield title and table of the models that fit, that do not and that cannot be right, each sorted by mu."""
     for title, kind in _PARTS.items():
         some = sorted((one for one in groups if (one.fits, one.possible) == kind), key=lambda one: one.low)
-        rows = [[_title(one), group_row(one)[1], _why(one)] for one in some]
+        rows = [[_title(one), group_row(one)[1], _why(data, one)] for one in some]
         if rows:
             yield title, Table([Column("model"), *numbers("mu"), Column("why", wrap=True)], rows)
 
@@ -100,12 +103,13 @@ def _title(group: Group) -> str:
     return human_name(group.names[0]) + (f" and {more} more" if more else "")
 
 
-def _why(group: Group) -> str:
-    """Return whether models fit, with by how much their area is off, and else why not, in a few words."""
+def _why(data: xarray.Dataset, group: Group) -> str:
+    """Return the error of the area of models that fit; of others, the claimed range that the contact leaves."""
     if group.fits:
-        return f"fits, area off by {group_row(group)[2]}" if group.errors else "fits"
-    said = group.status.partition(": ")[2].partition(", ")[0]
-    return briefly(re.sub(r" -?[\d.]+(e[-+]?\d+)?( .*)?$", "", said))
+        return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
+    warnings = read_warnings(data["validity_warnings"].sel(model=group.names[0]).item())
+    worst = min(warnings, key=lambda warning: list(KINDS_OF_WARNING).index(warning.kind))
+    return f"{worst.in_brief}, claimed {range_in_words(worst.low, worst.high)}: {worst.why}" if worst.points else worst.why
 
 
 def human_name(key: str) -> str:

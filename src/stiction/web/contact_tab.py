@@ -19,7 +19,7 @@ class ContactTab:
             ui.toggle({"load": "against load", "mean_separation": "against separation"}, value="load",
                       on_change=lambda event: self._look("against", event.value)).props("dense no-caps")  # fmt: skip
             self._point = ui.slider(min=0, max=1, value=0).style("flex: 1 1 160px; width: auto")
-            self._point.props('dense aria-label="point of the curve described in words"')
+            self._point.props('dense aria-label="working load of the answer"')
             self._point.on("update:model-value", lambda event: self._look("here", int(event.args)), throttle=0.05)
             self._stack = ui.select([], label="shares of", on_change=self._draw).classes("w-64").props("dense outlined")
         with ui.grid().classes("charts w-full answer"):

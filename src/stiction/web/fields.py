@@ -230,6 +230,7 @@ OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
     "liquid": {"relative_humidity": 0.5, "contact_angle_first": "10 deg", "contact_angle_second": "10 deg"},
 }
 
+ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
 # What is known of a surface, with what it begins with.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
     "sigma, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},

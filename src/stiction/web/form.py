@@ -15,6 +15,7 @@ from stiction.web.asked import keys_by_choice, option_values, states_of
 from stiction.web.drawn import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
+    ENDINGS,
     NOT_STATED,
     OPTIONAL_PARTS,
     ROUGHNESS,
@@ -41,7 +42,6 @@ _MAY_BE_NONE = ("tangential", *(name for name, kind in kinds_of_additions().item
 _SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
 _LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
 _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups
-_ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
 
 
 class Form:
@@ -213,7 +213,7 @@ class Form:
     def _optional(self, part: Part, head: Any = None) -> None:
         """Add a switch, with its name or below a head, and where it is on the fields of the part."""
         given = got(self._explorer.question.tables, part.path)
-        title = _ENDINGS.get(part.path[-1], part.path[-1])
+        title = ENDINGS.get(part.path[-1], part.path[-1])
         with head or ui.element("div"):
             switch = ui.switch("" if head else title, value=given is not None)
         switch.on_value_change(lambda event: self._switch(part, event.value))
@@ -296,7 +296,7 @@ class Form:
         preset = str(got(tables, (*part.path, "preset")) or "")
         own = tables.get("materials")
         names = [_OWN, *(own if isinstance(own, Mapping) else {}), *material_names()]
-        label = _ENDINGS.get(part.path[-1], "film")
+        label = ENDINGS.get(part.path[-1], "film")
 
         async def chosen(value: str) -> None:
             await self._explorer.put(part.path, {} if value == _OWN else value)

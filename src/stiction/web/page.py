@@ -24,6 +24,7 @@ _STYLE = """
 .w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
 .w-64 { width: 16rem } .w-72 { width: 18rem } .w-80 { width: 20rem } .grow { flex-grow: 1 }
 .overflow-auto { overflow: auto } .table .q-table__container, .table .scroll { overflow: visible }
+.table .q-btn__content { text-align: left }
 .gap-0 { gap: 0 } .gap-1 { gap: 0.25rem } .gap-2 { gap: 0.5rem } .gap-3 { gap: 0.75rem }
 .gap-4 { gap: 1rem } .gap-6 { gap: 1.5rem }
 .p-0 { padding: 0 } .px-2 { padding-left: 0.5rem; padding-right: 0.5rem }
@@ -38,7 +39,7 @@ _STYLE = """
 .group { display: grid; grid-template-columns: 74px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
 .group > :last-child { display: flex; flex-direction: column; gap: 3px; min-width: 0 }
 .group + .group { border-top: 1px solid #8886 }
-.number { display: grid; grid-template-columns: 92px 92px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
+.number { display: grid; grid-template-columns: 84px 106px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
 .number .q-select { grid-column: span 2 } .number .uncertain { grid-column: span 2 }
 .number .uncertain + .q-slider { grid-column: span 3 } .number .q-slider { padding-right: 8px }
 .number .q-field__bottom { width: 270px; padding: 2px 0 }
@@ -54,7 +55,9 @@ _STYLE = """
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
 .formula { max-width: 100%; object-fit: contain; object-position: left }
-.old { opacity: .4 } .body--dark .formula, .body--dark .picture { filter: invert(.9) hue-rotate(180deg) }
+:root { --paper: #ffffff } .body--dark { --paper: #1d1d1d }
+.picture svg, .picture img { width: 100%; height: auto; display: block; fill: currentColor }
+.old { opacity: .4 } .body--dark .formula { filter: invert(.9) }
 .answer { transition: opacity .1s .15s } .waiting .answer { opacity: .4 }
 .pending { display: none } .waiting .pending { display: block }
 .rows { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px }

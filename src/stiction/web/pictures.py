@@ -1,20 +1,21 @@
-"""What a view shows, on the page: its tables, sentences and pictures, and pictures of the room `report` alone."""
+"""Show a view on the page: its tables, sentences and pictures."""
 
-import base64
-import io
 from collections.abc import Callable
+from itertools import count
 from typing import Any, NamedTuple
 
 from nicegui import ui
 
 from stiction.report.html_words import on_page
+from stiction.report.report_pictures import inline
 from stiction.report.table import Table
 from stiction.report.view import View
-from stiction.web.drawn import attributes
 
 _NARROW = 5.6  # inches: on a page as narrow as a telephone letters of eight points can then be read
 _PANEL = 3.9  # inches, the height of a panel there
 _FEW = 3  # steps of an axis there
+_PIXELS = 105  # of the page for an inch of a picture
+_NUMBERS = count()  # names in a drawing are unique on a page
 # The first cell of a row as a button, which a keyboard reaches; the name is bound as text.
 _BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="props.row[0]"
   @click="() => $parent.$emit('opened', props.row[0])" />"""
@@ -24,36 +25,37 @@ _CARD = """<q-card flat bordered class="w-full q-pa-sm q-mb-sm">HEAD<div v-for="
 
 
 class Shown(NamedTuple):
-    """What is shown of a view: tables and sentences, images, each with what it shows in words, and what is wrong with it."""
+    """Hold what the page shows of a view: tables and sentences, drawings, and warnings."""
 
     parts: list[Any]
-    pictures: list[tuple[str, str]]
+    drawings: list[str]
     warnings: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, view: View, narrow: bool) -> "Shown":
         """Draw a view for a narrow page or a wide one."""
-        pictures = [(image_of(one.draw(), narrow), one.told) for one in view.pictures.values()]
-        return cls(list(view.parts()), pictures, view.warnings)
+        drawings = [drawing_of(picture.draw(), picture.told, narrow) for picture in view.pictures.values()]
+        return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
-        """Add it to the page; opened: told the name of a model that is chosen in a table."""
-        for words in self.warnings:
-            ui.label(words).classes("text-lg text-negative").props('role="alert"')
-        with ui.column().classes("w-full gap-1"):
-            for part in self.parts:
-                if isinstance(part, Table):
-                    _show_table(on_page(part, ""), narrow, opened)
-                elif str(part):
-                    ui.label(str(part)).classes("text-sm").style("white-space: pre-line")
-        for source, told in self.pictures:
-            show_image(source, told)
+        """Add tables, sentences and drawings to the page; opened takes the name of a model chosen in a table."""
+        for text in self.warnings:
+            ui.label(text).classes("text-lg text-negative").props('role="alert"')
+        for table in (part for part in self.parts if isinstance(part, Table)):
+            _show_table(on_page(table, ""), narrow, opened)
+        for drawing in self.drawings:
+            show_drawing(drawing)
+        if notes := [str(part) for part in self.parts if part and not isinstance(part, Table)]:
+            with ui.expansion("Notes").classes("w-full").props("dense dense-toggle"):
+                for text in notes:
+                    ui.label(text).classes("text-sm")
 
 
 def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | None) -> None:
-    """Add a table of the terminal to the page; on a narrow one its cells stand below one another."""
+    """Add a table to the page; on a narrow page the cells of a row stand below one another."""
     columns = [
-        {"name": str(at), "label": column.head, "field": str(at), "align": "right" if column.right else "left"}
+        {"name": str(at), "label": column.head, "field": str(at)}
+        | ({"align": "right", "style": "white-space: nowrap"} if column.right else {"align": "left"})
         for at, column in enumerate(table.columns)
     ]
     rows = [{str(at): cell for at, cell in enumerate(row)} for row in table.rows]
@@ -67,17 +69,16 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
         shown.on("opened", lambda event: opened(event.args))
 
 
-def image_of(figure: Any, narrow: bool = False) -> str:
-    """A figure as the address of an image: as an image, nothing in it is ever executed. narrow: for a narrow page."""
-    made = io.BytesIO()
+def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
+    """Draw a figure in the colours of the page, light or dark; told describes it in words."""
     if narrow and figure.get_figwidth() > _NARROW:
         _make_narrow(figure)
-    figure.savefig(made, format="png", dpi=160 if narrow else 110)
-    return f"data:image/png;base64,{base64.b64encode(made.getvalue()).decode()}"
+    width = _PIXELS * figure.get_figwidth()
+    return f'<div style="max-width: {width:.0f}px">{inline(figure, f"drawing{next(_NUMBERS)}", told)}</div>'
 
 
 def _make_narrow(figure: Any) -> None:
-    """Panels below one another, where each stands by itself, fewer ticks, and a title that is broken."""
+    """Place panels that stand alone below one another, with fewer ticks and a broken title."""
     from matplotlib.ticker import AutoLocator, MaxNLocator
 
     width, height = figure.get_size_inches()
@@ -95,9 +96,6 @@ def _make_narrow(figure: Any) -> None:
             axis.set_major_locator(MaxNLocator(_FEW))
 
 
-def show_image(source: str, told: str) -> None:
-    """An image, with what it shows for who does not see it."""
-    image = (
-        ui.image(source).classes("w-full picture").style("max-width: 900px; background: white").props("no-spinner fit=contain")
-    )
-    attributes(image, alt=told)
+def show_drawing(drawing: str) -> None:
+    """Add a drawing to the page."""
+    ui.html(drawing, sanitize=False).classes("w-full picture")

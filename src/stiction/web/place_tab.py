@@ -15,11 +15,12 @@ from stiction.studies.paper.place import ADHESION_MATTERS, PLASTICITY, Place, pl
 from stiction.web.charts import COLOURS, add_cells, chart, line, mark
 from stiction.web.drawn import Picture, Rows
 from stiction.web.explorer import Explorer
-from stiction.web.pictures import image_of, show_image
+from stiction.web.pictures import drawing_of, show_drawing
 from stiction.web.studying import Study
 from stiction.web.working import run
 
 _NO_CLAIM = "none"
+_NO_ADHESION = "No work of adhesion is stated, so both indices are infinite: state one to place the contact."
 _INDICES = (40.0, 10.0)  # of the figures, which the paper does not print; those at which its claims show
 _kept: dict[str, ClaimMap] = {}  # the same for everybody: it depends on nothing that a visitor says
 
@@ -28,7 +29,7 @@ _kept: dict[str, ClaimMap] = {}  # the same for everybody: it depends on nothing
 def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
     """The caption of a figure, and the figure."""
     curves = panel_curves(PANELS[at], *_INDICES, variant)
-    return curves.caption, image_of(panel_figure(curves), narrow)
+    return curves.caption, drawing_of(panel_figure(curves), curves.caption, narrow)
 
 
 class PlaceTab:
@@ -49,16 +50,16 @@ class PlaceTab:
             self._figure = ui.select({at: one.figure for at, one in enumerate(PANELS)}, value=0, on_change=self.opened)
             self._figure.props('dense outlined aria-label="figure"')
             ui.button("Open as the case", on_click=self._open).props("no-caps outline")
-        self._curves = Rows(ui.column().classes("w-full"), lambda row: show_image(*row))
+        self._curves = Rows(ui.column().classes("w-full"), show_drawing)
         self._caption = ui.label().classes("text-sm")
         explorer.listen(self.show)
 
     async def opened(self) -> None:
         """Show the plane and the figure that is chosen."""
         self.show()
-        caption, image = await run(_panel, self._figure.value, self._reading.value, self._explorer.view.narrow)
+        caption, drawing = await run(_panel, self._figure.value, self._reading.value, self._explorer.view.narrow)
         self._caption.set_text(caption)
-        self._curves.show([(image, caption)])
+        self._curves.show([drawing])
 
     async def _claimed(self) -> None:
         if self._claim.value != _NO_CLAIM and "map" not in _kept:
@@ -79,7 +80,7 @@ class PlaceTab:
             self._said.set_text(_in_words(place))
         except InputError as error:
             place = None
-            self._said.set_text(str(error))
+            self._said.set_text(_NO_ADHESION if error.field == "work_of_adhesion" else str(error))
         options = _plane_chart(place, self._explorer.view.dark)
         found = next((at for at, one in enumerate(CLAIMS) if one.key == self._claim.value), None)
         if found is not None and "map" in _kept:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,14 +10,19 @@ from nicegui import ui
 
 from stiction.case.read import case_in
 from stiction.quantities.errors import InputError
+from stiction.report.answer import answer_lines
+from stiction.report.table import facts
 from stiction.report.view import View
 from stiction.web.asked import Query, case_asked
 from stiction.web.drawn import attributes, upload_button
 from stiction.web.explorer import Explorer
-from stiction.web.fields import Number, got, numbers_of, parts_of, placed
+from stiction.web.fields import ENDINGS, Number, got, numbers_of, parts_of, placed
+from stiction.web.number_fields import label_of
 from stiction.web.pictures import Shown
 from stiction.web.studying import Study
 from stiction.web.working import Progress
+
+_NONE = ""  # the choice of no free number
 
 
 def what_matters(question: Query, progress: Progress) -> View:
@@ -53,10 +59,12 @@ def calibrated(question: Query, load: str | float, data: Path, free: dict[str, A
     from stiction.studies.fit.predicted import fit_prediction
     from stiction.studies.fit.run import run_fit
 
-    tables = {**question.tables, "fit": {"free": free}}
-    here = {**question.at_load(load).tables, "fit": tables["fit"]}
+    table = {"fit": {"free": free}} if free else {}
+    tables = {**question.tables, **table}
+    here = {**question.at_load(load).tables, **table}
     if (answer := fit_prediction(here, data, question.folder)) is not None:
-        return prediction_view(*answer, "case.toml")
+        rows = answer_lines(answer[1])
+        return replace(prediction_view(*answer, "case.toml"), parts=lambda: [facts(rows)])
     return fit_view(run_fit(make_fit_plan(tables, data, question.folder), progress))
 
 
@@ -105,14 +113,14 @@ class StudiesTab:
 
         self._study("Sensitivity", lambda question, progress: what_matters(asked(question), progress))
 
-    def _free_number(self, *likely: str) -> Callable[[], dict[str, Any]]:
+    def _free_number(self, *likely: str, alone: str = "") -> Callable[[], dict[str, Any]]:
         """Ask which number is free, between which ends; return what tells them, as tables [design.choose] and [fit.free].
-        likely: which numbers stand first, where the case has them."""
+        likely: which numbers stand first, where the case has them; alone: the text for no free number."""
 
         def places() -> dict[str, tuple[Number, float]]:
             tables = self._explorer.good.question.tables
             each = [(one, one.si(got(tables, one.path))) for part in parts_of(tables) for one in numbers_of(part)]
-            named = {".".join(one.path[1:]): (one, value) for one, value in each if value is not None}
+            named = {_address(one): (one, value) for one, value in each if value is not None}
             return {name: named[name] for name in (*likely, *named) if name in named}
 
         def filled() -> None:
@@ -122,15 +130,18 @@ class StudiesTab:
                 high.set_value(number.text(min(3.0 * value, 0.99 * number.quantity.upper)))
 
         def free() -> dict[str, Any]:
+            if which.value == _NONE:
+                return {}
             if which.value not in places():
                 raise InputError("free number", which.value, "a number of the case")
             number, _ = places()[which.value]
             ends = {name: number.written(str(end.value)) for name, end in (("low", low), ("high", high))}
             return placed({}, number.path[1:], ends)
 
-        names = list(places())
+        names = {_NONE: alone} if alone else {}
+        names |= {name: _human_name(number) for name, (number, _) in places().items()}
         with ui.row().classes("items-center gap-2 w-full"):
-            which = ui.select(names, value=names[0] if names else None, label="free number", on_change=filled).classes("w-72")
+            which = ui.select(names, value=next(iter(names), None), label="free number", on_change=filled).classes("w-72")
             low, high = (ui.input(label).classes("w-28") for label in ("from", "to"))
             for one in (which, low, high):
                 one.props("dense outlined")
@@ -163,7 +174,9 @@ class StudiesTab:
             said.set_text(f"{name} is here, until the page is closed")
 
         upload_button(self._explorer, "Upload measured series, .csv", uploaded, said.set_text, 2**21)
-        free = self._free_number("interfacial_shear_strength", "work_of_adhesion")
+        predicted = self._explorer.good.prediction is not None
+        alone = "interface strength alone" if predicted else ""
+        free = self._free_number("interfacial_shear_strength", "work_of_adhesion", alone=alone)
 
         def work(question: Query, progress: Progress) -> View:
             if not data:
@@ -175,6 +188,16 @@ class StudiesTab:
                 raise InputError(error.field.replace(path, name), error.value, error.allowed) from None
 
         self._study("Calibrate", work)
+
+
+def _address(number: Number) -> str:
+    """Return where a number stands in the table of the contact or of the groups."""
+    return ".".join(number.path[1:])
+
+
+def _human_name(number: Number) -> str:
+    """Return the label of a number, and of which body it is."""
+    return ", ".join([label_of(number.path), *(ENDINGS[key] for key in number.path[1:-1] if key in ENDINGS)])
 
 
 def _card(title: str, command: str) -> ui.card:

@@ -16,17 +16,17 @@ from stiction.surfaces.spectrum import BinnedSpectrum
 from stiction.web.drawn import Picture, Rows, attributes, upload_button
 from stiction.web.explorer import Explorer
 from stiction.web.guard import LARGEST_UPLOAD
-from stiction.web.pictures import show_image
+from stiction.web.pictures import show_drawing
 from stiction.web.studying import Study
 from stiction.web.surface_work import (
     Band,
     Scan,
     example_scan,
+    friction_with,
     map_picture,
     pictures_of,
     read_bounded,
     resolution_picture,
-    said_of_friction,
     solid_chart,
     spectrum_chart,
     spectrum_of,
@@ -49,22 +49,22 @@ class SurfaceTab:
         self._source()
         self._said = ui.label().props('role="status" aria-live="polite"')
         self._spectra = Latest(spectrum_of, self._show_spectrum, self._said.set_text)
-        self._friction = Latest(said_of_friction, lambda said: self._mu.set_text(said))
+        self._friction = Latest(friction_with, lambda html: self._mu.set_content(html))
         self._pictures = Latest(pictures_of, self._show_pictures, self._said.set_text)
         self._body = ui.column().classes("w-full gap-2")
         with self._body:
-            self._mu = ui.label().classes("text-xl font-bold").props('role="status" aria-live="polite"')
+            ui.label("With this surface as the first body").classes("text-lg")
+            self._mu = ui.html("", sanitize=False).classes("w-full").props('role="status" aria-live="polite"')
             self._options()
             self._spectrum = Picture("power spectrum")
             self._ends = {name: self._handle(name) for name in ("longest", "shortest")}
-            self._images = Rows(ui.column().classes("w-full"), lambda image: show_image(*image))
+            self._images = Rows(ui.column().classes("w-full"), show_drawing)
             self._failures = Rows(ui.column(), lambda why: ui.label(why).classes("text-sm"))
             self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
             self._solid.props('role="img" aria-label="map of the heights in three dimensions"')
             label = "Resolution: how asperities and mu hang on the shortest wave"
             Study(explorer, label, self._resolution, lambda source: self._resolved.show([source]))
-            told = "sigma, R, N and mu against the shortest wave that is left, by each method"
-            self._resolved = Rows(ui.column().classes("w-full"), lambda source: show_image(source, told))
+            self._resolved = Rows(ui.column().classes("w-full"), show_drawing)
         self._body.set_visibility(False)
         explorer.listen(lambda: ui.timer(0.0, self._ask, once=True))  # with the case friction with this surface changes
 
@@ -147,7 +147,7 @@ class SurfaceTab:
             question = explorer.question.with_tables(explorer.good.question.tables)
             await self._friction.ask(question, self._scan, self._wanted(), explorer.load)
         else:
-            self._mu.set_text("Friction with this surface: at a load above 0; choose a point of the tab Contact that presses.")
+            self._mu.set_content("Friction needs a load above 0: choose another point in the tab Contact.")
 
     async def _let_go(self) -> None:
         """Everything of the band; and the case, where the scan is in it."""
@@ -179,10 +179,7 @@ class SurfaceTab:
 
     def _show_images(self, of_map: str) -> None:
         assert self._found is not None
-        named = methods().get(self._method.value)
-        marked = "" if named is None else f"; marked: {named.label}"
-        of_heights = (self._found[1], "heights of the asperities by each method")
-        self._images.show([(of_map, f"the heights in colours, and their histogram{marked}"), of_heights])
+        self._images.show([of_map, self._found[1]])
 
     async def _marked(self) -> None:
         """The same map with the asperities of another method."""

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -16,18 +17,21 @@ from stiction.report.surface_pictures import asperity_figure, map_figure
 from stiction.studies.scans.analysis import Analysis, analyse
 from stiction.studies.scans.resolution import resolution_study
 from stiction.surfaces.fill import fill_missing
+from stiction.surfaces.finding import methods
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.prepare import prepared
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.targets import SelfAffine
+from stiction.web.answer_card import card_on_page
 from stiction.web.asked import Query, headline, solved
 from stiction.web.charts import INK, SHADES, chart, line
 from stiction.web.fields import placed
-from stiction.web.pictures import image_of
+from stiction.web.pictures import drawing_of
 from stiction.web.working import Progress
 
+_HEIGHTS = "heights of the asperities by each method"
 _MOST_POINTS = 1_500_000  # of a scan on the page
 
 
@@ -74,29 +78,32 @@ def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
-def said_of_friction(question: Query, scan: Scan, band: Band, load: float) -> str:
-    """Friction at a load, SI, with the scan in a band as the first body of the case: a sentence."""
+def friction_with(question: Query, scan: Scan, band: Band, load: float) -> str:
+    """Predict friction at a load [N], with the scan in a band as the first body of the case; return HTML."""
     if "contact" not in question.tables:
-        return "Friction with this surface: of dimensionless groups there is none; begin with a case in units."
+        return "Friction with this surface needs a case in units: choose an example."
     tables = placed(question.tables, ("contact", "roughness"), scan.roughness(band))
     answer = solved(question.with_tables(tables).at_load(f"{load!r} N"))
     if answer.error is not None:
-        return str(answer.error).replace(scan.file, Path(scan.file).name)
-    said, where = headline(answer, 0)
-    return f"{said} with this surface as the first body, {where}"
+        return escape(str(answer.error).replace(scan.file, Path(scan.file).name))
+    if answer.prediction is not None:
+        return card_on_page(answer.prediction).html(why=False)
+    return escape(", ".join(headline(answer, 0)))
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
     """What is found in a scan in a band, the heights of its asperities, and its map with those of a method. Raises InputError.
     narrow: for a narrow page."""
     found = analyse(band.of(surface))
-    heights = image_of(asperity_figure(found.asperities.values(), found.surface), narrow)
+    heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
     return found, heights, map_picture(found, method, narrow)
 
 
 def map_picture(found: Analysis, method: str, narrow: bool) -> str:
     """The map, with the asperities of a method, "" for none."""
-    return image_of(map_figure(found.surface, found=found.asperities.get(method)), narrow)
+    named = methods().get(method)
+    told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
+    return drawing_of(map_figure(found.surface, found=found.asperities.get(method)), told, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
@@ -109,7 +116,8 @@ def example_scan(path: Path) -> dict[str, str]:
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
     """Numbers of the asperities, and friction, against the shortest wave that is left: a picture. Raises InputError."""
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
-    return image_of(resolution_figure(resolution_study(surface, progress=progress("Filtering"), **asked)), narrow)
+    study = resolution_study(surface, progress=progress("Filtering"), **asked)
+    return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
 
 
 _SHOWN = 96  # points along a side of the map in three dimensions
