@@ -183,14 +183,13 @@ class Visitor:
 def expected(place: float) -> str:
     """What the page has to say, without the page."""
     from stiction.quantities.units import show
-    from stiction.report.card import card_of
-    from stiction.web.asked import Query, solved
+    from stiction.web.answer_card import card_on_page
     from stiction.web.fields import example_cases, placed
+    from stiction.web.query import Query, solved
 
     given = show(10.0**place, "asperity_radius", 4)
     answer = solved(Query(placed(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
-    assert answer.prediction is not None
-    return card_of(answer.prediction).html(why=False)
+    return card_on_page(answer.data).html(why=False)
 
 
 async def _visits(address: str, process: int) -> None:

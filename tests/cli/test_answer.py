@@ -170,7 +170,7 @@ def test_models_without_friction_are_counted_where_the_interface_is_not_stated(c
 
 def test_the_same_mu_to_two_digits_everywhere(tmp_path):
     """From run, compare, sweep (one row of it), report, Python and the page's export."""
-    from stiction.web.asked import Query, solved
+    from stiction.web.query import Query, solved
 
     path, page = tmp_path / "case.toml", tmp_path / "report.html"
     path.write_text(SILVER.replace('load = ["0.5 N", "1 N", "2 N"]', 'load = ["1 N"]'), encoding="utf-8")

@@ -15,7 +15,7 @@ from stiction.records.registry import FilmLaw, RoughSurface, of_kind
 from stiction.solving.problem import make_problem
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted
-from stiction.web.asked import Query, solved
+from stiction.web.query import Query, solved
 
 PAPER = "soft_coating_2015"
 ROUGHNESS = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="5 um", asperity_density="1.7e11 1/m^2")
@@ -205,10 +205,11 @@ def test_a_strength_that_the_default_model_ignores_is_refused(study, tmp_path, m
 
 
 def test_the_page_refuses_it_too():
-    answer = solved(Query(unnamed(solve={"load": "1 N", "asperity": "jkr"})))
-    assert answer.data is None and answer.error is not None and answer.error.field == "interfacial_shear_strength"
+    with pytest.raises(st.InputError) as caught:
+        solved(Query(unnamed(solve={"load": "1 N", "asperity": "jkr"})))
+    assert caught.value.field == "interfacial_shear_strength"
     named = unnamed(solve={"load": "1 N", "model": PAPER})
-    assert solved(Query(named)).error is None
+    assert solved(Query(named)).data is not None
 
 
 @pytest.mark.parametrize("words", [("--asperity", "jkr"), ("--load", "3 N", "--asperity", "jkr")])

@@ -31,8 +31,6 @@ _OLD = re.compile(rf"\b({'|'.join(OLD)})\b", re.IGNORECASE)
 _NO_PROSE = re.compile(
     r"^```.*?^```$|`[^`\n]*`|\]\([^)]*\)|<!-- ([\w ,]+): begin.*?<!-- \1: end -->", flags=re.MULTILINE | re.DOTALL
 )
-# Guides to the page and the report, whose words are not renamed there yet.
-LATER = {"report.md", "explorer.md"}
 PAGES = [pytest.param(path, id=str(path.relative_to(ROOT))) for path in pages()]
 
 
@@ -56,10 +54,9 @@ def test_page_is_short(path):
 
 @pytest.mark.parametrize("path", [*PAGES, pytest.param(ROOT / "CONTRIBUTING.md", id="CONTRIBUTING.md")])
 def test_page_has_no_old_words(path):
-    if path.name not in LATER:
-        lines = enumerate(prose(path.read_text(encoding="utf-8")).splitlines(), 1)
-        found = [f"line {number}: {word[0]}" for number, line in lines for word in _OLD.finditer(line)]
-        assert not found, found
+    lines = enumerate(prose(path.read_text(encoding="utf-8")).splitlines(), 1)
+    found = [f"line {number}: {word[0]}" for number, line in lines for word in _OLD.finditer(line)]
+    assert not found, found
 
 
 def test_old_words_are_found_in_prose_alone():

@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 from cases import SILICON_CASE
 from report.page import Page
 from stiction.cli import app
-from stiction.web.asked import Query, remarks, solved
+from stiction.web.query import Query, remarks, solved
 
 CASE = (
     SILICON_CASE

@@ -1,5 +1,5 @@
 """The page as `stiction serve` sets it up, for users who are simulated: they call the server by a name that no browser does."""
 
-from stiction.web.server import question_of, serve
+from stiction.web.server import query_of, serve
 
-serve(question_of(None), "0.0.0.0", 8080)
+serve(query_of(None), "0.0.0.0", 8080)

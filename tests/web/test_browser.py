@@ -24,9 +24,9 @@ from cases import of_one_model
 from stiction.case.text import as_toml
 from stiction.report.views.comparison import groups_of
 from stiction.web.address import packed
-from stiction.web.asked import Query, compared
 from stiction.web.compare_tab import tables_of
 from stiction.web.fields import example_cases, first_case
+from stiction.web.query import Query, compared
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 pytestmark = [
@@ -296,7 +296,7 @@ def test_a_measured_series_calibrates_a_number(page):
     _give(page, upload, "measured.csv", f"load [N],friction_coefficient,friction_coefficient_error\n{rows}".encode())
     page.get_by_text("measured.csv is here, until the page is closed").wait_for()
     page.get_by_role("button", name="Calibrate").click()
-    page.get_by_text(re.compile(r"^5 values: .*work of adhesion .* to ")).wait_for()  # of the prediction, as no model is named
+    page.get_by_text(re.compile(r"^5 values: interface strength .* to ")).wait_for()  # of the prediction, as no model is named
 
 
 def test_a_lost_upload_can_be_tried_again(page):
@@ -401,14 +401,14 @@ def test_a_bad_scan_is_refused_in_a_sentence(page):
     page.get_by_text(re.compile(r"^mu = 0\.")).first.wait_for()
 
 
-WITH = "with this surface as the first body"
+OF_MODEL = "at a load of"
 
 
 def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(of_model):
     page = of_model
     _tab(page, "Surface")
     page.get_by_role("button", name="Make an example").click()
-    said = page.get_by_role("status").filter(has_text=WITH)
+    said = page.get_by_role("tabpanel").get_by_role("status").filter(has_text=OF_MODEL)
     said.wait_for()
     before = said.inner_text()
     page.get_by_role("img", name="marked: eight-neighbour summits").wait_for()
@@ -416,7 +416,7 @@ def test_a_surface_its_asperities_and_what_its_cutoff_does_to_friction(of_model)
     for _ in range(3):
         page.keyboard.press("PageDown")
     page.wait_for_function("before => ![...document.querySelectorAll('[role=status]')].some(one => one.innerText === before)"
-                           " && document.body.innerText.includes('" + WITH + "')", arg=before)  # fmt: skip
+                           " && document.body.innerText.includes('" + OF_MODEL + "')", arg=before)  # fmt: skip
     page.get_by_label("asperities on the map").click()
     page.get_by_role("option", name="persistent summits").click()
     page.get_by_role("img", name="marked: persistent summits").wait_for()
@@ -465,6 +465,7 @@ def test_no_serious_fault_for_who_does_not_see_or_has_no_mouse(page, width, sche
     page.set_viewport_size({"width": width, "height": 900})
     page.emulate_media(color_scheme=scheme)
     page.wait_for_function(f"document.body.classList.contains('body--dark') === {json.dumps(scheme == 'dark')}")
+    page.wait_for_timeout(0.5 * SECOND)  # colours change gradually
     if page.evaluate("typeof axe") == "undefined":
         page.evaluate((Path(axe.__file__).parent / "axe.min.js").read_text(encoding="utf-8"))
     found = {}
@@ -484,12 +485,12 @@ def test_an_interface_is_chosen_from_its_menu_and_what_is_old_is_said_until_the_
     page = fresh
     page.get_by_role("combobox", name="interface", exact=True).click()
     page.get_by_role("option", name="soft-metal film", exact=True).click()
-    page.get_by_text("Computing: the numbers shown are of the case before.").wait_for()
+    page.get_by_text("Computing: the numbers are of the case before.").wait_for()
     number, low, high = _predicted(interface="soft-metal film")
     assert number != _predicted()[0]
     page.wait_for_function("() => !document.body.classList.contains('waiting')")
     assert _card(page) == f"μ = {number} {low} to {high} (90% interval) at 2.36 N"
-    assert not page.get_by_text("Computing: the numbers shown are of the case before.").is_visible()
+    assert not page.get_by_text("Computing: the numbers are of the case before.").is_visible()
 
 
 def test_a_knob_moves_by_keyboard_and_its_text_and_number_follow(of_model):

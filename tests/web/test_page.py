@@ -202,7 +202,7 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
         field.set_value("50")
         await _until(user, lambda: field.error)
         assert field.error.startswith("contact.roughness.asperity_radius: '50'; allowed: a number with its unit")
-        assert _mu(user) == before and "Of the last case that could be solved: see the field in red." in _texts(user)
+        assert _mu(user) == before and "This is the last answer without an error: see the field in red." in _texts(user)
         field.set_value("40 um")
         await _until(user, lambda: not field.error and _mu(user) != before)
 
@@ -276,7 +276,7 @@ async def test_no_field_shows_python():
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
     async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
-        assert any(text.startswith("numbers are several along n_E") for text in _texts(user))
+        assert "Curves are of the first value of each array: n_E." in _texts(user)
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 
 

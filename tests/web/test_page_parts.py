@@ -18,14 +18,14 @@ from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
 from stiction.studies.findings import find_out
-from stiction.web.asked import Query, headline, solved
+from stiction.web.background import Progress
+from stiction.web.chart_layout import fitted
 from stiction.web.charts import chart, curve_chart, line
 from stiction.web.fields import first_case
-from stiction.web.fitting import fitted
 from stiction.web.pictures import drawing_of
+from stiction.web.query import Query, headline, solved
 from stiction.web.share_tab import report_of
 from stiction.web.studies_tab import designed
-from stiction.web.working import Progress
 
 
 @pytest.fixture(scope="module")
@@ -35,9 +35,9 @@ def answer():
 
 def test_laws_are_imported_before_the_server_answers():
     code = (
-        "import sys; from stiction.web import asked, server; asked_of = server.question_of(None)\n"
-        "before = set(sys.modules); case = asked.case_asked(asked_of)\n"
-        "asked.keys_by_choice(case), asked.option_values(None)\n"
+        "import sys; from stiction.web import query, server; of = server.query_of(None)\n"
+        "before = set(sys.modules); case = query.read_query(of)\n"
+        "query.law_names(case), query.option_values(query.solved(of).data)\n"
         "print(sorted(one for one in set(sys.modules) - before if one.startswith('stiction')))"
     )
     found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, timeout=300)
@@ -114,8 +114,9 @@ def test_a_wish_that_no_friction_can_be_is_refused(objective):
 
 
 def test_a_text_in_place_of_a_table_is_refused_in_plain_words():
-    error = solved(Query({"contact": "x", "solve": {"load": ["1 N"]}})).error
-    assert str(error) == "contact: 'x'; allowed: a table with its numbers"
+    with pytest.raises(InputError) as caught:
+        solved(Query({"contact": "x", "solve": {"load": ["1 N"]}}))
+    assert str(caught.value) == "contact: 'x'; allowed: a table with its numbers"
 
 
 def test_a_study_ends_within_a_step_when_it_is_stopped():

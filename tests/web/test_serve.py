@@ -47,7 +47,7 @@ def test_a_case_that_is_wrong_is_told_before_anything_is_served(served, tmp_path
 def test_files_beside_a_case_that_is_served_may_be_named(tmp_path):
     (tmp_path / "case.toml").write_text('materials = "absent.toml"\n[solve]\nload = ["1 N"]\n', encoding="utf-8")
     with pytest.raises(InputError, match=r"absent\.toml"):
-        server.question_of(tmp_path / "case.toml")
+        server.query_of(tmp_path / "case.toml")
 
 
 def test_no_other_command_imports_the_server():

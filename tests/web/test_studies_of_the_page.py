@@ -10,7 +10,7 @@ from stiction.quantities.errors import InputError
 from stiction.report.share_pictures import shares_of, stacks
 from stiction.studies.paper.place import place_of, plasticity_line
 from stiction.studies.stresses.one_asperity import one_asperity
-from stiction.web.working import Progress
+from stiction.web.background import Progress
 
 
 def _steel(**more):

@@ -25,11 +25,11 @@ def serve(
     """
     require("serve", "nicegui", "matplotlib")
     with busy("Starting"):
-        from stiction.web.server import check_port, question_of
+        from stiction.web.server import check_port, query_of
         from stiction.web.server import serve as run
 
         check_port(host, port)
-        question = question_of(case)
+        query = query_of(case)
     if host not in _LOOPBACK:
         print(
             f"stiction: bound to {host}: everybody who reaches this address can use the page, there is no password and no "
@@ -38,4 +38,4 @@ def serve(
         )
     shown = f"[{host}]" if ":" in host else host
     print(f"stiction: http://{shown}:{port}/ (Ctrl-C ends it)", flush=True)
-    run(question, host, port)
+    run(query, host, port)

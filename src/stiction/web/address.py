@@ -1,4 +1,4 @@
-"""The state of the page as text in its address: the tables of a case, packed. All else is refused in a line."""
+"""Pack the tables of a case into the address of the page, and refuse any other address in a line."""
 
 import base64
 import binascii
@@ -17,14 +17,13 @@ _STATE = "a case, as this page writes it into its address"
 
 
 def packed(tables: Mapping[str, Any]) -> str:
-    """The tables as text for an address; "" where they are too many for one."""
+    """Return the tables as text for an address; "" where they are too large for one."""
     text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 
 def unpacked(text: str) -> dict[str, Any]:
-    """The tables in the text of an address. Raises InputError, one line, for any other text, and never takes more memory than
-    the largest case there is."""
+    """Return the tables in the text of an address; memory is bounded by the largest case. Raises InputError."""
     if len(text) > _LONGEST:
         raise InputError("address", f"{len(text)} characters", f"{_LONGEST} at most")
     try:
@@ -41,7 +40,7 @@ def unpacked(text: str) -> dict[str, Any]:
 
 
 def files_named(tables: Mapping[str, Any]) -> list[str]:
-    """The files that the tables of a case name: of materials, of scans, of samples and of measured series."""
+    """Return the files that a case names: of materials, of scans, of samples and of measured series."""
     found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
     rough = roughness_in(tables)
     if isinstance(rough, Mapping):
@@ -50,7 +49,7 @@ def files_named(tables: Mapping[str, Any]) -> list[str]:
 
 
 def _files_in(value: Any) -> Iterator[str]:
-    """What stands under the keys by which a table in a case names a file, at any depth."""
+    """Yield the entries under the keys by which a table names a file, at any depth."""
     if isinstance(value, Mapping):
         yield from (str(value[key]) for key in ("file", "samples", "data") if isinstance(value.get(key), str))
         for one in value.values():
@@ -61,10 +60,12 @@ def _files_in(value: Any) -> Iterator[str]:
 
 
 def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
-    """InputError where the tables name a file that is neither of the case that is served nor was uploaded: an address is
-    written by anybody, and may not ask for the files of this machine."""
+    """Raise InputError where the tables name a file that is neither of the served case nor uploaded.
+
+    Anybody writes an address, which may not ask for the files of this machine.
+    """
     known = set(allowed)
     for name in files_named(tables):
         if name not in known:
-            told = ", ".join(sorted(known)) or "none"
-            raise InputError("file", name, f"a file of the case that is served, or one that was uploaded here (now: {told})")
+            there = ", ".join(sorted(known)) or "none"
+            raise InputError("file", name, f"a file of the served case, or one that was uploaded here (now: {there})")

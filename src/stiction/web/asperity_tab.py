@@ -7,20 +7,20 @@ from nicegui import ui
 
 from stiction.quantities.units import show
 from stiction.studies.stresses.one_asperity import OneAsperity, one_asperity
+from stiction.web.background import Latest
 from stiction.web.charts import COLOURS, SHADES, add_cells, chart, line, mark
-from stiction.web.drawn import Picture, attributes
+from stiction.web.elements import Picture, attributes
 from stiction.web.explorer import Explorer
-from stiction.web.working import Latest
 
 
 class AsperityTab:
-    """Drawn anew with every answer and every move of its two sliders."""
+    """Draw the stresses after every answer and every move of the two sliders."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._latest = Latest(one_asperity, self._show, self._refuse)
-        self._said = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
-        self._more = ui.label().classes("text-sm")
+        self._answer = ui.label().classes("text-lg").props('role="status" aria-live="polite"')
+        self._sizes = ui.label().classes("text-sm")
         self._radius = self._slider("contact radius over (R sigma)^(1/2), logarithmic", -2.0, 0.5, -0.5)
         self._traction = self._slider("tangential force over normal force", 0.0, 1.0, 0.2)
         self._picture = Picture("von Mises stress in section", "", 620)
@@ -33,44 +33,41 @@ class AsperityTab:
         return slider.on("update:model-value", self.opened, throttle=0.05)
 
     async def opened(self) -> None:
-        """Ask for the stresses under the asperity of the newest case."""
-        case = self._explorer.good.case
-        assert case is not None
-        await self._latest.ask(case.subject, 10.0 ** float(self._radius.value), float(self._traction.value))
+        """Ask for the stresses under an asperity of the newest case."""
+        subject = self._explorer.answer.case.subject
+        await self._latest.ask(subject, 10.0 ** float(self._radius.value), float(self._traction.value))
 
-    def _refuse(self, why: str) -> None:
+    def _refuse(self, error: Exception) -> None:
         self._picture.show(None)
-        self._said.set_text(why)
-        self._more.set_text("")
+        self._answer.set_text(str(error))
+        self._sizes.set_text("")
 
     def _show(self, found: OneAsperity) -> None:
         self._picture.show(_section_chart(found, self._explorer.view.dark))
-        place = f"first in the {found.where}, at x = {found.at[0]:.2f} a, z = {found.at[1]:.2f} a"
+        place = f"in the {found.where}, at x = {found.at[0]:.2f} a, z = {found.at[1]:.2f} a"
         if found.largest >= 1.0:
-            text = f"It has yielded, {place}: an elastic stress would be {found.largest:.3g} times the yield stress."
+            text = f"It has yielded, first {place}: an elastic stress would be {found.largest:.3g} times the yield stress."
         else:
             text = f"Elastic: the largest stress is {found.largest:.3g} of the yield stress, {place}."
-        self._said.set_text(text)
-        self._more.set_text(self._sizes(found))
+        self._answer.set_text(text)
+        self._sizes.set_text(self._sizes_of(found))
 
-    def _sizes(self, found: OneAsperity) -> str:
-        """Sizes in units, where the contact has them."""
-        case = self._explorer.good.case
-        assert case is not None
+    def _sizes_of(self, found: OneAsperity) -> str:
+        """Return contact radius, load and pressure in words, with units where the contact has them."""
+        subject: Any = self._explorer.answer.case.subject
         pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies"
-        rough = getattr(case.subject, "roughness", None)
+        rough = getattr(subject, "roughness", None)
         if rough is None:
             return f"Load {found.load:.3g} K R^(1/2) sigma^(3/2), {pressure}; elastic, without adhesion."
-        root = math.sqrt(rough.asperity_radius * rough.asperity_height_deviation)
-        load = found.load * case.subject.scales().load
-        radius = found.radius * root
+        radius = found.radius * math.sqrt(rough.asperity_radius * rough.asperity_height_deviation)
+        load = found.load * subject.scales().load
         stress = show(load / (math.pi * radius**2), "nominal_pressure", 3)
         return (f"Contact radius {show(radius, 'mean_separation', 3)}, load {show(load, 'load', 3)}, {pressure}, {stress}; "
                 "elastic, without adhesion.")  # fmt: skip
 
 
 def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
-    """The stress in colours over the section, depth downwards, lengths over the contact radius on both axes alike."""
+    """Draw the stress over the section in colours: depth downwards, both axes to the same scale."""
     ends = [float(found.x[0]), float(found.x[-1])]
     series = [line("contact", [-1.0, 1.0], [0.0, 0.0], 1, z=4), mark("largest stress", found.at, "pin", 30, COLOURS[3])]
     if found.thickness <= found.z[-1]:

@@ -1,4 +1,4 @@
-"""Charts for the page: a result in, the options of an ECharts chart out. Nothing is computed."""
+"""Turn results into the options of ECharts charts; nothing is computed here."""
 
 from typing import Any
 
@@ -27,18 +27,18 @@ _SHORT = (
 
 
 def numbers(values: Any) -> list[float | None]:
-    """Numbers as JSON has them: what is not finite is nothing."""
+    """Return numbers for JSON; None where they are not finite."""
     return [float(one) if np.isfinite(one) else None for one in np.atleast_1d(np.asarray(values, dtype=float))]
 
 
 def axis_name(variable: xarray.DataArray) -> str:
-    """Meaning, symbol and unit of a result; the meaning is short enough for a telephone."""
+    """Return meaning, symbol and unit of a result, short enough for a telephone."""
     row, unit = QUANTITIES[str(variable.name)], unit_of(variable)
     return f"{(row.short or row.meaning).partition(',')[0]} {row.symbol}".strip() + (f" [{unit}]" if unit else "")
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
-    """Options of a chart with named axes; its description for those who do not see it is ECharts' own, of the title."""
+    """Return the options of a chart with named axes; ECharts describes it to screen readers by the title."""
     ink, grid = INK[dark], _GRID[dark]
     look = {
         "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
@@ -62,7 +62,7 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
 
 
 def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
-    """A line of its own colour and dashes; points that have no number are left out."""
+    """Return a line with the colour and dashes of a place in the legend; points without a number are omitted."""
     points = [[a, b] for a, b in zip(numbers(x), numbers(y), strict=True) if a is not None]
     look = {"color": COLOURS[at % len(COLOURS)], "type": _DASHES[at % len(_DASHES)], "width": 2.5}
     return {
@@ -72,7 +72,7 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
 
 
 def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour: str = RED) -> dict[str, Any]:
-    """Return one point, above all else."""
+    """Return one point, drawn above all else."""
     return {"name": name, "type": "scatter", "data": [list(map(float, point))], "symbol": symbol, "symbolSize": size, "z": 6,
             "itemStyle": {"color": colour, "borderColor": "white", "borderWidth": 1.5}}  # fmt: skip
 
@@ -80,8 +80,10 @@ def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour:
 def add_cells(
     options: dict[str, Any], name: str, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: tuple[float, str, str]
 ) -> None:
-    """Add coloured cells below all else, values (x, y) at evenly spaced places, by ratio on logarithmic axes; and their scale
-    from 0 to its first number, with the words at both ends."""
+    """Add coloured cells of values (x, y) below all else, and their colour scale.
+
+    x, y: evenly spaced, on logarithmic axes by ratio. scale: its largest value, from 0, and the words at both ends.
+    """
     log = options["xAxis"]["type"] == "log"
     halves = [float((at[1] / at[0]) ** 0.5 if log else (at[1] - at[0]) / 2.0) for at in (x, y)]
     # The ends of a cell, as a browser makes them.
@@ -117,7 +119,7 @@ def _positive(values: Any) -> np.ndarray:
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
-    """Values and axis of what the curve is drawn against."""
+    """Return values and axis of the variable that the curve is drawn against."""
     values = np.asarray(curve[against].values, dtype=float)
     axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
     if against == "load":
@@ -129,7 +131,7 @@ def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str,
 
 
 def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
-    """Return a result against load or separation with its bands; the point that is described in words is marked."""
+    """Draw a result against load or separation with its bands; the working load is marked."""
     x, x_axis = _against(curve, against)
     y, predicted = _positive(curve[name].values), "level" in curve.attrs
     bands = {}
@@ -153,7 +155,7 @@ def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark:
 
 
 def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[dict[str, Any]]:
-    """Return the two ends of a band, thin lines that its legend does not name, and what is between them."""
+    """Return the ends of a band, thin lines that its legend does not name, and its area."""
     thin = {"lineStyle": {"color": BLUE, "width": 0.5}}
     edges = [line(f"{end} end", x, values, 0) | thin for end, values in (("low", low), ("high", high))]
     outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
@@ -167,7 +169,7 @@ def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[d
 
 
 def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
-    """Parts as stacked shares of the sum of their sizes."""
+    """Draw parts as stacked shares of the sum of their sizes."""
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)
     series = []

@@ -1,4 +1,4 @@
-"""The tab Compare: models that fit the contact, that do not, and that cannot be right, each by mu; it follows the knobs."""
+"""The tab Compare: models that fit the contact, that do not, and that cannot be right, each by mu; it follows the form."""
 
 import re
 from collections.abc import Iterator
@@ -14,20 +14,20 @@ from stiction.report.table import Column, Table, numbers
 from stiction.report.views.comparison import Group, comparison_view, group_row, groups_of, left_out_in_words, silent_models
 from stiction.solving.overview import models
 from stiction.studies.prediction.unused import refusal_of
-from stiction.web.asked import compared
-from stiction.web.drawn import attributes
+from stiction.web.background import run
+from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.formulas import typeset
 from stiction.web.pictures import Shown
-from stiction.web.studying import Study
-from stiction.web.working import run
+from stiction.web.query import compared
+from stiction.web.study_button import Study
 
-_SOON = 0.7  # seconds after the last move of a knob
+_SOON = 0.7  # seconds after the last change
 _PARTS = {"These fit the contact": (True, True), "These do not fit": (False, True), "These cannot be right": (False, False)}
 
 
 class CompareTab:
-    """Compares when the tab is opened, and after the knobs while it is open; what is old is grey until then."""
+    """Compare when the tab is opened, and after every change while it is open; an old comparison is grey."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -37,12 +37,12 @@ class CompareTab:
         explorer.listen(self._mark)
 
     async def opened(self) -> None:
-        """Compare when the tab is opened, unless that was done for the present numbers."""
+        """Compare, unless that was done for the present numbers."""
         if not self._study.is_current:
             await self._study.start()
 
     def _mark(self) -> None:
-        """Grey what is old, and compare soon: a later move of a knob puts it off."""
+        """Grey an old comparison, and compare soon: every change puts it off."""
         old = not self._study.is_current
         self._body.classes(**{"add" if old else "remove": "old"})
         self._later.deactivate()
@@ -57,15 +57,15 @@ class CompareTab:
         await self.opened()
 
     def _work(self, progress: Any) -> tuple[Any, ...]:
-        answer, load = self._explorer.good, self._explorer.load
-        case, data, prediction = compared(answer.question, load if load > 0.0 else None, progress)
+        answer, load = self._explorer.answer, self._explorer.load
+        case, data, prediction = compared(answer.query, load if load > 0.0 else None, progress)
         groups = groups_of(data) if "working_load" in data.attrs else []
         silent = silent_models(case, data)
         said = [left_out_in_words([], [], silent)]
         if prediction is None and (refusal := refusal_of(case)) is not None:
             said.append(f"no prediction: {refusal}")
         if not groups:
-            said.append("no model says anything of friction at a load above 0 here")
+            said.append("no model has friction at a load above 0 here")
         every = Shown.of(comparison_view(case, data, None, every=True), self._explorer.view.narrow)
         return list(tables_of(data, groups)), said, every
 
@@ -129,7 +129,7 @@ def human_name(key: str) -> str:
 
 
 async def _open(name: str) -> None:
-    """The page of a model: equations, source, grade, check numbers."""
+    """Open the page of a model: equations, source, grade, check numbers."""
     key = name.partition(" +")[0].partition(" (")[0]
     row = models([key])[0]
     text = await run(typeset, row["text"])

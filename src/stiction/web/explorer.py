@@ -1,4 +1,4 @@
-"""What one visitor has before them: a case, its answer, how it is shown. Every visitor has their own, and nothing in common."""
+"""Hold what one visitor has open: a case, its answer, and how the answer is shown; visitors share nothing."""
 
 import tempfile
 import time
@@ -9,18 +9,22 @@ from pathlib import Path
 from typing import Any
 from weakref import WeakSet
 
-from stiction.web.asked import Answer, Query, headline, solved
+from stiction.quantities.errors import InputError
+from stiction.web.background import Latest
 from stiction.web.fields import got, placed
-from stiction.web.working import Latest
+from stiction.web.query import Answer, Query, headline, solved
 
 
 @dataclass
 class View:
-    """How the answer is shown. against: "load" or "mean_separation"; here: the point described in words, None for the middle
-    one; tab: which is open; dark, narrow: whether the page is dark, and as narrow as a telephone."""
+    """Hold how the answer is shown.
+
+    against: "load" or "mean_separation". point: of the curve, None for the middle one. tab: which is open. narrow: as on a
+    telephone.
+    """
 
     against: str = "load"
-    here: int | None = None
+    point: int | None = None
     tab: str = "Contact"
     dark: bool = False
     narrow: bool = False
@@ -31,28 +35,28 @@ _open: "WeakSet[Explorer]" = WeakSet()
 
 
 def close_all() -> None:
-    """Forget every visitor: the server ends, by a signal that leaves no time for what Python does at the end of a program."""
-    for one in list(_open):
-        one.close()
+    """Forget every visitor, where a signal ends the server and Python has no time to clean up."""
+    for explorer in list(_open):
+        explorer.close()
 
 
 class Explorer:
-    """The case of one visitor, and whoever wants to know when it has a new answer."""
+    """Hold the case of one visitor, and call listeners after every new answer."""
 
-    def __init__(self, question: Query, answer: Answer):
-        self.question, self.answer = question, answer
-        self.first = question.tables
-        self._opened = question.tables  # the case that has the title
-        self._before: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the last one last
+    def __init__(self, query: Query, answer: Answer):
+        self.query, self.answer = query, answer  # the answer is the newest without an error
+        self.error: InputError | None = None  # of the newest query
+        self.waits = False  # whether the answer is of an earlier query
+        self.first = self._titled = query.tables  # the second is the case that has the title
+        self._history: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the newest last
         self._changed = 0.0
-        self.good = answer  # the newest without an error
         self.view = View()
         self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
-        self.place: AbstractContextManager[Any] = nullcontext()  # of the page, as the field that asked may be gone
+        self.client: AbstractContextManager[Any] = nullcontext()  # the page, as the element that asked may be gone
         self.open_tab: Callable[[str], object] = lambda name: None
+        self.on_wait: Callable[[], None] = lambda: None  # marks the answer as old
         self._listeners: list[Callable[[], object]] = []
-        self.on_wait: Callable[[], None] = lambda: None  # marks what is shown as old, while an answer is awaited
-        self._latest = Latest(solved, self._show)
+        self._latest = Latest(solved, self._show, self._refuse)
         self._uploads: tempfile.TemporaryDirectory[str] | None = None
         _open.add(self)
 
@@ -61,94 +65,91 @@ class Explorer:
         self._listeners.append(listener)
 
     def redraw(self) -> None:
-        """The same answer, shown anew."""
-        with self.place:
+        """Show the same answer anew."""
+        with self.client:
             for listener in self._listeners:
                 listener()
 
     def _show(self, answer: Answer) -> None:
         self.answer = answer
-        if answer.error is None:
-            self.good = answer
+        self._refuse(None)
+
+    def _refuse(self, error: InputError | None) -> None:
+        self.error, self.waits = error, self._latest.is_waiting
         self.redraw()
 
     async def ask(self, tables: Mapping[str, Any]) -> None:
-        """Solve these tables under a title that fits them, and show the result. Another title makes it another case."""
-        now, before = time.monotonic(), self.question.tables
+        """Solve these tables under a title that fits them; tables with another title are another case."""
+        now, before = time.monotonic(), self.query.tables
         if now - self._changed > _APART:
-            self._before.append(before)
+            self._history.append(before)
         self._changed = now
         await self._ask(tables)
 
     async def undo(self) -> None:
         """Go back to the case before the last change; what a slider passes within a second is one change."""
         self._changed = 0.0
-        if self._before:
-            await self._ask(self._before.pop())
+        if self._history:
+            await self._ask(self._history.pop())
             self.rebuild()
 
     async def open(self, tables: Mapping[str, Any]) -> None:
-        """Show another case, with a form of its own."""
+        """Show another case, with a new form."""
         self._changed = 0.0
         await self.ask(tables)
         self.rebuild()
 
     async def _ask(self, tables: Mapping[str, Any]) -> None:
-        if tables.get("title") != self.question.tables.get("title"):
-            self._opened = tables
-        self.question = self.question.with_tables(_retitled(tables, self._opened))
+        if tables.get("title") != self.query.tables.get("title"):
+            self._titled = tables
+        self.query = self.query.with_tables(_retitled(tables, self._titled))
+        self.waits = True
         self.on_wait()
-        await self._latest.ask(self.question)
+        await self._latest.ask(self.query)
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:
-        """Solve the case with another value at a place of its tables; None takes it away."""
-        await self.ask(placed(self.question.tables, path, value))
+        """Solve the case with another value at a path of its tables; None removes the value."""
+        await self.ask(placed(self.query.tables, path, value))
 
     @property
-    def waits(self) -> bool:
-        """Whether the newest answer is of an earlier case than the one that was asked last."""
-        return self.answer.question.tables is not self.question.tables
-
-    @property
-    def here(self) -> int:
-        """Return the point that is described in words; a prediction has it at its working load."""
-        if self.view.here is None or self.good.prediction is not None:
-            return self.good.middle()
-        return min(self.view.here, self.good.curve["load"].size - 1)
+    def point(self) -> int:
+        """Return the point of the curve that the answer is about, in a prediction its working load."""
+        if self.view.point is None or self.answer.is_prediction:
+            return self.answer.middle()
+        return min(self.view.point, self.answer.curve["load"].size - 1)
 
     @property
     def load(self) -> float:
-        """Return the load of the point that is described in words, SI or normalised."""
-        return float(self.good.at(self.here)["load"])
+        """Return the load of the answer, in SI or normalised."""
+        return float(self.answer.at(self.point)["load"])
 
     @property
     def headline(self) -> tuple[str, str]:
-        """The number with the digits that its uncertainty leaves it, and where it holds."""
-        return headline(self.good, self.here)
+        """Return mu with the digits that its uncertainty leaves it, and where it holds."""
+        return headline(self.answer, self.point)
 
     def upload(self, name: str, content: bytes) -> str:
-        """Keep a file that was uploaded in a folder of this visitor, and say its name there: that of its ending only, so that
-        it cannot be a path."""
+        """Write an uploaded file into a folder of this visitor; return its path, which takes only the suffix of the name."""
         if self._uploads is None:
             self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")
-        ending = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
-        path = Path(self._uploads.name) / (f"upload.{ending}" if ending else "upload")
+        suffix = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
+        path = Path(self._uploads.name) / (f"upload.{suffix}" if suffix else "upload")
         path.write_bytes(content)
-        self.question = replace(self.question, files=self.question.files | {str(path)})
+        self.query = replace(self.query, files=self.query.files | {str(path)})
         return str(path)
 
     def close(self) -> None:
-        """Forget the visitor and delete what they uploaded."""
+        """Forget the visitor and delete their uploads."""
         self._listeners.clear()
         if self._uploads is not None:
             self._uploads.cleanup()
             self._uploads = None
 
 
-def _retitled(tables: Mapping[str, Any], opened: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables with the title of the opened case where bodies and groups are as in it, else one that names them."""
-    same = all(tables.get(name) == opened.get(name) for name in ("contact", "indices"))
-    title = opened.get("title") if same else _described(tables)
+def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the tables with the title of a case that has the same contact, else with one that names the bodies."""
+    same = all(tables.get(name) == titled.get(name) for name in ("contact", "indices"))
+    title = titled.get("title") if same else _described(tables)
     rest = {name: value for name, value in tables.items() if name != "title"}
     return {"title": title, **rest} if title else rest
 
@@ -165,6 +166,6 @@ def _described(tables: Mapping[str, Any]) -> str:
     return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
 
 
-def _material(tables: Mapping[str, Any], *place: str) -> str:
-    name = got(tables, ("contact", *place, "preset")) or "material of its own"
+def _material(tables: Mapping[str, Any], *path: str) -> str:
+    name = got(tables, ("contact", *path, "preset")) or "material of its own"
     return str(name).replace("_", " ")

@@ -1,4 +1,4 @@
-"""What the form asks: the fields of the records of a case, and the case that the page begins with."""
+"""Derive the fields of the form from the records of a case, and read the cases that the page offers."""
 
 import math
 import re
@@ -36,7 +36,7 @@ _WORDS: dict[str, tuple[tuple[str, ...], str]] = {
 
 @dataclass(frozen=True)
 class Knob:
-    """A slider: its ends and its step, of the number or, if log, of its decimal logarithm."""
+    """Hold the ends and the step of a slider, of the number or, if log, of its decimal logarithm."""
 
     low: float
     high: float
@@ -44,17 +44,17 @@ class Knob:
     log: bool
 
     def place(self, value: float) -> float:
-        """Where the slider stands for a value in SI."""
+        """Return the place of a value in SI on the slider."""
         return math.log10(value) if self.log and value > 0.0 else self.low if self.log else value
 
     def value(self, place: float) -> float:
-        """The value, SI, at a place of the slider."""
+        """Return the value, in SI, at a place of the slider."""
         return 10.0**place if self.log else place
 
 
 @dataclass(frozen=True)
 class Number:
-    """A number of the case: where it stands in the tables, its row of the table, and whether it may be left out."""
+    """Hold the path of a number in the tables of a case, its quantity, and whether it is required."""
 
     path: Path
     quantity: Quantity
@@ -62,19 +62,20 @@ class Number:
 
     @property
     def label(self) -> str:
+        """Return meaning and symbol."""
         return f"{self.quantity.meaning} {self.quantity.symbol}"
 
     @property
     def help(self) -> str:
+        """Return label, bounds and an example."""
         return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
-        """A value in SI as a case file has it, to four digits."""
+        """Return a value in SI as a case file has it, to four digits."""
         return show(value, self.quantity.name, 4)
 
     def written(self, text: str) -> Any:
-        """What the table of a case has for this text: a number where there is no unit, the text where there is one; a list or
-        a distribution as a case file has it."""
+        """Return a typed text as the table of a case has it: a number, a text with a unit, a list or a distribution."""
         try:
             if text.startswith(("[", "{")):
                 return tomllib.loads(f"given = {text}")["given"]
@@ -84,10 +85,10 @@ class Number:
                     return {key: float(one) if key == "factor" else self.written(one) for key, one in given.items()}
             return text if self.quantity.unit else float(text)
         except ValueError:
-            return text  # the case will say what is wrong with it
+            return text  # the case will refuse it
 
     def si(self, given: Any) -> float | None:
-        """The value in SI of what stands in a table, of an uncertain number the nominal one; None where that is no number."""
+        """Return the value in SI of an entry of a table, of an uncertain number the nominal one; None if it is no number."""
         try:
             if with_error(given):
                 return float(read_distribution(given, self.quantity.name, "").nominal)
@@ -97,7 +98,7 @@ class Number:
         return value if isinstance(value, float) else None
 
     def moved(self, given: Any, value: float) -> Any:
-        """What stands in a table, moved to another value in SI: an error keeps its ratio to the value."""
+        """Return an entry of a table, moved to another value in SI; an error keeps its ratio to the value."""
         before = self.si(given)
         if not with_error(given) or not before or not isinstance(given, str | Mapping):
             return self.written(self.text(value))
@@ -108,7 +109,7 @@ class Number:
         return {**given, **{key: self.written(self.text(end * value / before)) for key, end in ends.items() if end is not None}}
 
     def knob(self, value: float) -> Knob:
-        """A slider for it, on which this value has a place."""
+        """Return a slider that includes this value."""
         row = self.quantity
         linear = math.isfinite(row.lower) and row.upper <= 2.0
         step = 0.005 if linear else 0.01
@@ -123,7 +124,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Choices:
-    """A word of the case, one of a few. default: what holds where it is left out; NOT_STATED leaves it out."""
+    """Hold a word of the case, one of a few. default: holds where it is left out; NOT_STATED leaves it out."""
 
     path: Path
     values: tuple[str, ...]
@@ -132,8 +133,10 @@ class Choices:
 
 @dataclass(frozen=True)
 class Part:
-    """A table of the case with its fields, and what of it stands together: the numbers of a body, or of an interface in place
-    of its state. optional: it may be left out as a whole."""
+    """Hold a table of the case with its fields; optional: it may be left out as a whole.
+
+    A part in a part holds the numbers of a body, or the numbers that replace the state of an interface.
+    """
 
     path: Path
     optional: bool
@@ -150,7 +153,7 @@ def numbers_of(part: Part) -> Iterator[Number]:
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
-    """The parts of a form for these tables."""
+    """Return the parts of a form for these tables."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
     found = list(_parts(Contact, ("contact",), False))
@@ -191,7 +194,7 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 
 
 def as_written(given: Any) -> str:
-    """Return what stands at a place of the tables in words, on a line; "" for nothing."""
+    """Return an entry of the tables as a line of text; "" for nothing."""
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         return f"{given['median']} within a factor {given['factor']}"
     if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
@@ -200,7 +203,7 @@ def as_written(given: Any) -> str:
 
 
 def got(tables: Any, path: Path) -> Any:
-    """What stands at a place of the tables; None for nothing."""
+    """Return the entry at a path of the tables; None for nothing."""
     for key in path:
         if isinstance(tables, str) and key == "preset":
             return tables
@@ -211,8 +214,7 @@ def got(tables: Any, path: Path) -> Any:
 
 
 def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
-    """The tables with a value at a place, None for nothing. A material that was only a name becomes a table that starts from
-    it."""
+    """Return the tables with a value at a path, None for nothing; a material that was a name becomes a table with it."""
     key, rest = path[0], path[1:]
     inner = tables.get(key)
     if rest:
@@ -239,7 +241,7 @@ SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
 
 
 def first_case() -> dict[str, Any]:
-    """The tables of the case of a page that was asked for none: a soft film on hardened steel."""
+    """Return the tables of the default case: a soft film on hardened steel."""
     return _packaged("first.toml")
 
 

@@ -1,4 +1,4 @@
-"""The form: load, bodies, film, roughness, adhesion and interface, each with its fields and sliders; errors below a field."""
+"""The form: load, bodies, film, roughness, adhesion and interface, each with fields, sliders and its errors."""
 
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import contextmanager
@@ -11,8 +11,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import kinds_of_additions
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
-from stiction.web.asked import keys_by_choice, option_values, states_of
-from stiction.web.drawn import attributes
+from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
     ENDINGS,
@@ -30,7 +29,8 @@ from stiction.web.fields import (
     parts_of,
     placed,
 )  # fmt: skip
-from stiction.web.number_fields import LoadField, draw_number, label_of
+from stiction.web.number_fields import draw_load, draw_number, label_of
+from stiction.web.query import law_names, option_values, states_of
 
 _OWN = "numbers of its own"
 _STRENGTH = "a stated strength"
@@ -45,28 +45,26 @@ _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # pe
 
 
 class Form:
-    """The form of one visitor; made anew where the case gets other fields, and else left as it is while a knob moves."""
+    """Show the form of one visitor, made anew where the case gets other fields, and left as it is while a slider moves."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._inputs: dict[tuple[str, ...], Any] = {}
         self._switched_off: dict[tuple[str, ...], Any] = {}  # numbers of parts, which come back with them
         self._strength_chosen = False  # in place of a state of the interface, also before there is a number
-        self._next: ui.label | None = None  # what to state of the interface
         self._other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
         self._column = ui.column().classes("w-full gap-1")
-        self._load_field: LoadField | None = None
         self.build()
         explorer.rebuild = self.build
         explorer.listen(self.show)
 
     def build(self) -> None:
-        """All fields, from the tables of the case, in the order of thought."""
+        """Make all fields from the tables of the case."""
         self._inputs.clear()
-        self._next = self._load_field = None
+        self._follow: Callable[[], None] = lambda: None  # shows the load of the newest answer
         self._rare: list[Number] = []  # numbers that may be left out
         self._column.clear()
-        tables = self._explorer.question.tables
+        tables = self._explorer.query.tables
         parts = {part.path[-1]: part for part in parts_of(tables)}
         with self._column:
             self._tools()
@@ -104,7 +102,7 @@ class Form:
         part = parts["contact"]
         fields = {one.path[-1]: one for one in part.fields}
         with _group("Load"):
-            self._load_field = LoadField(self._explorer, self._inputs)
+            self._follow = draw_load(self._explorer, self._inputs)
         with _group("Bodies"):
             for body in ("first", "second"):
                 self._material(fields.pop(body))  # type: ignore[arg-type]
@@ -121,39 +119,36 @@ class Form:
         self._rare += fields.values()  # type: ignore[arg-type]
 
     def show(self) -> None:
-        """Errors of the newest answer, beside their fields, and what to state of the interface."""
-        error = self._explorer.answer.error
-        if self._next is not None:
-            data = self._explorer.good.data
-            self._next.set_text(data.attrs.get("next_step", "").capitalize() if data is not None else "")
-        if error is None and self._load_field is not None:
-            self._load_field.follow()
+        """Show the error of the newest query below its field, or above the form."""
+        error = self._explorer.error
+        if error is None:
+            self._follow()
         beside = False
-        for path, one in self._inputs.items():
+        for path, field in self._inputs.items():
             wrong = error is not None and _is_of(error, path)
-            one.error = str(error) if wrong else None
+            field.error = str(error) if wrong else None
             beside |= wrong
         self._other.set_text("" if error is None or beside else str(error))
         self._other.set_visibility(error is not None and not beside)
 
     def _model(self) -> None:
-        tables, good = self._explorer.question.tables, self._explorer.good
-        solve, keys = tables.get("solve", {}), keys_by_choice(good.case)
-        given = str(solve.get("model", _PREDICTION if good.prediction is not None else DEFAULT_MODEL))
-        self._menu("model", [_PREDICTION, *keys.pop("model")], given, ("solve", "model"), self._choose_model)
-        if good.prediction is not None:
-            ui.label("recommended: all models that apply, combined; a model by name answers beside it").classes("text-xs")
+        tables, answer = self._explorer.query.tables, self._explorer.answer
+        solve, names = tables.get("solve", {}), law_names(answer.case)
+        given = str(solve.get("model", _PREDICTION if answer.is_prediction else DEFAULT_MODEL))
+        self._menu("model", [_PREDICTION, *names.pop("model")], given, ("solve", "model"), self._choose_model)
+        if answer.is_prediction:
+            ui.label("recommended combines all models that apply; a named model answers beside it").classes("text-xs")
         with _folded("Other laws than its own"):
-            for choice, laws in keys.items():
+            for choice, laws in names.items():
                 known = [_NONE, *laws, *(["none"] if choice in _MAY_BE_NONE else [])]
                 self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
-        for name, values in option_values(good.data).items():
+        for name, values in option_values(answer.data).items():
             here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
             self._menu(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
-        """Answer with a model; with the prediction, laws and options that are named go too."""
-        tables = self._explorer.question.tables
+        """Answer with a model; the prediction drops named laws and options."""
+        tables = self._explorer.query.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
         await self._explorer.ask({**tables, "solve": kept} if name == _PREDICTION else placed(tables, ("solve", "model"), name))
 
@@ -167,8 +162,10 @@ class Form:
         searched: bool = False,
         named: bool = True,
     ) -> None:
-        """A menu; a value that is none of its own is added. choose: asks with what was chosen, by default puts it at its place;
-        then the form is made anew; searched: a name may be typed; named: its label stands beside it."""
+        """Add a menu, with its value where that is none of its own; a choice makes the form anew.
+
+        choose: takes the choice, by default puts it at the path. searched: a name may be typed. named: its label is shown.
+        """
 
         async def chosen(event: Any) -> None:
             if choose is None:
@@ -185,8 +182,8 @@ class Form:
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
-        """Choose between separations and loads, with their ends and their number."""
-        tables = self._explorer.question.tables
+        """Add a choice between separations and loads, with their ends and their number."""
+        tables = self._explorer.query.tables
         solve = tables.get("solve", {})
         by = "load" if "load" in solve else "separation"
         given = solve.get(by)
@@ -212,7 +209,7 @@ class Form:
 
     def _optional(self, part: Part, head: Any = None) -> None:
         """Add a switch, with its name or below a head, and where it is on the fields of the part."""
-        given = got(self._explorer.question.tables, part.path)
+        given = got(self._explorer.query.tables, part.path)
         title = ENDINGS.get(part.path[-1], part.path[-1])
         with head or ui.element("div"):
             switch = ui.switch("" if head else title, value=given is not None)
@@ -223,7 +220,7 @@ class Form:
 
     def _fields(self, part: Part) -> None:
         """Add the fields of a part; numbers that may be left out, and are, come later."""
-        tables = self._explorer.question.tables
+        tables = self._explorer.query.tables
         for one in part.fields:
             if isinstance(one, Part):
                 self._material(one)
@@ -235,8 +232,8 @@ class Form:
                 self._rare.append(one)
 
     def _roughness(self, part: Part) -> None:
-        """Add what is known of the surface: numbers of asperities, a finish with Sq or Ra, or a scan."""
-        given = got(self._explorer.question.tables, ROUGHNESS)
+        """Add the fields of the surface: numbers of asperities, a finish with Sq or Ra, or a scan."""
+        given = got(self._explorer.query.tables, ROUGHNESS)
         bodies = isinstance(given, Mapping) and bool(given.keys() & {"first", "second"})
         scanned = bodies and not is_finished(given)
         known = _SCAN if scanned else list(SURFACE_KNOWN_BY)[is_finished(given)]
@@ -251,28 +248,28 @@ class Form:
 
         self._menu("the surface is known by", [*SURFACE_KNOWN_BY, _SCAN], known, ROUGHNESS, chosen, named=False)
         if bodies:
-            words = "measured: see the tab Surface" if scanned else "as of finishes: see the case file"
-            ui.label(words).classes("text-sm")
+            text = "measured: see the tab Surface" if scanned else "from finishes: see the case file"
+            ui.label(text).classes("text-sm")
             return
         self._fields(part)
 
     async def _switch(self, part: Part, there: bool) -> None:
-        """Put a part into the case, with its numbers of before, or take it out."""
+        """Put a part into the case, with its earlier numbers, or take it out."""
         if not there:
-            self._switched_off[part.path] = got(self._explorer.question.tables, part.path)
+            self._switched_off[part.path] = got(self._explorer.query.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
         await self._explorer.put(part.path, numbers if there else None)
         self.build()
 
     def _interface(self, part: Part) -> None:
-        """A menu of states, and in place of a state the numbers of a stated strength."""
-        tables, numbers = self._explorer.question.tables, list(numbers_of(part))
+        """Add a menu of states, and in place of a state the numbers of a stated strength."""
+        tables, numbers = self._explorer.query.tables, list(numbers_of(part))
         stated = any(got(tables, one.path) is not None for one in numbers)
         state = got(tables, part.path)
 
         async def chosen(value: str) -> None:
             self._strength_chosen = value == _STRENGTH
-            rest = self._explorer.question.tables
+            rest = self._explorer.query.tables
             for path in (part.path, *(one.path for one in numbers)):
                 rest = placed(rest, path, None)
             await self._explorer.ask(placed(rest, part.path, None if value in (NOT_STATED, _STRENGTH) else value))
@@ -280,19 +277,19 @@ class Form:
         by_number = not state and (stated or self._strength_chosen)
         value = as_written(state) or (_STRENGTH if by_number else NOT_STATED)
         self._menu(
-            "interface", [NOT_STATED, *states_of(self._explorer.question), _STRENGTH], value, part.path, chosen, named=False
+            "interface", [NOT_STATED, *states_of(self._explorer.query), _STRENGTH], value, part.path, chosen, named=False
         )
         if by_number or stated:
             for number in numbers:
                 self._number(number)
 
-    def _number(self, one: Number, otherwise: str = "") -> None:
-        """Add a number; its errors are shown below it. otherwise: the number that holds where the text is empty."""
-        self._inputs[one.path] = draw_number(self._explorer, one, otherwise)
+    def _number(self, number: Number, otherwise: str = "") -> None:
+        """Add a number; otherwise: the number that holds where the text is empty."""
+        self._inputs[number.path] = draw_number(self._explorer, number, otherwise)
 
     def _material(self, part: Part) -> None:
-        """A menu of materials, and the numbers of the one that is chosen."""
-        tables = self._explorer.question.tables
+        """Add a menu of materials, and the numbers of the chosen one."""
+        tables = self._explorer.query.tables
         preset = str(got(tables, (*part.path, "preset")) or "")
         own = tables.get("materials")
         names = [_OWN, *(own if isinstance(own, Mapping) else {}), *material_names()]
@@ -312,7 +309,7 @@ class Form:
 
 @contextmanager
 def _group(title: str) -> Any:
-    """A part of the form with its title beside it."""
+    """Add a part of the form with a title."""
     with ui.element("div").classes("group"):
         with ui.element("div") as head:
             ui.label(title).classes("font-bold text-sm")
@@ -326,7 +323,7 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """A number where the text is one; else the text, which the case will judge."""
+    """Return a number where the text is one; else the text, which the case will refuse."""
     try:
         return kind(text)
     except ValueError:
@@ -334,7 +331,7 @@ def _read(text: str, kind: Callable[[str], float]) -> float | str:
 
 
 def _is_of(error: InputError, path: tuple[str, ...]) -> bool:
-    """Whether an error is of the field at a place of the tables."""
+    """Return whether an error is of the field at a path of the tables."""
     where = error.field.removeprefix("contact.").removeprefix("indices.").removeprefix("solve.")
     here = ".".join(path[1:])
     return where == here or error.field == here

@@ -1,4 +1,4 @@
-"""Formulas of the models as pictures of a page: LaTeX, typeset by matplotlib; as text where it does not know a sign."""
+"""Typeset the formulas of the models with matplotlib; a formula with an unknown sign stays text."""
 
 import base64
 import io
@@ -61,7 +61,7 @@ def _picture(tex: str, scale: float = _INLINE) -> str:
 
 
 def _plain(tex: str) -> str:
-    """Return a formula in the signs that matplotlib knows, every argument in braces."""
+    """Return a formula in the signs of matplotlib, every argument in braces."""
     tokens = [_RENAMED.get(one[1:]) if one[0] == "\\" and one[1:] in _RENAMED else one for one in _TOKEN.findall(tex)]
     tokens = [f"\\{one}" if one in _RENAMED.values() and one else one or "" for one in tokens]
     return "".join(_braced(list(filter(None, tokens))))

@@ -1,4 +1,4 @@
-"""What stands before the server: requests that are too long, uploads that are too large, callers from other pages."""
+"""Refuse requests that are too long, uploads that are too large, and callers from other pages."""
 
 from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
@@ -12,7 +12,7 @@ Scope = MutableMapping[str, Any]
 
 
 class Guard:
-    """An ASGI application before another. names: host names under which the server may be called; None for any."""
+    """Stand before an ASGI application. names: host names under which the server may be called; None for any."""
 
     def __init__(
         self, app: Callable[..., Awaitable[None]], names: frozenset[str] | None = None, visitors: Callable[[], int] = int
@@ -35,7 +35,7 @@ class Guard:
             await send({"type": "http.response.body", "body": body})
 
     def _refusal(self, scope: Scope) -> tuple[int, str]:
-        """The status and the sentence with which a request is refused; no sentence for one that is let through."""
+        """Return the status and the sentence with which a request is refused, "" for one that passes."""
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
         if self._names is not None and urlsplit(f"//{host}").hostname not in self._names:  # without its port
@@ -49,12 +49,12 @@ class Guard:
         if scope["type"] == "http" and scope["method"] in ("POST", "PUT", "PATCH"):
             length = heads.get(b"content-length", "")
             if not length.isdigit():
-                return 411, "Refused: an upload has to say its length."
+                return 411, "Refused: an upload must state its length."
             if int(length) > LARGEST_UPLOAD:
                 return 413, f"Refused: an upload has {LARGEST_UPLOAD} bytes at most; stiction surface reads larger scans."
         return 200, ""
 
 
 def names_for(host: str) -> frozenset[str] | None:
-    """The names under which a server that is bound to this host is called: of this machine only, or any."""
+    """Return the names under which a server bound to this host may be called: those of this machine, or None for any."""
     return _LOOPBACK if host in _LOOPBACK else None

@@ -1,6 +1,6 @@
-"""Fields of numbers in the form: a name, a text and a slider; and the field of the working load."""
+"""Add the fields of numbers to the form: a name, a text and a slider; and the field of the working load."""
 
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from nicegui import ui
@@ -10,9 +10,9 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.report.html_words import letters
-from stiction.web.drawn import attributes
+from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import NOT_STATED, Knob, Number, as_written, got
+from stiction.web.fields import NOT_STATED, Number, as_written, got
 
 # What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
 _LABELS = {
@@ -24,95 +24,88 @@ _ROUND_LOAD = 10.0  # ratio of the ends of a range to the load that is set
 _LOAD = Number(("solve", "load"), QUANTITIES["load"], True)
 
 
-def draw_line(one: Number, written: str, value: float | None, otherwise: str = "") -> tuple[ui.input, Any, Any]:
-    """Add a name, a text and, where there is a value, a slider; return text, slider and knob."""
+def draw_line(
+    number: Number,
+    written: str,
+    value: float | None,
+    typed: Callable[[str], Awaitable[None]],
+    moved: Callable[[float], Awaitable[None]],
+    otherwise: str = "",
+) -> tuple[ui.input, Any, Any]:
+    """Add a name, a text and, where there is a value, a slider; return text, slider and knob.
+
+    typed: takes the text. moved: takes the value of the slider. otherwise: stands where the text is empty.
+    """
     with ui.element("div").classes("number"):
-        attributes(ui.label(label_of(one.path)).classes("text-xs one-line").props("aria-hidden=true"), title=one.help)
-        text = ui.input(value=written, placeholder=otherwise or ("" if one.required else NOT_STATED))
-        attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=one.label, title=one.help)
+        attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
+        text = ui.input(value=written, placeholder=otherwise or ("" if number.required else NOT_STATED))
+        attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=number.label, title=number.help)
+        text.on_value_change(lambda event: typed(str(event.value or "").strip()))
         if value is None:
             return text, None, None
-        knob = one.knob(value)
+        knob = number.knob(value)
         slider = ui.slider(min=knob.low, max=knob.high, step=knob.step, value=knob.place(value)).props("dense")
-        attributes(slider, aria_label=f"{one.label}, slider", aria_valuetext=one.text(value))
+        attributes(slider, aria_label=f"{number.label}, slider", aria_valuetext=number.text(value))
+        slider.on("update:model-value", lambda event: moved(knob.value(float(event.args))), throttle=0.05, leading_events=True)
     return text, slider, knob
 
 
-def draw_number(explorer: Explorer, one: Number, otherwise: str = "") -> ui.input:
-    """Add the text of a number and, where it holds one, a slider; return the text. An uncertain number keeps its error.
+def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.input:
+    """Add the text of a number and, where it has a value, a slider; return the text. An uncertain number keeps its error."""
 
-    otherwise: the number that holds where the text is empty.
-    """
-    given = got(explorer.question.tables, one.path)
-    value = one.si(given if given is not None else otherwise or None)
-    text, slider, knob = draw_line(one, as_written(given), value, otherwise)
-    if with_error(given):
-        text.classes("uncertain")
+    def given() -> Any:
+        return got(explorer.query.tables, number.path)
 
-    async def typed(_: Any) -> None:
-        wanted = str(text.value or "").strip()
-        if wanted != as_written(got(explorer.question.tables, one.path)):  # else it was the slider that wrote it
-            await explorer.put(one.path, one.written(wanted) if wanted else None)
+    async def typed(wanted: str) -> None:
+        if wanted != as_written(given()):  # else it was the slider that wrote it
+            await explorer.put(number.path, number.written(wanted) if wanted else None)
 
-    text.on_value_change(typed)
-    if slider is None:
-        return text
-
-    async def moved(event: Any) -> None:
-        at = knob.value(float(event.args))
-        attributes(slider, aria_valuetext=one.text(at))
-        new = one.moved(got(explorer.question.tables, one.path), at)
-        put = explorer.put(one.path, new)
+    async def moved(value: float) -> None:
+        attributes(slider, aria_valuetext=number.text(value))
+        new = number.moved(given(), value)
+        put = explorer.put(number.path, new)
         text.set_value(as_written(new))
         await put
 
-    slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
-    return text
+    value = number.si(given() if given() is not None else otherwise or None)
+    text, slider, _ = draw_line(number, as_written(given()), value, typed, moved, otherwise)
+    return text.classes("uncertain") if with_error(given()) else text
 
 
-class LoadField:
-    """The working load; where separations are given, it follows from them until it is stated."""
+def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callable[[], None]:
+    """Add the field of the working load, with its text to the inputs that show errors.
 
-    def __init__(self, explorer: Explorer, inputs: dict[tuple[str, ...], Any]):
-        """Draw the field; its text joins the inputs that show errors."""
-        self._explorer = explorer
-        self._drawn: tuple[Any, Any, Knob] | None = None
-        load = self._explorer.load
-        if not load > 0.0:
-            ui.label("no load presses: see the points of the curve").classes("text-sm")
+    Returns a function that shows the load of the newest answer, which follows from separations where these are given.
+    """
+    if not explorer.load > 0.0:
+        ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
+        return lambda: None
+
+    async def put(value: float) -> None:
+        if value > 0.0 and _LOAD.text(value) != _LOAD.text(explorer.load):
+            await explorer.ask(_at_load(explorer.query.tables, explorer.load, value))
+
+    async def typed(wanted: str) -> None:
+        try:
+            value = float(to_si(wanted, "load"))
+        except InputError as error:
+            text.error = str(error)
             return
-        text, slider, knob = draw_line(_LOAD, _LOAD.text(load), load)
-        inputs[_LOAD.path] = text
+        text.error = None if value > 0.0 else "load: must be above 0 N"
+        await put(value)
 
-        async def put(value: float) -> None:
-            if value > 0.0 and _LOAD.text(value) != _LOAD.text(self._explorer.load):
-                await self._explorer.ask(_at_load(self._explorer.question.tables, self._explorer.load, value))
-
-        async def typed(_: Any) -> None:
-            try:
-                value = float(to_si(str(text.value or ""), "load"))
-                text.error = None if value > 0.0 else "above 0 N"
-            except InputError as error:
-                text.error = str(error)
-                return
-            await put(value)
-
-        async def moved(event: Any) -> None:
-            await put(float(f"{knob.value(float(event.args)):.3g}"))
-
-        text.on_value_change(typed)
-        slider.on("update:model-value", moved, throttle=0.05, leading_events=True)
-        self._drawn = text, slider, knob
-
-    def follow(self) -> None:
-        """Show the load that follows from the case."""
-        load = self._explorer.load
-        if self._drawn is not None and load > 0.0:
-            text, slider, knob = self._drawn
-            if _LOAD.si(text.value) is None or _LOAD.text(load) != _LOAD.text(_LOAD.si(text.value) or 0.0):
+    def follow() -> None:
+        load, typed_load = explorer.load, _LOAD.si(text.value)
+        if load > 0.0:
+            if typed_load is None or _LOAD.text(load) != _LOAD.text(typed_load):
                 text.set_value(_LOAD.text(load))
                 slider.set_value(knob.place(load))
             attributes(slider, aria_valuetext=_LOAD.text(load))
+
+    load = explorer.load
+    text, slider, knob = draw_line(_LOAD, _LOAD.text(load), load, typed, lambda value: put(float(f"{value:.3g}")))
+    inputs[_LOAD.path] = text
+    return follow
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
@@ -129,7 +122,7 @@ def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str,
 
 
 def label_of(path: tuple[str, ...]) -> str:
-    """Return what a field is called beside it."""
+    """Return the label of a field."""
     name = path[-1]
     if name in _LABELS or name not in QUANTITIES:
         return _LABELS.get(name, name)

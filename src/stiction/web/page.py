@@ -1,4 +1,4 @@
-"""The page: its frame, its tabs, its address."""
+"""Build the page: its frame, its tabs, its address."""
 
 from collections.abc import Callable
 from typing import Any
@@ -8,17 +8,17 @@ from nicegui import context, ui
 from stiction.quantities.errors import InputError
 from stiction.web.address import packed, unpacked
 from stiction.web.answer_card import AnswerCard
-from stiction.web.asked import Query, solved
 from stiction.web.asperity_tab import AsperityTab
+from stiction.web.background import run
 from stiction.web.compare_tab import CompareTab
 from stiction.web.contact_tab import ContactTab
 from stiction.web.explorer import Explorer
 from stiction.web.form import Form
 from stiction.web.place_tab import PlaceTab
+from stiction.web.query import Answer, Query, solved
 from stiction.web.share_tab import ShareTab
 from stiction.web.studies_tab import StudiesTab
 from stiction.web.surface_tab import SurfaceTab
-from stiction.web.working import run
 
 _STYLE = """
 .w-full { width: 100% } .w-28 { width: 7rem } .w-32 { width: 8rem } .w-48 { width: 12rem } .w-56 { width: 14rem }
@@ -91,25 +91,23 @@ TABS: dict[str, Callable[[Explorer], Any]] = {
 }
 
 
-async def make_page(question: Query, state: str) -> None:
-    """Build the page of one visitor. question: the case that is served; state: what the address holds, "" for nothing."""
-    wrong = None
-    asked = question
-    if state:
-        try:
-            asked = question.with_tables(unpacked(state))
-        except InputError as error:
-            wrong = error
-    answer = await run(solved, asked)
-    if answer.error is not None:
-        wrong, answer = answer.error, await run(solved, question)
-    if answer.error is not None:
-        ui.label(str(answer.error)).props('role="alert"')
-        return
-    _frame(Explorer(answer.question, answer), wrong)
+async def make_page(query: Query, state: str) -> None:
+    """Build the page of one visitor. query: the case that is served; state: the one in the address, "" for none."""
+    answer, error = await run(_first_answer, query, state)
+    _frame(Explorer(answer.query, answer), error)
 
 
-def _frame(explorer: Explorer, wrong: InputError | None) -> None:
+def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
+    """Return the answer of the case in the address, else of the case that is served, and why the address was not used."""
+    if not state:
+        return solved(query), None
+    try:
+        return solved(query.with_tables(unpacked(state))), None
+    except InputError as error:
+        return solved(query), error
+
+
+def _frame(explorer: Explorer, error: InputError | None) -> None:
     ui.add_css(_STYLE)
     ui.colors(primary="#1565C0")  # dark enough for white letters
     dark = ui.dark_mode(None)
@@ -123,10 +121,10 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         ui.label("stiction").classes("text-lg font-bold").props('role="heading" aria-level="1"')
         number = ui.label().classes("font-bold one-line answer").style("flex: none; max-width: 50%")
         title = ui.label().classes("grow text-sm one-line")
-        ui.label("Computing: the numbers shown are of the case before.").classes("text-sm one-line pending")
+        ui.label("Computing: the numbers are of the case before.").classes("text-sm one-line pending")
         ui.button(icon="contrast", on_click=switch).props('flat dense color="white" aria-label="light or dark"')
-    if wrong is not None:
-        ui.label(f"The address was not used: {wrong}").classes("text-negative").props('role="alert"')
+    if error is not None:
+        ui.label(f"The address was not used: {error}").classes("text-negative").props('role="alert"')
     with ui.element("div").classes("frame"):
         with ui.column().classes("gap-1 knobs").props('role="form" aria-label="the case"'):
             Form(explorer)
@@ -138,25 +136,25 @@ def _frame(explorer: Explorer, wrong: InputError | None) -> None:
         ui.query("body").classes(**{"add" if explorer.waits else "remove": "waiting"})
 
     def show() -> None:
-        title.set_text(str(explorer.good.question.tables.get("title", "")))
+        title.set_text(str(explorer.answer.query.tables.get("title", "")))
         number.set_text(explorer.headline[0])
 
     def moved() -> None:
         show()
         mark()
-        ui.navigate.history.replace(f"/?s={packed(explorer.question.tables)}")
+        ui.navigate.history.replace(f"/?s={packed(explorer.query.tables)}")
 
     async def see() -> None:
-        """Ask the browser whether the page is dark and how wide it is: charts and pictures need to know."""
+        """Ask the browser whether the page is dark and how wide it is: charts and pictures depend on it."""
         try:
             found = await ui.run_javascript("[document.body.classList.contains('body--dark'), window.innerWidth]", timeout=5.0)
         except TimeoutError:
-            return  # who does not answer sees light charts
+            return  # a browser that does not answer shows light charts
         explorer.view.dark, explorer.view.narrow = bool(found[0]), float(found[1]) <= _NARROW
         explorer.redraw()
 
     explorer.listen(moved)
-    explorer.place = context.client
+    explorer.client = context.client
     explorer.on_wait = mark
     show()
     context.client.on_delete(explorer.close)

@@ -1,4 +1,4 @@
-"""The tab Share: the address of this page, and files of it, made by the same functions as those of the command line."""
+"""The tab Share: the address of this page, and files made by the same functions as those of the command line."""
 
 import tempfile
 from pathlib import Path
@@ -9,33 +9,27 @@ from nicegui import ui
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 from stiction.report.view import View
+from stiction.report.views.prediction import prediction_view
+from stiction.report.views.run import run_view
 from stiction.web.address import files_named
-from stiction.web.asked import Answer
-from stiction.web.drawn import attributes
+from stiction.web.background import Progress, run
+from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.studying import Study
-from stiction.web.working import Progress, run
+from stiction.web.query import Answer
+from stiction.web.study_button import Study
 
-# Names of the files.
 KINDS = ("case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png")
 
 
 def _view(answer: Answer) -> View:
-    """Return what `stiction run` shows of the case."""
-    assert answer.case is not None and answer.data is not None
-    if answer.prediction is not None:
-        from stiction.report.views.prediction import prediction_view
-
-        return prediction_view(answer.case, answer.data, "case.toml")
-    from stiction.report.views.run import run_view
-
-    return run_view(answer.case, answer.data)
+    """Return the view that `stiction run` shows of the case."""
+    return prediction_view(answer.case, answer.data, KINDS[0]) if answer.is_prediction else run_view(answer.case, answer.data)
 
 
 def content(answer: Answer, name: str) -> bytes:
-    """One of KINDS, as bytes."""
+    """Return one of KINDS as bytes."""
     if name == "case.toml":
-        return as_toml(answer.question.tables).encode()
+        return as_toml(answer.query.tables).encode()
     with tempfile.TemporaryDirectory(prefix="stiction-") as folder:
         path = Path(folder) / name
         _view(answer).writers()[name.replace(".svg", ".png")](path)
@@ -43,32 +37,30 @@ def content(answer: Answer, name: str) -> bytes:
 
 
 def report_of(answer: Answer, progress: Progress) -> bytes:
-    """The page of `stiction report`, which takes as long as a study. Raises InputError, and KeyboardInterrupt where it is
-    stopped."""
+    """Return the page of `stiction report`. Raises InputError, and KeyboardInterrupt where it is stopped."""
     from stiction.report.html_report import case_as_html
 
-    assert answer.case is not None
-    return case_as_html(answer.case, as_toml(answer.question.tables), progress=progress).encode()
+    return case_as_html(answer.case, as_toml(answer.query.tables), progress=progress).encode()
 
 
 class ShareTab:
-    """The case as text, as an address and as files."""
+    """Show the case as text, as an address and as files."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
-        ui.label("The address of this page holds the whole case: copied and pasted, it opens the same page on any machine "
-                 "that runs stiction serve.").classes("text-sm")  # fmt: skip
+        ui.label("The address of this page holds the case: it opens the same page on any machine that runs "
+                 "stiction serve.").classes("text-sm")  # fmt: skip
         self._files = ui.label().classes("text-sm text-negative")
         with ui.row().classes("gap-2"):
             for name in KINDS:
                 button = ui.button(name, on_click=lambda event, name=name: self._download(name, event.sender)).props("no-caps")
                 attributes(button, aria_label=f"download {name}")
-        ui.label("The report: answer, inputs with their sources, pictures, all models, validity, on one page to print or send. "
+        ui.label("The report holds the answer, inputs with sources, pictures, all models and validity on one page. "
                  "On the command line: stiction report case.toml").classes("text-sm")  # fmt: skip
         Study(
             explorer,
             "Make the report",
-            lambda progress: report_of(explorer.good, progress),
+            lambda progress: report_of(explorer.answer, progress),
             lambda page: ui.download.content(page, "report.html"),
             "report.html is downloaded",
         )
@@ -82,7 +74,7 @@ class ShareTab:
     async def _download(self, name: str, button: Any) -> None:
         attributes(button, loading=True)
         try:
-            data = await run(content, self._explorer.good, name)
+            data = await run(content, self._explorer.answer, name)
         except InputError as error:
             ui.notify(f"{name}: {error}", type="negative")
             return
@@ -91,7 +83,7 @@ class ShareTab:
         ui.download.content(data, name)
 
     def show(self) -> None:
-        """The newest case."""
-        self._text.set_content(as_toml(self._explorer.good.question.tables))
-        files = ", ".join(files_named(self._explorer.question.tables))
+        """Show the newest case."""
+        self._text.set_content(as_toml(self._explorer.answer.query.tables))
+        files = ", ".join(files_named(self._explorer.query.tables))
         self._files.set_text(f"Not in the address: {files}. Who opens it has to have these files." if files else "")

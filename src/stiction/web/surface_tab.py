@@ -1,6 +1,7 @@
-"""The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and what all that does to friction."""
+"""The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and friction with it."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,11 +14,12 @@ from stiction.quantities.units import show
 from stiction.studies.scans.analysis import Analysis
 from stiction.surfaces.finding import methods
 from stiction.surfaces.spectrum import BinnedSpectrum
-from stiction.web.drawn import Picture, Rows, attributes, upload_button
+from stiction.web.background import Latest, Progress, run
+from stiction.web.elements import Picture, Rows, attributes, upload_button
 from stiction.web.explorer import Explorer
 from stiction.web.guard import LARGEST_UPLOAD
 from stiction.web.pictures import show_drawing
-from stiction.web.studying import Study
+from stiction.web.study_button import Study
 from stiction.web.surface_work import (
     Band,
     Scan,
@@ -32,25 +34,22 @@ from stiction.web.surface_work import (
     spectrum_of,
     wavevectors,
 )
-from stiction.web.working import Latest, Progress, run
 
 _FORMS = {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}
-_NO_METHOD = ""
 _STEP = 0.005  # of the decimal logarithm of a wavevector
 
 
 class SurfaceTab:
-    """One scan of one visitor. While a cutoff is moved spectrum and friction follow; pictures when it is let go."""
+    """Show one scan of one visitor; spectrum and friction follow a cutoff while it moves, pictures when it is released."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._scan: Scan | None = None
-        self._found: tuple[Analysis, str] | None = None  # what the pictures show, and the heights of its asperities
         self._source()
-        self._said = ui.label().props('role="status" aria-live="polite"')
-        self._spectra = Latest(spectrum_of, self._show_spectrum, self._said.set_text)
+        self._history = ui.label().props('role="status" aria-live="polite"')
+        self._spectra = Latest(spectrum_of, self._show_spectrum, self._refuse)
         self._friction = Latest(friction_with, lambda html: self._mu.set_content(html))
-        self._pictures = Latest(pictures_of, self._show_pictures, self._said.set_text)
+        self._pictures = Latest(pictures_of, self._show_pictures, self._refuse)
         self._body = ui.column().classes("w-full gap-2")
         with self._body:
             ui.label("With this surface as the first body").classes("text-lg")
@@ -62,8 +61,8 @@ class SurfaceTab:
             self._failures = Rows(ui.column(), lambda why: ui.label(why).classes("text-sm"))
             self._solid = ui.echart({}, enable_3d=True).classes("w-full").style("height: 380px")
             self._solid.props('role="img" aria-label="map of the heights in three dimensions"')
-            label = "Resolution: how asperities and mu hang on the shortest wave"
-            Study(explorer, label, self._resolution, lambda source: self._resolved.show([source]))
+            label = "Resolution: asperities and mu against the shortest wave"
+            Study(explorer, label, self._resolution, lambda drawing: self._resolved.show([drawing]))
             self._resolved = Rows(ui.column().classes("w-full"), show_drawing)
         self._body.set_visibility(False)
         explorer.listen(lambda: ui.timer(0.0, self._ask, once=True))  # with the case friction with this surface changes
@@ -71,11 +70,11 @@ class SurfaceTab:
     def _source(self) -> None:
         with ui.row().classes("items-end gap-2"):
             fields = {"size": "size along x, e.g. 40 um", "unit": "unit of the numbers", "height_unit": "unit of the heights"}
-            given = {name: ui.input(label).props("dense outlined").classes("w-48") for name, label in fields.items()}
-        ui.label("Only for files that do not say it themselves, such as numbers in rows.").classes("text-sm")
+            inputs = {name: ui.input(label).props("dense outlined").classes("w-48") for name, label in fields.items()}
+        ui.label("Needed only for files that do not state it, such as tables of numbers.").classes("text-sm")
 
         async def uploaded(path: str, name: str) -> None:
-            texts = {field: str(one.value or "").strip() for field, one in given.items()}
+            texts = {field: str(text.value or "").strip() for field, text in inputs.items()}
             await self._read(path, {field: text for field, text in texts.items() if text}, name)
 
         async def example() -> None:
@@ -83,113 +82,111 @@ class SurfaceTab:
             await self._read(path, example_scan(Path(path)), "the example")
 
         with ui.row().classes("items-center gap-2"):
-            upload_button(self._explorer, "Upload a scan", uploaded, lambda why: self._said.set_text(why), LARGEST_UPLOAD)
+            upload_button(self._explorer, "Upload a scan", uploaded, lambda why: self._history.set_text(why), LARGEST_UPLOAD)
             ui.button("Make an example", on_click=example).props("no-caps outline")
+
+    def _refuse(self, error: InputError) -> None:
+        self._history.set_text(str(error))
 
     def _options(self) -> None:
         with ui.row().classes("items-center gap-3"):
-            self._form = ui.select(_FORMS, value=1, label="form taken off", on_change=self._let_go)
+            self._form = ui.select(_FORMS, value=1, label="form taken off", on_change=self._released)
             self._form.classes("w-32").props("dense outlined")
-            labels = {_NO_METHOD: "none"} | {key: one.label for key, one in methods().items()}
+            labels = {"": "none"} | {key: method.label for key, method in methods().items()}
             self._method = ui.select(labels, value="eight_neighbour", label="asperities on the map", on_change=self._marked)
             self._method.classes("w-56").props("dense outlined")
             use = "use it in the case, as the first body"
-            self._used = attributes(ui.switch(use, on_change=self._let_go), aria_label=use)
+            self._used = attributes(ui.switch(use, on_change=self._released), aria_label=use)
 
     def _handle(self, name: str) -> tuple[Any, Any]:
-        """Add a handle under the spectrum, at its wavevector, so that the picture is its scale."""
+        """Add a handle under the spectrum, at its wavevector, so that the chart is its scale."""
         label = ui.label().classes("text-sm")
         slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0).classes("under-chart")
         attributes(slider, aria_label=f"{name} wave that is kept, by the logarithm of its wavevector")
         slider.on("update:model-value", self._ask, throttle=0.1)
-        slider.on("change", self._let_go)
+        slider.on("change", self._released)
         return slider, label
 
-    async def _read(self, path: str, told: dict[str, str], name: str) -> None:
+    async def _read(self, path: str, stated: Mapping[str, str], name: str) -> None:
         try:
-            surface = replace(await run(read_bounded, Path(path), told), name=name)
-            whole = await run(spectrum_of, surface, Band(int(self._form.value)))
+            surface = replace(await run(read_bounded, Path(path), stated), name=name)
+            self._whole = await run(spectrum_of, surface, Band(int(self._form.value)))
         except InputError as error:
             # Before the line is made, which shortens long paths. An archive is named without its folder.
             value, allowed = (
-                one and str(one).replace(path, name).replace(Path(path).name, name) for one in (error.value, error.allowed)
+                text and str(text).replace(path, name).replace(Path(path).name, name) for text in (error.value, error.allowed)
             )
-            self._said.set_text(str(InputError(error.field, value, allowed)))
+            self._history.set_text(str(InputError(error.field, value, allowed)))
             return
-        self._scan, self._whole = Scan(surface, path, told), whole
+        self._scan = Scan(surface, path, stated)
         low, high = self._limits = tuple(map(math.log10, wavevectors(surface)))
         for (slider, _), place in zip(self._ends.values(), self._limits, strict=True):
             attributes(slider, min=low, max=high)
             slider.set_value(place)
         self._body.set_visibility(True)
-        self._said.set_text("; ".join(surface.history))
-        await self._let_go()
+        await self._released()
 
-    def _wanted(self) -> Band:
-        """The band of the handles; at the end of the spectrum there is no cutoff."""
-        found: dict[str, float | None] = {}
+    def _band(self) -> Band:
+        """Return the band between the handles; at the end of the spectrum there is no cutoff."""
+        lengths: dict[str, float | None] = {}
         for (name, (slider, label)), end in zip(self._ends.items(), self._limits, strict=True):
             place = float(slider.value)
             length = None if abs(place - end) < 1.1 * _STEP else 2.0 * math.pi / 10.0**place
-            said = "as it is" if length is None else show(length, "scan_size", 3)
-            label.set_text(f"{name} wave that is kept: {said}")
-            attributes(slider, aria_valuetext=said)
-            found[name] = length
-        return Band(int(self._form.value), **found)
+            text = "no cutoff" if length is None else show(length, "scan_size", 3)
+            label.set_text(f"{name} wave that is kept: {text}")
+            attributes(slider, aria_valuetext=text)
+            lengths[name] = length
+        return Band(int(self._form.value), **lengths)
 
     async def _ask(self) -> None:
-        """Spectrum and friction of the band: each of the newest, as the handles may have moved while the other was asked."""
+        """Ask for spectrum and friction, each of the newest band, as handles may move in between."""
         if self._scan is None:
             return
         explorer = self._explorer
-        await self._spectra.ask(self._scan.surface, self._wanted())
+        await self._spectra.ask(self._scan.surface, self._band())
         if explorer.load > 0.0:
-            question = explorer.question.with_tables(explorer.good.question.tables)
-            await self._friction.ask(question, self._scan, self._wanted(), explorer.load)
+            query = explorer.query.with_tables(explorer.answer.query.tables)
+            await self._friction.ask(query, self._scan, self._band(), explorer.load)
         else:
             self._mu.set_content("Friction needs a load above 0: choose another point in the tab Contact.")
 
-    async def _let_go(self) -> None:
-        """Everything of the band; and the case, where the scan is in it."""
+    async def _released(self) -> None:
+        """Ask for everything of the band; change the case, where the scan is in it."""
         if self._scan is None:
             return
         await self._ask()
-        if self._used.value and "contact" in self._explorer.question.tables:
-            await self._explorer.put(("contact", "roughness"), self._scan.roughness(self._wanted()))
+        if self._used.value and "contact" in self._explorer.query.tables:
+            await self._explorer.put(("contact", "roughness"), self._scan.roughness(self._band()))
             self._explorer.rebuild()
-        await self._pictures.ask(self._scan.surface, self._wanted(), self._method.value, self._explorer.view.narrow)
+        await self._pictures.ask(self._scan.surface, self._band(), self._method.value, self._explorer.view.narrow)
 
-    def _show_spectrum(self, found: BinnedSpectrum) -> None:
+    def _show_spectrum(self, kept: BinnedSpectrum) -> None:
         assert self._scan is not None
         surface = self._scan.surface
-        self._said.set_text("; ".join(surface.history))
-        dark = self._explorer.view.dark
-        self._spectrum.show(spectrum_chart(self._whole, found, self._wanted(), wavevectors(surface), dark))
+        self._history.set_text("; ".join(surface.history))
+        self._spectrum.show(spectrum_chart(self._whole, kept, self._band(), wavevectors(surface), self._explorer.view.dark))
 
     def _show_pictures(self, found: tuple[Analysis, str, str]) -> None:
-        analysis, heights, of_map = found
-        self._found = analysis, heights
-        self._show_images(of_map)
-        self._failures.show([f"{methods()[method].label}: {why}" for method, why in analysis.failures.items()])
-        self._solid.set_visibility(not analysis.surface.is_profile)
-        if not analysis.surface.is_profile:
+        self._analysis, self._heights, of_map = found
+        self._images.show([of_map, self._heights])
+        self._failures.show([f"{methods()[method].label}: {why}" for method, why in self._analysis.failures.items()])
+        surface = self._analysis.surface
+        self._solid.set_visibility(not surface.is_profile)
+        if not surface.is_profile:
             self._solid.options.clear()
-            self._solid.options.update(solid_chart(analysis.surface, self._explorer.view.dark))
+            self._solid.options.update(solid_chart(surface, self._explorer.view.dark))
             self._solid.update()
 
-    def _show_images(self, of_map: str) -> None:
-        assert self._found is not None
-        self._images.show([of_map, self._found[1]])
-
     async def _marked(self) -> None:
-        """The same map with the asperities of another method."""
-        if self._found is not None:
-            self._show_images(await run(map_picture, self._found[0], self._method.value, self._explorer.view.narrow))
+        """Draw the same map with the asperities of another method."""
+        if self._body.visible:
+            of_map = await run(map_picture, self._analysis, self._method.value, self._explorer.view.narrow)
+            self._images.show([of_map, self._heights])
 
     def _resolution(self, progress: Progress) -> str:
         assert self._scan is not None
-        case, load = self._explorer.good.case, self._explorer.load
-        pressed = load > 0.0 and case is not None and isinstance(case.subject, Contact) and not case.is_several
+        case, load = self._explorer.answer.case, self._explorer.load
         surface = Band(int(self._form.value)).of(self._scan.surface)
-        subject: Any = case.subject if pressed and case is not None else None
+        pressed = load > 0.0 and isinstance(case.subject, Contact) and not case.is_several
+        subject: Any = case.subject if pressed else None
         return resolution_picture(surface, subject, load, progress, self._explorer.view.narrow)

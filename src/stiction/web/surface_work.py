@@ -1,4 +1,4 @@
-"""What the tab Surface asks and draws: a scan in a band of waves, its spectrum, and friction with it. No browser."""
+"""Analyse and draw a scan for the tab Surface: a band of its waves, its spectrum, and friction with it."""
 
 import math
 from collections.abc import Mapping
@@ -25,11 +25,11 @@ from stiction.surfaces.read import read_scan
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
 from stiction.surfaces.targets import SelfAffine
 from stiction.web.answer_card import card_on_page
-from stiction.web.asked import Query, headline, solved
+from stiction.web.background import Progress
 from stiction.web.charts import INK, SHADES, chart, line
 from stiction.web.fields import placed
 from stiction.web.pictures import drawing_of
-from stiction.web.working import Progress
+from stiction.web.query import Query, headline, solved
 
 _HEIGHTS = "heights of the asperities by each method"
 _MOST_POINTS = 1_500_000  # of a scan on the page
@@ -37,7 +37,7 @@ _MOST_POINTS = 1_500_000  # of a scan on the page
 
 @dataclass(frozen=True)
 class Band:
-    """Order of the form that is taken off, and wavelengths [m] between which heights are kept, None for no end."""
+    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept, None for no cutoff."""
 
     form: int = 1
     shortest: float | None = None
@@ -50,21 +50,21 @@ class Band:
 
 @dataclass(frozen=True)
 class Scan:
-    """A scan of a visitor: its heights, the file in which they are, and what else was told of it."""
+    """Hold a scan of a visitor: its heights, its file, and what was stated of it, as in a case file."""
 
     surface: HeightMap
     file: str
-    told: Mapping[str, str]
+    stated: Mapping[str, str]
 
     def roughness(self, band: Band) -> dict[str, Any]:
-        """The table of a case that has it as the first body."""
+        """Return the table [contact.roughness] of a case with the scan as the first body."""
         ends = {name: f"{value:.10g} m" for name, value in (("shortest", band.shortest), ("longest", band.longest)) if value}
-        return {"first": {"file": self.file, **self.told}, "form": band.form, **ends}
+        return {"first": {"file": self.file, **self.stated}, "form": band.form, **ends}
 
 
-def read_bounded(path: Path, told: Mapping[str, str]) -> HeightMap:
-    """A scan of a size for a page. Raises InputError."""
-    surface = read_scan(path, **told)  # type: ignore[arg-type]  # texts
+def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
+    """Read a scan. Raises InputError, also for one that is too large for a page."""
+    surface = read_scan(path, **stated)  # type: ignore[arg-type]  # texts
     if surface.heights.size > _MOST_POINTS:
         raise InputError(
             "scan", f"{surface.heights.size} points", f"{_MOST_POINTS} at most on a page; `stiction surface` takes more"
@@ -73,48 +73,46 @@ def read_bounded(path: Path, told: Mapping[str, str]) -> HeightMap:
 
 
 def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
-    """The averaged spectrum of a scan in a band, its gaps filled. Raises InputError."""
+    """Return the radially averaged spectrum of a scan in a band, its gaps filled. Raises InputError."""
     inside = band.of(surface)
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
-def friction_with(question: Query, scan: Scan, band: Band, load: float) -> str:
+def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
     """Predict friction at a load [N], with the scan in a band as the first body of the case; return HTML."""
-    if "contact" not in question.tables:
+    if "contact" not in query.tables:
         return "Friction with this surface needs a case in units: choose an example."
-    tables = placed(question.tables, ("contact", "roughness"), scan.roughness(band))
-    answer = solved(question.with_tables(tables).at_load(f"{load!r} N"))
-    if answer.error is not None:
-        return escape(str(answer.error).replace(scan.file, Path(scan.file).name))
-    if answer.prediction is not None:
-        return card_on_page(answer.prediction).html(why=False)
-    return escape(", ".join(headline(answer, 0)))
+    tables = placed(query.tables, ("contact", "roughness"), scan.roughness(band))
+    try:
+        answer = solved(query.with_tables(tables).at_load(f"{load!r} N"))
+    except InputError as error:
+        return escape(str(error).replace(scan.file, Path(scan.file).name))
+    return card_on_page(answer.data).html(why=False) if answer.is_prediction else escape(", ".join(headline(answer, 0)))
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
-    """What is found in a scan in a band, the heights of its asperities, and its map with those of a method. Raises InputError.
-    narrow: for a narrow page."""
+    """Analyse a scan in a band; draw the heights of its asperities, and its map with those of a method. Raises InputError."""
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
     return found, heights, map_picture(found, method, narrow)
 
 
 def map_picture(found: Analysis, method: str, narrow: bool) -> str:
-    """The map, with the asperities of a method, "" for none."""
+    """Draw the map with the asperities of a method, "" for none."""
     named = methods().get(method)
     told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
     return drawing_of(map_figure(found.surface, found=found.asperities.get(method)), told, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
-    """Write a surface that was made, not measured, and say how it is read: self-affine, 256 points over 40 um."""
+    """Write a generated self-affine surface, 256 points over 40 um; return what has to be stated to read it."""
     made = gaussian_surface((256, 256), (40e-6, 40e-6), SelfAffine(0.8, 10e-6, 0.8e-6, 50e-9), 1)
     np.save(path, made.heights * 1e9)
     return {"size": "40 um", "unit": "nm"}
 
 
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
-    """Numbers of the asperities, and friction, against the shortest wave that is left: a picture. Raises InputError."""
+    """Draw numbers of the asperities, and friction, against the shortest wave. Raises InputError."""
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
     return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
@@ -126,14 +124,14 @@ _DECADES = 10  # of the spectrum; a filter leaves rounding below
 
 
 def wavevectors(surface: HeightMap) -> tuple[float, float]:
-    """Wavevectors [rad/m] of the longest and the shortest wave that a scan can have."""
+    """Return the wavevectors [rad/m] of the longest and the shortest wave that a scan can have."""
     return 2.0 * math.pi / max(surface.size), math.pi / surface.coarsest_pitch
 
 
 def spectrum_chart(
     whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
 ) -> dict[str, Any]:
-    """The spectrum as it was and of what is kept, between the ends [rad/m]; shaded where waves are taken out."""
+    """Draw the spectrum before and after the filter, between the ends [rad/m]; shaded where waves are removed."""
     top = math.ceil(math.log10(whole.density.max()))
     limits = [10.0 ** (top - _DECADES), 10.0**top]
     left_out = []
@@ -148,7 +146,7 @@ def spectrum_chart(
         "data": left_out,
     }
     series = []
-    for name, one, at in (("as measured", whole, 1), ("of the waves that are kept", kept, 0)):
+    for name, one, at in (("as measured", whole, 1), ("within the cutoffs", kept, 0)):
         seen = np.where(one.density > limits[0], one.density, np.nan)
         series.append(line(name, one.wavevector, seen, at, showSymbol=False, clip=True))
     series[1]["markArea"] = area
@@ -159,7 +157,7 @@ def spectrum_chart(
 
 
 def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
-    """The heights in three dimensions, of some of the points; the vertical is stretched."""
+    """Draw the heights of some points in three dimensions; the vertical is stretched."""
     rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
     heights = surface.heights[::rows, ::columns] * 1e9
     along_y, along_x = surface.pitch[0] * rows * 1e6, surface.pitch[1] * columns * 1e6

@@ -1,4 +1,4 @@
-"""Work beside the loop that talks to the browser: threads for what is quick, one for studies, and only the newest question."""
+"""Run work in threads, outside the loop that serves browsers, and only for the newest query."""
 
 import asyncio
 import ctypes
@@ -13,47 +13,53 @@ from stiction.quantities.errors import InputError
 
 _T = TypeVar("_T")
 LONGEST = 60.0  # seconds of a study
-# Nothing is shared between users but these threads. Two do the work of two cores; what waits is asked anew when it is its turn.
+# Users share only these threads. Two use both of two cores; a query that waits is replaced by a newer one.
 QUICK: Executor = ThreadPoolExecutor(2, thread_name_prefix="quick")
 STUDIES: Executor = ThreadPoolExecutor(1, thread_name_prefix="study")
 
 
 async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) -> _T:
-    """The result of some work, done in a thread."""
+    """Return the result of a function that runs in a thread."""
     return await asyncio.get_running_loop().run_in_executor(pool, partial(work, *arguments))
 
 
 class Latest(Generic[_T]):
-    """Asks for some work, one at a time: of questions that come while it is under way only the newest is asked.
+    """Call a function one query at a time; of queries that arrive meanwhile only the newest is answered.
 
-    work: what is done, in a thread; show: what is done with the result, in the loop; refuse: with why there is none.
+    work: runs in a thread. show: takes its result, in the loop. refuse: takes its InputError.
     """
 
-    def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[str], object] = print):
+    def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[InputError], object] = print):
         self._work, self._show, self._refuse = work, show, refuse
         self._waiting: tuple[Any, ...] | None = None
         self._running = False
 
+    @property
+    def is_waiting(self) -> bool:
+        """Return whether a newer query waits for its answer."""
+        return self._waiting is not None
+
     async def ask(self, *arguments: Any) -> None:
-        """Answer this question, or leave it to whoever answers one already."""
+        """Answer this query, or leave it to the call that answers one already."""
         self._waiting = arguments
         if self._running:
             return
         self._running = True
         try:
             while self._waiting is not None:
-                question, self._waiting = self._waiting, None
+                query, self._waiting = self._waiting, None
                 try:
-                    self._show(await run(self._work, *question))
+                    result = await run(self._work, *query)
                 except InputError as error:
-                    self._refuse(str(error))
+                    self._refuse(error)
+                else:
+                    self._show(result)
         finally:
             self._running = False
 
 
 class Progress:
-    """How far a study is, and how it is stopped: what the studies take as `progress` and as `tell`. After so many seconds it is
-    stopped by itself."""
+    """Report the progress of a study, and stop it when asked or after so many seconds."""
 
     def __init__(self, seconds: float = LONGEST) -> None:
         self._seconds = seconds
@@ -71,8 +77,10 @@ class Progress:
         self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
-        """The result of the work, in this thread, which is interrupted when it is to be stopped or has taken its time; that
-        begins here, and not while others have their turn."""
+        """Return the result of a function, run in this thread and interrupted when stopped or when its time is over.
+
+        The time begins here, not while other studies run. Raises KeyboardInterrupt.
+        """
         self._end = time.monotonic() + self._seconds
         late = threading.Timer(self._seconds, self._interrupt)
         late.daemon = True
@@ -81,15 +89,14 @@ class Progress:
                 self.check()
                 self._thread = threading.get_ident()
             late.start()
-            found = work(self)
+            return work(self)
         finally:
             late.cancel()
             with self._guard:  # an interrupt that was sent has arrived
                 self._thread = None
-        return found
 
     def _interrupt(self) -> None:
-        """KeyboardInterrupt in the thread of the work: a step of a study may take minutes, and others wait for their turn."""
+        """Raise KeyboardInterrupt in the thread of the work, as a step may take minutes while others wait."""
         with self._guard:
             if self._thread is not None:
                 self.too_long = time.monotonic() > self._end
@@ -97,25 +104,25 @@ class Progress:
                 self._thread = None
 
     def check(self) -> None:
-        """KeyboardInterrupt, as of a user at a terminal, where it is to be stopped."""
+        """Raise KeyboardInterrupt, as a user at a terminal does, where the study is to end."""
         self.too_long = time.monotonic() > self._end
         if self._stop.is_set() or self.too_long:
             raise KeyboardInterrupt
 
     def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
-        """A wrapper of a list of steps."""
+        """Return a wrapper of a list of steps."""
 
         def wrapped(steps: Iterable) -> Iterator:
             listed = list(steps)
-            for at, one in enumerate(listed):
+            for at, step in enumerate(listed):
                 self.check()
                 self.text, self.share = text, at / len(listed)
-                yield one
+                yield step
             self.share = 1.0
 
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Told how many designs were asked, and the best so far."""
+        """Take the number of designs that were tried, and the best of them in words."""
         self.check()
-        self.text, self.share = f"{count} designs asked: {text}", 0.0
+        self.text, self.share = f"{count} designs tried: {text}", 0.0

@@ -1,4 +1,4 @@
-"""Elements of the page that are drawn anew when what they show changes, and a button that takes a file."""
+"""Elements of the page that follow what they show, and a button that uploads a file."""
 
 from collections.abc import Awaitable, Callable
 from typing import Any
@@ -6,13 +6,15 @@ from typing import Any
 from nicegui import ui
 from nicegui.events import UploadEventArguments
 
+from stiction.web.chart_layout import NARROW, fitted
 from stiction.web.explorer import Explorer
-from stiction.web.fitting import NARROW, fitted
 
 
 def attributes(element: Any, **given: Any) -> Any:
-    """The element with these attributes, an underscore for a hyphen. As values, never as text to be parsed: they may hold what
-    a user wrote."""
+    """Set attributes of an element, an underscore for a hyphen; return the element.
+
+    They are set as values and never parsed, as they may hold text of a user.
+    """
     changed = {name.replace("_", "-"): value for name, value in given.items()}
     if any(element.props.get(name) != value for name, value in changed.items()):
         element.props.update(changed)
@@ -21,25 +23,28 @@ def attributes(element: Any, **given: Any) -> Any:
 
 
 class Rows:
-    """A place whose content is made anew where it has changed. add: makes the elements of one row."""
+    """Hold an element whose content is made anew when it changes; add makes the elements of one row."""
 
     def __init__(self, element: Any, add: Callable[[Any], object]):
-        self.element, self._add = element, add
+        self._element, self._add = element, add
         self._shown: list[Any] = []
 
     def show(self, rows: list[Any]) -> None:
         """Show these rows."""
         if rows != self._shown:
             self._shown = rows
-            self.element.clear()
-            with self.element:
+            self._element.clear()
+            with self._element:
                 for row in rows:
                     self._add(row)
 
 
 class Picture:
-    """A chart with a name for who does not see it; hidden while there is nothing to draw. height: as a style, "" where a class
-    says it; room: pixels that its legend has on a wide page."""
+    """Show a chart, hidden while there is nothing to draw.
+
+    name: for a visitor who does not see it. height: as a style, "" where a class has it. room: pixels for its legend on a
+    wide page.
+    """
 
     def __init__(self, name: str, height: str = "300px", room: int = NARROW):
         self.element = ui.echart({}).classes("w-full").style(f"height: {height}" if height else "")
@@ -60,25 +65,27 @@ class Picture:
 def upload_button(
     explorer: Explorer,
     label: str,
-    taken: Callable[[str, str], Awaitable[None]],
-    refused: Callable[[str], object],
+    uploaded: Callable[[str, str], Awaitable[None]],
+    refuse: Callable[[str], object],
     most: int,
 ) -> None:
-    """The button. taken(path, name): told where the file is kept and what it was called; refused: told why one is not
-    taken; most: bytes."""
+    """Add a button that uploads a file of at most so many bytes.
+
+    uploaded: takes the path of the file and its name on the machine of the visitor. refuse: takes a sentence.
+    """
 
     async def arrived(event: UploadEventArguments) -> None:
         path = explorer.upload(event.file.name, await event.file.read())
         # Another one may come, and may be on its way already: `reset` would end it.
         hidden.run_method("removeUploadedFiles")
-        await taken(path, event.file.name)
+        await uploaded(path, event.file.name)
 
     hidden = ui.upload(auto_upload=True, max_file_size=most, on_upload=arrived)
-    hidden.on_rejected(lambda: refused(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
+    hidden.on_rejected(lambda: refuse(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
 
     def failed() -> None:
         hidden.reset()  # else the library takes no other file
-        refused(f"{label}: the file did not arrive; try again")
+        refuse(f"{label}: the file did not arrive; try again")
 
     hidden.on("failed", failed)
     # Of the library's own box only what sends the file is used: it has parts without a name.

@@ -1,4 +1,4 @@
-"""Charts at the width of their place: what is smaller, fewer or elsewhere where a chart is as narrow as a telephone."""
+"""Fit charts to their width: margins, ticks and legends of a wide chart, and of one on a telephone."""
 
 import math
 from collections.abc import Mapping
@@ -12,8 +12,10 @@ _SCALE = 52  # pixels for the scale of colours below a narrow chart
 
 
 def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
-    """Options of a chart that fit it at every width, from those that `charts.chart` makes; room: pixels that its legend has
-    where it is not narrow. Others, of charts without axes in a plane, are as they were."""
+    """Return options of `charts.chart` that fit at every width; others, without axes in a plane, are returned unchanged.
+
+    room: pixels for the legend of a wide chart.
+    """
     if "grid" not in options:
         return dict(options)
     wide = _at_width(options, room, False)
@@ -23,8 +25,7 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 
 def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, Any]:
-    """Return what differs between a narrow chart and a wide one: each names all, so that a chart that is made wider or narrower
-    has nothing left of before."""
+    """Return the options that differ between a narrow chart and a wide one; each sets all, so that no old ones remain."""
     x, y, size = options["xAxis"], options["yAxis"], 11 if narrow else 12
     width, lines = _columns(options, room)
     beside = not (narrow and y["type"] == "category")  # else names stand above what is drawn in their row: there is room
@@ -54,8 +55,10 @@ def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, 
 
 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
-    """Pixels of each name of the legend, which all take as many as the longest, and how many lines they take in so much room.
-    A name that is longer than the room is broken."""
+    """Return pixels of each name of the legend, as many as the longest takes, and the lines that they take in so much room.
+
+    A name that is longer than the room is broken.
+    """
     names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
     wanted = [_LETTER * len(name) for name in names] or [0.0]
     width = min(room - _MARK, math.ceil(max(wanted)))

@@ -1,0 +1,183 @@
+"""Solve a case of the page, compare models on it, and put the answer in words; any thread may call."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray
+
+from stiction.case.read import Case, case_in
+from stiction.contact.contact import Contact
+from stiction.contact.interfaces import allowed_interfaces, interface_names
+from stiction.laws.proportion import input_warnings
+from stiction.quantities.dimensions import dimensions
+from stiction.quantities.errors import InputError
+from stiction.records.registry import all_options, kinds, of_kind
+from stiction.report.answer import answer_lines, grade_line, model_line
+from stiction.report.honest_digits import rounded
+from stiction.report.report_answer import interval_of, value_in_words
+from stiction.solving.candidates import candidates
+from stiction.solving.choice import LAWS
+from stiction.studies.case_results import compare_case, solve_case
+from stiction.studies.comparison.compare import working_load
+from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
+from stiction.web.address import refuse_other_files
+from stiction.web.fields import placed
+
+_MAX_POINTS = 20_000  # of a curve that is drawn anew while a slider moves
+_MAX_SAMPLES = 4096  # of uncertain parameters
+_MAX_PREDICTED = 500  # loads of a prediction
+_MORE = "on a page; `stiction run` takes more"
+
+
+@dataclass(frozen=True)
+class Query:
+    """Hold a case as the page has it: its tables, the folder of its files, and the files that it may read."""
+
+    tables: Mapping[str, Any]
+    folder: Path = Path()
+    files: frozenset[str] = frozenset()
+
+    def with_tables(self, tables: Mapping[str, Any]) -> "Query":
+        """Return the query with other tables."""
+        return replace(self, tables=tables)
+
+    def at_load(self, load: Any) -> "Query":
+        """Return the query at one load, written as in a case file."""
+        solve = {name: one for name, one in self.tables.get("solve", {}).items() if name not in ("load", "separation")}
+        return self.with_tables({**self.tables, "solve": {**solve, "load": [load]}})
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """Hold the result of a case.
+
+    data: a prediction or, where the case names a model, the result of that model. input_warnings: about improbable inputs.
+    """
+
+    query: Query
+    case: Case
+    data: xarray.Dataset
+    input_warnings: list[str]
+
+    @property
+    def is_prediction(self) -> bool:
+        """Return whether the case names no model."""
+        return is_predicted(self.case)
+
+    @property
+    def curve(self) -> xarray.Dataset:
+        """Return the result along one dimension, a prediction by its loads; of a parameter sweep, the first of each array."""
+        *arrays, along = self.data["load"].dims or (None,)
+        curve = self.data.isel(dict.fromkeys(arrays, 0))
+        return curve.sortby("load") if along is not None and self.is_prediction else curve
+
+    def at(self, point: int) -> xarray.Dataset:
+        """Return the results at a point of the curve."""
+        curve = self.curve
+        return curve.isel(dict.fromkeys(curve["load"].dims, point))
+
+    def middle(self) -> int:
+        """Return the point of the working load of a prediction, else the middle one of those with a compressive load."""
+        load = np.atleast_1d(self.curve["load"].values)
+        if "working_load" in self.curve.attrs:
+            return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))
+        pressing = np.flatnonzero(load > 0.0)
+        return int(pressing[(len(pressing) - 1) // 2]) if len(pressing) else 0
+
+
+def read_query(query: Query) -> Case:
+    """Read the case of a query. Raises InputError, also for a case that is too large for a page."""
+    refuse_other_files(query.tables, query.files)
+    case = case_in(query.tables, query.folder)
+    points = case.load if case.load is not None else case.separation
+    count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
+    count *= 1 if hasattr(points, "dims") else np.size(points)
+    samples = case.uncertainty.count if case.uncertain else 0
+    most = _MAX_PREDICTED if is_predicted(case) else _MAX_POINTS
+    for field, size, limit in (("solve", count, most), ("uncertainty.count", samples, _MAX_SAMPLES)):
+        if size > limit:
+            raise InputError(field, size, f"at most {limit} {_MORE}")
+    return case
+
+
+def solved(query: Query) -> Answer:
+    """Predict the case of a query or, with a model named, solve it. Raises InputError."""
+    case = read_query(query)
+    data = predict(case) if is_predicted(case) else solve_case(case)
+    return Answer(query, case, data, list(map(str, input_warnings(case.subject))))
+
+
+def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
+    """Return the case, its comparison of models, and its prediction, None where there is none. Raises InputError.
+
+    load: in SI or normalised as the case is; by default the middle one of the case.
+    """
+    case = read_query(query)
+    load = load if load is not None else working_load(case, None)
+    if load is None:
+        raise InputError("load", None, "a case with a compressive load, at which models are compared")
+    return case, compare_case(case, load, progress), prediction_of(case, load)
+
+
+def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
+    """Return the prediction at a load for the case of a named model; None where there is none."""
+    try:
+        return prediction_of(answer.case, load) if load > 0.0 else None
+    except InputError:
+        return None
+
+
+def law_names(case: Case) -> dict[str, list[str]]:
+    """Return the models that apply to a case and the laws of every kind, by the key of the table [solve]."""
+    names: dict[str, list[str]] = {choice: [] for choice in LAWS}
+    for kind in kinds():
+        names.get(kind.keyword, []).extend(of_kind(kind))
+    return names | {"model": list(dict.fromkeys([*names["model"], *(one.name for one in candidates(case.subject))]))}
+
+
+def states_of(query: Query) -> list[str]:
+    """Return the states of the interface that the bodies of a query allow; all where the bodies are not known."""
+    try:
+        subject = read_query(query.with_tables(placed(query.tables, ("contact", "interface"), None))).subject
+    except InputError:
+        return interface_names()
+    return allowed_interfaces(*subject.touching) if isinstance(subject, Contact) else []
+
+
+def option_values(data: xarray.Dataset) -> dict[str, tuple[str, ...]]:
+    """Return the options of the model and the laws of a result, with the values of each."""
+    named = str(data.attrs.get("options", "")).split()
+    return {name: values for name, values in all_options().items() if name in named}
+
+
+_MU = "friction_coefficient"
+_WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_separation": "mean separation"}
+
+
+def headline(answer: Answer, point: int) -> tuple[str, str]:
+    """Return mu and where it holds: of a prediction its interval, of one model the load, area and separation."""
+    if answer.is_prediction:
+        return answer_lines(answer.data)[0]
+    here = answer.at(point)
+    texts = {name: value_in_words(here[name], float(here[name]), 4) for name in (_MU, *_WHERE) if name in here}
+    if _MU not in texts:
+        return f"real contact area {texts['contact_area']}", f"at a load of {texts['load']}; this model has no friction"
+    where = ", ".join(f"{head} {texts[name]}" for name, head in _WHERE.items() if name in texts)
+    if texts[_MU] == "not defined":
+        return "mu is not defined: the surfaces hold themselves together", where
+    return f"mu ≈ {rounded(float(here[_MU]), interval_of(here))}", f"{where}, mu to four digits {texts[_MU]}"
+
+
+def remarks(answer: Answer) -> list[str]:
+    """Return sentences on the model, its grade, improbable inputs, and inputs that change nothing."""
+    attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
+    lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
+    lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]
+    lines += [f"Input warning: {one}" for one in answer.input_warnings]
+    lines += [f"Not used: {attrs['inputs_not_used']}"] if attrs.get("inputs_not_used") else []
+    lines += [f"Remark: {one}" for one in str(attrs.get("remarks", "")).splitlines() if one]
+    return lines + ([f"Curves are of the first value of each array: {', '.join(map(str, arrays))}."] if arrays else [])
