@@ -359,7 +359,7 @@ def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredR
 
 
 def _scan(scan: "Scan | HeightMap", folder: Path, body: str) -> "HeightMap":
-    return _read(scan, folder, body) if isinstance(scan, Scan) else scan
+    return surface_of(scan, folder, body) if isinstance(scan, Scan) else scan
 
 
 def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: str) -> "HeightMap":
@@ -377,7 +377,8 @@ def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughn
     return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
 
 
-def _read(scan: Scan, folder: Path, body: str) -> "HeightMap":
+def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
+    """Read the map of a scan of the first or second body; folder: from which its file is named. Raises InputError."""
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
+from stiction.quantities.units import show
 from stiction.report.answer import number
 from stiction.report.view import View
 
@@ -41,6 +42,9 @@ def _friction(store: "Store") -> Iterator[str]:
     """Yield between which ends mu is over all points, of a store that keeps them."""
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
+    if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:
+        yield from _scatter(known[names[0]], store.plan.load)
+        return
     if store.plan.sweep.statistics or names[0] not in known or not np.isfinite(known[names[0]]).any():
         return
     ends = f"{number(np.nanmin(known[names[0]]))} to {number(np.nanmax(known[names[0]]))}"
@@ -49,3 +53,16 @@ def _friction(store: "Store") -> Iterator[str]:
         low, high = number(np.nanmin(known[names[1]])), number(np.nanmax(known[names[2]]))
         wide = f", intervals from {low} to {high}, {store.group.attrs['draws']} draws of each contact"
     yield f"mu = {ends}{wide}"
+
+
+def _scatter(mu: np.ndarray, loads: np.ndarray | None) -> Iterator[str]:
+    """Yield mu at each load (maps, loads) with its scatter from place to place, of the maps that have it."""
+    for index, column in enumerate(mu.T):
+        there = column[np.isfinite(column)]
+        if len(there) < 2:
+            continue
+        where = f"separation {index + 1}" if loads is None else show(float(loads[index]), "load")
+        yield (
+            f"mu = {number(np.median(there))} at {where}, from place to place {number(there.min())} to {number(there.max())} "
+            f"(standard deviation {100.0 * there.std(ddof=1) / there.mean():.2g} %, {len(there)} maps)"
+        )

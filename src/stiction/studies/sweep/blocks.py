@@ -2,15 +2,18 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from stiction.quantities.dimensions import arranged
+from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import BatchResult, Region
 from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.prediction.many import count_of, predict_many
+from stiction.studies.sweep.maps import PLACE
 from stiction.studies.sweep.plan import Plan
 from stiction.studies.sweep.table import MOMENTS
 
@@ -52,12 +55,25 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
     """Yield regions within a piece with their results: of a model, or of the prediction."""
-    arrays = plan.arrays(piece)
+    try:
+        tables, arrays = plan.tables(piece), plan.arrays(piece)
+    except InputError:  # of a map that cannot be read, or has no asperities
+        yield piece, None
+        return
     if choice.model == RECOMMENDED:
-        found = predict_many(plan.content, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
+        found = predict_many(tables, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
     else:
-        found = evaluate_many(plan.content, arrays, None, choice, keep, along=tuple(piece))
-    yield from ((region, solved) for region, _, solved in found)
+        found = evaluate_many(tables, arrays, None, choice, keep, along=tuple(piece))
+    yield from ((region, _along_places(solved) if plan.maps and solved else solved) for region, _, solved in found)
+
+
+def _along_places(solved: BatchResult) -> BatchResult:
+    """Return the results of one contact along a dimension of maps."""
+    variables = {
+        name: ((PLACE, *dims), np.asarray(values)[None], *rest) for name, (dims, values, *rest) in solved.variables.items()
+    }
+    dims, bits = solved.validity_warnings
+    return replace(solved, variables=variables, validity_warnings=((PLACE, *dims), np.asarray(bits)[None]))
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:

@@ -18,6 +18,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input, require_names
 from stiction.solving.pointwise import Region, pieces, tiles
 from stiction.studies.prediction.predict import is_predicted
+from stiction.studies.sweep.maps import PLACE, MapOfPlace, maps_of
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
 from stiction.surfaces.roughness import Roughness
 
@@ -34,7 +35,7 @@ class Plan:
     dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
     of them; points: of a contact; load: loads of every contact, None for separations. uncertain: numbers that a
     prediction draws for every contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes
-    one.
+    one. maps: those of an ensemble, one for each contact.
     """
 
     content: Mapping[str, Any]
@@ -46,6 +47,7 @@ class Plan:
     load: Any = None
     uncertain: tuple[Uncertain, ...] = ()
     scans: Mapping[str, str] = field(default_factory=dict)
+    maps: tuple[MapOfPlace, ...] = ()
 
     @property
     def blocks(self) -> int:
@@ -73,8 +75,14 @@ class Plan:
         """How many contacts are in a block."""
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
+    def tables(self, region: Mapping[str, slice]) -> Mapping[str, Any]:
+        """The tables of the contacts in a region, which with maps has one."""
+        return with_roughness(self.content, self.maps[region[PLACE].start].roughness()) if self.maps else self.content
+
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
         """The numbers that are several, as labelled arrays, in a region."""
+        if self.maps:
+            return {}
         if self.sweep.sample.is_drawn:
             return self._drawn(region[SAMPLE])
         listed = self.sweep.sample.method == "list"
@@ -95,7 +103,8 @@ class Plan:
         content = {key: value for key, value in self.content.items() if key != "title"}
         plain = json.loads(json.dumps(content, default=_plain))
         plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
-        return json.dumps(plain | {"sweep": self.sweep.model_dump()}, sort_keys=True)
+        files = {"maps": list(dict.fromkeys(one.content for one in self.maps))} if self.maps else {}
+        return json.dumps(plain | files | {"sweep": self.sweep.model_dump()}, sort_keys=True)
 
 
 def _plain(value: Any) -> Any:
@@ -121,8 +130,10 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
     require_names(content)
-    content, several = opened(content, folder)
     sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
+    if sweep.roughness:
+        return _plan_of_maps(content, folder, sweep)
+    content, several = opened(content, folder)
     plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
     if any(isinstance(one, Uncertain) for one in several.values()):
         plain = expanded(plain)
@@ -138,6 +149,28 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     points: Any = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size, load=first.load), lengths)
+
+
+def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Plan:
+    """The plan of an ensemble of maps, a block for each."""
+    if not isinstance(content.get("contact"), Mapping):
+        raise InputError("sweep.roughness", "given", "a case with [contact]")
+    maps = maps_of(sweep.roughness, roughness_in(content), folder)
+    first = maps[0].roughness()
+    opened_content, several = opened(with_roughness(content, first), folder)
+    if several:
+        one = next(iter(several.values()))
+        raise InputError(one.where, one.words, "one number, where the sweep is over maps")
+    if sweep.sample.method != "grid":
+        raise InputError("sweep.sample", sweep.sample.method, "nothing, where the sweep is over maps")
+    if sweep.block is not None:
+        raise InputError("sweep.block", sweep.block, "nothing, where the sweep is over maps: each is a block")
+    plain = {key: value for key, value in opened_content.items() if key != "sweep"}
+    case = case_of(plain)
+    shared: Mapping[str, Any] = {**plain, "contact": {**plain["contact"], "roughness": None}}
+    scans = {"maps": "\n".join(one.name for one in maps)}
+    points = case.load if case.load is not None else case.separation
+    return Plan(shared, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(points), case.load, scans=scans, maps=maps)
 
 
 def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:

@@ -29,6 +29,7 @@ from stiction.solving.pointwise import NOT_COMPUTED, WHY_NOT, meanings_of, piece
 from stiction.studies.prediction.many import count_of
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.blocks import merged, solve_block, solved_of, statistics_of
+from stiction.studies.sweep.maps import PLACE
 from stiction.studies.sweep.plan import SAMPLE, Plan
 from stiction.studies.sweep.quantile_counts import PERCENTILES, counted, quantiles_of
 
@@ -226,7 +227,7 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
     for block in range(min(plan.blocks, 3)):
         for one in islice(pieces(plan.region(block), 1), 5):
             try:
-                case = case_of(plan.content, plan.arrays(one))
+                case = case_of(plan.tables(one), plan.arrays(one))
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
                 if choice.model == RECOMMENDED and case.load is None:
                     raise InputError("solve.separation", "given", "load in its place, or a named model, which takes both")
@@ -341,6 +342,8 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:
         found["statistic"] = ("statistic", np.array(plan.sweep.statistics, dtype=object), {"long_name": "over all contacts"})
+    if plan.maps and not plan.sweep.statistics:
+        found[PLACE] = (PLACE, np.array([one.name for one in plan.maps], dtype=object), {"long_name": "map"})
     for one in () if plan.sweep.statistics else plan.several.values():
         attributes = one.array(one.values[:1])[one.name].attrs
         if plan.sweep.sample.method == "grid":

@@ -1,6 +1,6 @@
 """The table [sweep] of a case file."""
 
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from pydantic import Field, model_validator
 
@@ -42,11 +42,16 @@ class Sample(Input):
 class Sweep(Input):
     """What is computed and kept.
 
+    roughness: maps, each the roughness of one contact (see `maps`).
     sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
     all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
     many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
     """
 
+    roughness: list[str | dict[str, Any]] = Field(
+        default_factory=list,
+        description="maps, each of one contact: files, tables with file and patches, or tables with hurst and realisations",
+    )
     sample: Sample = Field(default=Sample(method="grid", count=None, seed=0), description="a table with method, count and seed")
     keep: list[str] = Field(default_factory=list, description="a list of names of results")
     statistics: list[Literal[STATISTICS]] = Field(  # type: ignore[valid-type]  # one list of them, for all

@@ -1,0 +1,140 @@
+"""Maps of an ensemble: each is the roughness of one contact of a sweep.
+
+The list `roughness` of [sweep] has files, patches of files, and realisations of a spectrum; [contact.roughness] then states
+what holds for every file: size, unit, form, filters.
+"""
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, create_model
+
+from stiction.quantities.errors import InputError, field_below
+from stiction.quantities.inputs import Input
+from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.measured import MeasuredRoughness, Scan, measure, surface_of
+from stiction.surfaces.roughness import Roughness
+
+PLACE = "place"  # the dimension of the maps
+_MOST_PATCHES, _MOST_REALISATIONS = 64, 1_000_000
+_PREPARED = {name: one for name, one in MeasuredRoughness.model_fields.items() if name not in ("first", "second")}
+
+# A file with what is done to it; patches: along each side, so that 4 make 16 maps.
+_FIELDS: Any = {name: (one.annotation, one) for name, one in _PREPARED.items()}
+FileMaps: Any = create_model(
+    "FileMaps",
+    __base__=Scan,
+    patches=(int, Field(1, ge=1, le=_MOST_PATCHES, strict=True, description=f"along each side, 1 to {_MOST_PATCHES}")),
+    **_FIELDS,
+)
+
+
+class Realisations(Input):
+    """Periodic maps of a self-affine spectrum that differ by their seed.
+
+    points: along a side; skewness and kurtosis: of the heights, both or neither.
+    """
+
+    hurst: float
+    rolloff: str
+    shortest: str
+    deviation: str
+    size: str
+    points: int = Field(ge=4, strict=True, description="a whole number, 4 or more")
+    realisations: int = Field(1, ge=1, le=_MOST_REALISATIONS, strict=True, description=f"1 to {_MOST_REALISATIONS}")
+    seed: int = Field(0, ge=0, strict=True, description="a whole number, 0 or more")
+    skewness: float | None = None
+    kurtosis: float | None = None
+
+    def surface(self, index: int) -> HeightMap:
+        """Return the realisation of this number."""
+        from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface
+        from stiction.surfaces.targets import SelfAffine
+
+        spectrum = SelfAffine(self.hurst, self.rolloff, self.shortest, self.deviation)  # type: ignore[arg-type]  # read there
+        grid: Any = ((self.points, self.points), (self.size, self.size), spectrum, self.seed + index)
+        if (self.skewness is None) != (self.kurtosis is None):
+            raise InputError("skewness", self.skewness, "a number, beside kurtosis; or neither")
+        if self.skewness is None or self.kurtosis is None:
+            return gaussian_surface(*grid)
+        return non_gaussian_surface(*grid, skewness=self.skewness, kurtosis=self.kurtosis)
+
+
+@dataclass(frozen=True)
+class MapOfPlace:
+    """One map: its entry of the list, and which patch or realisation of it.
+
+    folder: from which files are named; content: digest of the file, "" of a realisation.
+    """
+
+    entry: Any
+    index: int
+    folder: Path
+    content: str = ""
+
+    @property
+    def name(self) -> str:
+        """Return what the place is called in results."""
+        if isinstance(self.entry, Realisations):
+            return f"seed {self.entry.seed + self.index}"
+        row, column = divmod(self.index, self.entry.patches)
+        return self.entry.file if self.entry.patches == 1 else f"{self.entry.file}, row {row + 1}, column {column + 1}"
+
+    def roughness(self) -> Roughness:
+        """Return the roughness of the map. Raises InputError."""
+        with field_below("sweep.roughness"):
+            table: dict[str, Any] = {}
+            if isinstance(self.entry, Realisations):
+                table["first"] = self.entry.surface(self.index)
+            else:
+                table = {"first": self._patch(), **{name: getattr(self.entry, name) for name in _PREPARED}}
+            return measure(MeasuredRoughness(**table)).roughness()
+
+    def _patch(self) -> HeightMap:
+        whole = _surface(self.entry, self.folder, self.content)
+        if self.entry.patches == 1:
+            return whole
+        count = self.entry.patches
+        (rows, columns), (high, wide) = (length // count for length in whole.heights.shape), whole.pitch
+        row, column = divmod(self.index, count)
+        part = whole.heights[row * rows : (row + 1) * rows, column * columns : (column + 1) * columns]
+        step = f"patch of row {row + 1} and column {column + 1}, {count} along each side"
+        return whole.with_heights(part.copy(), step, size=(rows * high, columns * wide)).alone()
+
+
+@lru_cache(maxsize=1)
+def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
+    """Return the map of a file, kept for its next patch."""
+    return surface_of(Scan(**{name: getattr(entry, name) for name in Scan.model_fields}), folder, "first")
+
+
+def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
+    """Return the maps of a list of files and spectra.
+
+    shared: table of what holds for every entry, or None. Raises InputError.
+    """
+    if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
+        raise InputError("contact.roughness", shared, "what holds for every map, as size, unit and form; [sweep] has the files")
+    return tuple(one for entry in listed for one in _of_entry(entry, dict(shared or {}), folder.resolve()))
+
+
+def _of_entry(entry: Any, shared: dict[str, Any], folder: Path) -> Iterator[MapOfPlace]:
+    with field_below("sweep.roughness"):
+        if isinstance(entry, str):
+            entry = {"file": entry}
+        if not isinstance(entry, Mapping) or not entry.keys() & {"file", "hurst"}:
+            raise InputError("", entry, "a file, or a table with file, or with hurst and what else a spectrum has")
+        if "file" not in entry:
+            made = Realisations(**{**shared, **entry})
+            yield from (MapOfPlace(made, index, folder) for index in range(made.realisations))
+            return
+        made = FileMaps(**{**shared, **entry})
+        try:
+            content = hashlib.sha256((folder / made.file).read_bytes()).hexdigest()
+        except OSError as error:
+            raise InputError("file", made.file, f"a file that can be read ({error.strerror or error})") from None
+        yield from (MapOfPlace(made, index, folder, content) for index in range(made.patches**2))
