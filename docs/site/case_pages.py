@@ -61,8 +61,8 @@ def page(schema: dict[str, Any]) -> Iterator[str]:
 
 
 def _described(part: dict[str, Any]) -> str:
-    """Without its list of numbers, which the table has, and without what is Python's."""
-    said = part.get("description", "").partition("\n\nNumbers, each")[0]
+    """Return a description without its list of numbers, which the table has, and without what is Python's."""
+    said = part.get("description", "").partition("\n\nNumbers, each")[0].partition("\n\nExamples\n")[0]
     return re.sub(r"\s*Raises InputError[^.]*\.", "", said).replace("*", "\\*")
 
 

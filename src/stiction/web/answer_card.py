@@ -84,10 +84,10 @@ class AnswerCard:
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the answer card; its next step names a tab in place of a command, as a visitor has no case file."""
+    """Return the answer card without commands, as a visitor has no case file; with a named model it is shorter."""
     card = card_of(prediction, named)
-    action, command, _ = card.next_step.partition(": stiction fit")
-    return card._replace(next_step=f"{action} and enter it in Studies, Calibration") if command else card
+    action, command, _ = card.next_step.replace(" (stiction interfaces)", "").partition(": stiction fit")
+    return card._replace(next_step=f"{action} (tab Studies)" if command else action, decides="" if named else card.decides)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

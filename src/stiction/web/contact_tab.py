@@ -16,7 +16,7 @@ class ContactTab:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         with ui.row().classes("w-full items-center gap-4") as self._choices:
-            ui.toggle({"load": "against load", "mean_separation": "against separation"}, value="load",
+            ui.toggle({"load": "over load", "mean_separation": "over separation"}, value="load",
                       on_change=lambda event: self._look("against", event.value)).props("dense no-caps")  # fmt: skip
             self._point = ui.slider(min=0, max=1, value=0).style("flex: 1 1 160px; width: auto")
             self._point.props('dense aria-label="working load of the answer"')
