@@ -6,7 +6,8 @@ roughness; its bias is gone. Laws are combined by weights that score best on sol
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -78,6 +79,14 @@ class AreaLaw:
     yields_at: np.ndarray
     far_error: float
     elastic: np.ndarray
+
+    def at_load(self, at: int) -> "AreaLaw":
+        """Return the law at one of the loads of one contact."""
+        each = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "levels"}
+        arrays: dict[str, Any] = {
+            name: one[..., [at]] for name, one in each.items() if isinstance(one, np.ndarray) and one.shape[-1] > 1
+        }
+        return replace(self, levels=self.levels[[at]], **arrays)
 
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area [m2] (n, m) of these rows of the inputs, without the error at these quantile levels (n,).

@@ -1,6 +1,6 @@
 """All parts of a prediction together: mu, friction force and area of every draw."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import numpy as np
@@ -47,9 +47,10 @@ class Samples:
 
 @dataclass(frozen=True)
 class Mixture:
-    """The parts of a prediction, ready to be drawn from."""
+    """The parts of a prediction at its loads (m,), ready to be drawn from."""
 
     asked: Asked
+    loads: np.ndarray
     laws: list[AreaLaw]
     pull: Pull
     strength: Strength
@@ -59,7 +60,12 @@ class Mixture:
         """Return the parts for a contact. Raises InputError where no law answers for it, and for a load that presses all of its
         faces together with more than the hardness."""
         _refuse_flattened(asked)
-        return cls(asked, area_laws(asked), pull_of(asked), Strength(asked))
+        return cls(asked, asked.loads, area_laws(asked), pull_of(asked), Strength(asked))
+
+    def at_load(self, at: int) -> "Mixture":
+        """Return the parts of one contact at one of its loads."""
+        laws = [law.at_load(at) for law in self.laws]
+        return replace(self, loads=self.loads[[at]], laws=laws, pull=self.pull.at_load(at))
 
     @property
     def touching(self) -> np.ndarray:
@@ -69,7 +75,7 @@ class Mixture:
     @cached_property
     def _is_flattened(self) -> np.ndarray:
         """Return where (m,) the load presses the faces together with more than the hardness."""
-        return self.asked.loads > _most_load(self.asked)
+        return self.loads > _most_load(self.asked)
 
     @property
     def _touching_share(self) -> np.ndarray:
@@ -81,7 +87,7 @@ class Mixture:
     def samples(self, levels: Levels, inputs: np.ndarray) -> Samples:
         """Return the results at these levels; inputs: the row of the drawn contacts that each draw takes."""
         asked, bodies = self.asked, self.asked.bodies
-        load = asked.loads[None, :]
+        load = self.loads[None, :]
         nominal, hardness, shear, hardest = (
             self._of(one, inputs)
             for one in (asked.column(asked.drawn.nominal_area), bodies.hardness, bodies.shear_strength, bodies.hardest)
@@ -121,12 +127,12 @@ class Mixture:
     def _dry_area(self, levels: Levels, inputs: np.ndarray, nominal: np.ndarray) -> np.ndarray:
         """Return the area (n, m) without what pulls: of the law drawn by its weight, less the error drawn for it."""
         which = self._laws_drawn(levels)
-        areas = np.empty((len(levels), len(self.asked.loads)))
+        areas = np.empty((len(levels), len(self.loads)))
         for at, law in enumerate(self.laws):
             here = which == at
             mine = here.any(axis=1)
             rows = inputs[mine] % len(law.log_area)
-            said = law.corrected(rows, self.asked.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine)))
+            said = law.corrected(rows, self.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine)))
             areas[mine] = np.where(here[mine], said, areas[mine])
         return areas
 
@@ -156,15 +162,15 @@ class Mixture:
 
 
 def _most_load(asked: Asked) -> np.ndarray:
-    """Return the hardness times the nominal area at each point (m,) [N]."""
-    most = np.median(asked.bodies.hardest, axis=0) * np.mean(asked.column(asked.drawn.nominal_area), axis=0)
-    return np.broadcast_to(most, asked.loads.shape)
+    """Return the hardness times the nominal area at each point, or of one contact (m or 1,) [N]."""
+    most: np.ndarray = np.median(asked.bodies.hardest, axis=0) * np.mean(asked.column(asked.drawn.nominal_area), axis=0)
+    return most
 
 
 def _refuse_flattened(asked: Asked) -> None:
     """Raise InputError for a load that presses the faces together with more than the hardness; of many contacts where all are
     pressed so."""
-    most = _most_load(asked)
+    most = np.broadcast_to(_most_load(asked), asked.loads.shape)
     flattened = asked.loads > most
     at = int(np.argmax(asked.loads / most))
     if flattened.all() or (flattened.any() and asked.contacts == 1):

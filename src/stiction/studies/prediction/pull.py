@@ -50,6 +50,13 @@ class Pull:
     def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
+    def at_load(self, at: int) -> "Pull":
+        """Return the factors at one of the loads of one contact."""
+        *adhesion, menisci, most = (
+            table[:, [at]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
+        )
+        return Pull(adhesion, menisci, most)
+
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the factor (n, m) at levels (n,) of which law answers and of its error, for these rows of the inputs."""
         from scipy.special import ndtri

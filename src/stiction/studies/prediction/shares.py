@@ -22,10 +22,11 @@ def shares_of_variance(mixture: Mixture, levels: Levels, at: int) -> dict[str, f
     at: the number of the load. The share of a part is its total Sobol index of ln mu (Jansen 1999), found by exchanging it
     alone between draws, over the sum of all; inputs are divided among their numbers by a linear fit to their normal scores.
     """
+    mixture = mixture.at_load(at)
 
     def log_mu(levels: Levels, inputs: np.ndarray) -> np.ndarray:
         with np.errstate(divide="ignore", invalid="ignore"):
-            return np.log(mixture.samples(levels, inputs).force[:, at])
+            return np.log(mixture.samples(levels, inputs).force[:, 0])
 
     whole = log_mu(levels, np.arange(len(levels)))
     found = {part: _total(log_mu, levels, part, whole) for part in PARTS if part != "inputs" or levels.inputs.size}
