@@ -1,9 +1,8 @@
 """What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
 
-import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypedDict
 
 from stiction.quantities.errors import InputError
 from stiction.records.additions import names_of_additions
@@ -13,8 +12,6 @@ LAWS = (*_OF_MODEL, *names_of_additions())  # keywords of the kinds of records t
 
 # The model that answers where none is named, and the name under which the prediction is asked for in place of a model.
 DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
-
-F = TypeVar("F", bound=Callable)
 
 
 class LawKeywords(TypedDict, total=False):
@@ -47,18 +44,6 @@ class LawKeywords(TypedDict, total=False):
     transition: str | None
     variant: str | None
     yielding: str | None
-
-
-def with_law_keywords(function: F) -> F:
-    """Name each of LawKeywords in the signature of a function, in place of `**laws`: help() and notebooks show it."""
-    signature = inspect.signature(function)
-    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
-    laws = [
-        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation="str | None")
-        for name in LawKeywords.__annotations__
-    ]
-    function.__signature__ = signature.replace(parameters=[*own, *laws])  # type: ignore[attr-defined]
-    return function
 
 
 @dataclass(frozen=True)

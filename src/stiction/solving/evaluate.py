@@ -1,7 +1,7 @@
 """The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,11 +16,28 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
 from stiction.solving.problem import Sum, problem_of
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
 _POINTS, _LAWS = 16384, 4096  # at a time, scattered or on a grid: bounds the memory
 
 
 class Evaluation(NamedTuple):
-    """Per asperity: load and friction force over K R^(1/2) sigma^(3/2), contact area over pi R sigma."""
+    """Hold the results of `evaluate`, per asperity and normalised.
+
+    Parameters
+    ----------
+    load, friction_force : ndarray (...)
+        Over K R^(1/2) sigma^(3/2).
+    contact_area : ndarray (...)
+        Over pi R sigma.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.evaluate(0.0, theta=40.0, lam=10.0)._fields
+    ('load', 'contact_area', 'friction_force')
+    """
 
     load: np.ndarray
     contact_area: np.ndarray
@@ -28,30 +45,61 @@ class Evaluation(NamedTuple):
 
 
 def evaluate(
-    h,
-    theta,
-    lam,
-    nu=0.3,
-    hardness_to_yield=2.8,
-    n_E=None,
-    n_H=None,
-    tau=None,
+    h: "ArrayLike",
+    theta: "ArrayLike",
+    lam: "ArrayLike",
+    nu: "ArrayLike" = 0.3,
+    hardness_to_yield: "ArrayLike" = 2.8,
+    n_E: "ArrayLike | None" = None,
+    n_H: "ArrayLike | None" = None,
+    tau: "ArrayLike | None" = None,
     variant: str = "corrected",
     threads: int = 1,
 ) -> Evaluation:
-    """Load, real contact area and friction force of the 2015 paper's model, for arrays that broadcast like a ufunc's.
+    """Compute load, contact area and friction of the 2015 model from arrays.
 
-    h: mean separation over sigma. theta, lam > 0: adhesion indices. 0 <= nu < 0.5. hardness_to_yield >= 1. n_E, n_H > 0 and
-    tau >= 0, all or none: modulus and hardness of a film over the substrate's, and its thickness over sigma. variant:
-    "corrected", or "published" for the paper to the letter (its friction then has exp(-(h+x)^2/2) in place of phi; its
-    contact area, which is not printed, is the analogue of eq. 1). threads >= 1: how many share the work; the results are the
-    same, bit for bit.
+    Parameters
+    ----------
+    h : array_like (...)
+        Mean separation over sigma.
+    theta, lam : array_like (...)
+        Elastic and plastic adhesion index, above 0.
+    nu : array_like (...)
+        Poisson's ratio, 0 or more and below 0.5.
+    hardness_to_yield : array_like (...)
+        Hardness over yield stress, 1 or more.
+    n_E, n_H : array_like (...), optional
+        Modulus and hardness of a film over those of the substrate, above 0; all three numbers of a film or none.
+    tau : array_like (...), optional
+        Film thickness over sigma, 0 or more.
+    variant : str
+        "corrected", or "published" for the equations as printed: friction then has exp(-(h+x)^2/2) in place of the normal
+        density, and the contact area, which is not printed, follows eq. 1.
+    threads : int
+        Number of threads, 1 or more; it changes no digit of the results.
 
-    Returns an Evaluation of float64 arrays in the broadcast shape, good to 1e-10 (the load relative to the integral of
-    the absolute value). Where h varies along axes of its own, all separations of a law are computed at once.
-    Raises InputError where a value is not finite or out of bounds. Source: docs/theory.md, sections 2 to 4.
+    Returns
+    -------
+    Evaluation
+        float64 arrays in the broadcast shape of all arguments, good to 1e-10; the load relative to the integral of the absolute
+        value.
+
+    Raises
+    ------
+    InputError
+        A value is not finite or out of bounds, or shapes do not broadcast.
+
+    Notes
+    -----
+    Equations: docs/theory.md, sections 2 to 4. It is fastest where h varies along axes of its own.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.evaluate([0.0, 1.0], theta=40.0, lam=10.0).load.round(4)
+    array([0.4191, 0.0638])
     """
-    given = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
+    given: dict[str, Any] = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
     film = {"n_E": n_E, "n_H": n_H, "tau": tau}
     missing = [name for name, value in film.items() if value is None]
     if missing and len(missing) < len(film):

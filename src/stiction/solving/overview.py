@@ -13,11 +13,29 @@ if TYPE_CHECKING:
 
 
 def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """One dict for each record of the registry, with at least key, kind, title, grade, source, validity, needs, options,
-    verified, notes and text; texts and lists of texts. `text`, in Markdown, is what the file of the model says: assumptions,
-    equations, check numbers.
+    """Return what is known of every model, law and method.
 
-    keys: only records with these keys. Raises InputError for one that is not known.
+    Parameters
+    ----------
+    keys : iterable of str, optional
+        Only the records with these keys; by default all.
+
+    Returns
+    -------
+    list of dict
+        One dict for each record, with at least key, kind, title, grade, source, validity, needs, options, verified, notes and
+        text: texts, or lists of texts. `text`, in Markdown, holds assumptions, equations and check numbers.
+
+    Raises
+    ------
+    InputError
+        A key is not known.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> [model["title"] for model in st.models(["greenwood_williamson_1966"])]
+    ['TITLE']
     """
     if keys is None:
         return [_row(record) for record in records()]
@@ -108,10 +126,28 @@ _MORE: dict[str, Callable[[Any], Any]] = {
 
 
 def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
-    """BibTeX of exactly what a result used.
+    """Return BibTeX entries of the sources that a result used.
 
-    what: a result of `solve`; or the key of a model or of a bibliography entry, or several; or None for all.
-    Raises InputError for an unknown key.
+    Parameters
+    ----------
+    what : xarray.Dataset, str or iterable of str, optional
+        A result of `solve`, or keys of models or of bibliography entries; by default the whole bibliography.
+
+    Returns
+    -------
+    str
+        BibTeX.
+
+    Raises
+    ------
+    InputError
+        A key is not known.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> print(st.cite("hertz_1882").splitlines()[0])
+    @article{hertz_1882,
     """
     if what is None:
         return entries()

@@ -18,9 +18,10 @@ from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
+from stiction.quantities.keywords import with_keywords
 from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import LawKeywords, with_law_keywords
+from stiction.solving.choice import LawKeywords
 from stiction.solving.on_map import OnMap
 from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
@@ -42,7 +43,7 @@ _WAY = np.geomspace(1e-3, 1e3, 121)
 _NARROWED = 40
 
 
-@with_law_keywords
+@with_keywords(LawKeywords)
 def slide(
     contact: Subject,
     *,
@@ -55,23 +56,55 @@ def slide(
     heights: Heights | str | None = None,
     **laws: Unpack[LawKeywords],
 ) -> "xarray.Dataset":
-    """Tangential force against displacement of a contact that is pressed and moved aside, up to sliding.
+    """Compute tangential force against displacement, from rest to sliding.
 
-    contact, separation or load, model, heights, laws: as in `solve`. The model must be a sum over an asperity law, without a
-    film, or boundary_elements, which moves the points of a map; a tangential law gives each asperity, or point, its strength.
-    displacement: tangential displacements from rest, m
-    for a Contact, over sigma for Indices; by default 61 of them, to one and a half times the largest sliding displacement.
-    kept: the share of its strength that an asperity keeps once it slides, 0 to 1; 1 is Coulomb's law. weakening_slip: of a map
-    with kept < 1, the slip over which a point loses the rest, evenly ("10 nm").
+    Parameters
+    ----------
+    contact : Contact or Indices
+        As in `solve`, without a film.
+    separation, load : float, str with a unit, or array, optional
+        Exactly one of them, as in `solve`: mean separation [m] or net normal load [N].
+    displacement : float [m], str with a unit, or array, optional
+        Tangential displacements from rest, 0 or more; over sigma for Indices. By default 61 of them, up to 1.5 times the
+        largest sliding displacement.
+    kept : float
+        Share of its strength that an asperity has once it slides, 0 to 1; 1 is Coulomb's law.
+    weakening_slip : float [m] or str with a unit, optional
+        For a map with kept < 1: slip over which a point loses the rest of its strength, linearly.
+    model : str, optional
+        As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map.
+    heights : Heights or str, optional
+        As in `solve`.
+    **laws : str, optional
+        As in `solve`; a tangential law gives each asperity, or point, its strength.
 
-    Returns an xarray.Dataset with friction_force and friction_coefficient, all asperities at their strength together, which the
-    force cannot pass; tangential_stiffness, the slope of the force at rest, of all asperities that have a strength;
-    largest_tangential_force, largest_friction_coefficient and sliding_displacement, where that is; and along `displacement` the
-    tangential_force, which keeps its largest value only if kept is 1, and, then, the energy_loss of a cycle between that
-    displacement and its opposite. Of a map also friction_efficiency, the largest force over the sum of strengths, and along
-    `displacement` sticking_share; displacements there are relative to the mean plane of the map, and traction across the
-    direction of sliding is left out. Asperities are moved together, whatever holds the bodies; plastic ones stick as if they
-    were elastic. Raises InputError.
+    Returns
+    -------
+    xarray.Dataset
+        friction_force [N] and friction_coefficient, the sum of all strengths, which the force cannot exceed;
+        tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
+        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for kept = 1,
+        energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest force over the sum of
+        strengths, and over `displacement` sticking_share.
+
+    Raises
+    ------
+    InputError
+        A value is out of bounds, the contact has a film, or the model has no asperities that can slip.
+
+    Notes
+    -----
+    Partial slip of an asperity after Mindlin (1949). All asperities are displaced together; plastic ones stick like elastic
+    ones. On a map displacements are relative to its mean plane, and traction across the direction of sliding is left out.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> moved = st.slide(st.Indices(theta=40, lam=10), load=1.0)
+    >>> moved.sizes["displacement"]
+    61
+    >>> bool(moved.tangential_force.max() < moved.friction_force)
+    True
     """
     subject = as_subject(contact)
     share = _share(kept)

@@ -8,10 +8,11 @@ from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.laws.validity import with_warnings
 from stiction.quantities.errors import InputError
+from stiction.quantities.keywords import with_keywords
 from stiction.records.registry import RoughSurface, find
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.candidates import choice_of
-from stiction.solving.choice import Choice, LawKeywords, with_law_keywords
+from stiction.solving.choice import Choice, LawKeywords
 from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.method_spread import as_measured, with_method_spread
 from stiction.solving.points import Points, in_words, points_of, solve_points
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 
-@with_law_keywords
+@with_keywords(LawKeywords)
 def solve(
     contact: Subject,
     *,
@@ -37,28 +38,56 @@ def solve(
 ) -> "xarray.Dataset":
     """Solve a contact at given mean separations, or at given loads.
 
-    contact: a Contact (then everything is in SI) or Indices (then normalised as in docs/theory.md, per asperity).
-    separation: mean separation, m for a Contact (text with a unit is fine), over sigma for Indices; or load: net normal
-    load, N or normalised. A number, a 1-D sequence, or an xarray.DataArray with named dimensions. Any number of the
-    contact may be an array with a named dimension (stiction.axis): the result carries all dimensions.
-    model: key of a rough-surface model (stiction.models()), or any name that `compare` shows for this contact, by default
-    soft_coating_2015, unless the contact states a strength of its interface, which that ignores; where it has
-    no tangential law and the contact states the strength of its interface, that is sheared. laws: keys of other laws in place
-    of those that the model takes by itself, as asperity, tangential ("none" for contact only) or film;
-    presliding="mindlin_1949" adds tangential_stiffness, that of the contact before anything slides; meniscus and ageing are
-    taken where the contact states a liquid and a waiting time, "none" leaves them out; and options of the model or of these
-    laws, by name, such as variant="published", branch="unloading", transition="gradual"; None for a default. heights: a
-    height distribution, or its name; by default the contact's own, or Gaussian. threads: how many share the work, which
-    changes no digit.
+    Parameters
+    ----------
+    contact : Contact or Indices
+        Contact of bodies: all values are in SI units. Indices: all values are normalised, per asperity (docs/theory.md). Any
+        of its numbers may be an array with a named dimension (`st.axis`); the result then has that dimension.
+    separation : float [m], str with a unit, or array, optional
+        Mean separation; over sigma for Indices. Scalar, one-dimensional, or an xarray.DataArray with named dimensions.
+    load : float [N], str with a unit, or array, optional
+        Net normal load, in place of a separation; normalised for Indices. Shapes as for `separation`.
+    model : str, optional
+        Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
+        "soft_coating_2015", which is refused where the contact states an interfacial shear strength.
+    heights : Heights or str, optional
+        Height distribution, or its name; by default that of the contact, or Gaussian.
+    threads : int
+        Number of threads; it changes no digit of the results.
+    **laws : str, optional
+        Keys of other laws than those of the model (`asperity`, `tangential`, `film`, `meniscus`, `ageing`, `contamination`,
+        `presliding`), or options of the model and its laws, e.g. `variant="published"`. "none" leaves a law out: with
+        `tangential="none"` only the contact is solved.
 
-    Returns an xarray.Dataset with units and long names: load, contact_area, friction_force, friction_coefficient (not a
-    number where the net load is not compressive: there the surfaces hold themselves), mean_separation,
-    touching_asperities, their parts by state, body and limit, and pull_off_force; what a model does not know is left out. Its
-    attributes name model, options, sources, and what is used beyond the claims of its authors: `outside_validity` in words,
-    `validity_warnings` as JSON. Where the roughness was measured, friction_coefficient is that of the method which stands for
-    the surface, and there are also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
-    friction_coefficient_high; the attributes say the method and what was done to the scans.
-    Raises InputError for bad input, for laws that do not go together, and for a load that is nowhere carried.
+    Returns
+    -------
+    xarray.Dataset
+        With units and long names, over the dimensions of contact and points: load, contact_area, friction_force,
+        friction_coefficient (NaN where the net load does not press), mean_separation, touching_asperities, pull_off_force and
+        their parts by state, body and limit; results that a model does not give are missing. Attributes: model, options,
+        sources, and `outside_validity` in words, `validity_warnings` as JSON. With a measured surface also
+        friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high.
+
+    Raises
+    ------
+    InputError
+        A value is out of bounds, laws do not go together, or a load cannot be carried at any separation.
+
+    Notes
+    -----
+    Equations and sources are those of the model and its laws: `st.cite(result)` returns them. Where the model has no tangential
+    law and the contact states an interfacial shear strength, a law of the interface computes the friction.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    >>> contact = st.Contact(
+    ...     first="gold", second="gold", roughness=rough, nominal_area="1 mm^2", interfacial_shear_strength="50 MPa"
+    ... )
+    >>> result = st.solve(contact, load=["1 N", "2 N"], model="greenwood_williamson_1966")
+    >>> result.friction_coefficient.values.round(4)
+    array([0.0798, 0.0767])
     """
     choice = choice_of(model, laws, as_subject(contact))
     measured = with_surface_moments(as_subject(contact), choice.model_key).measured

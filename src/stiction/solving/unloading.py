@@ -24,9 +24,10 @@ from stiction.laws.piece import NormalPiece
 from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError, field_named
+from stiction.quantities.keywords import with_keywords
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, RoughSurface, TangentialLaw, find
-from stiction.solving.choice import Choice, LawKeywords, with_law_keywords
+from stiction.solving.choice import Choice, LawKeywords
 from stiction.solving.conditions import warnings_of_rounding
 from stiction.solving.inversion import largest_tension
 from stiction.solving.points import (
@@ -53,7 +54,7 @@ _STEPS, _LEFT = 81, 1e-10
 _ROUNDING = 1e-12  # of a separation that was found, and given back
 
 
-@with_law_keywords
+@with_keywords(LawKeywords)
 def unload(
     contact: Subject,
     *,
@@ -67,20 +68,48 @@ def unload(
 ) -> "xarray.Dataset":
     """Solve a contact that was pressed together and is being drawn apart.
 
-    contact: as in `solve`, without a film. min_separation: the nearest mean separation that was reached; or max_load: the load
-    that was carried there. separation: mean separations on the way back, none nearer than that; or separation_increase: how far
-    the surfaces have been drawn apart since. All in m or N for a Contact, normalised for Indices; numbers, sequences, or arrays
-    with named dimensions. model, heights, laws: as in `solve`; the model must be a sum over an asperity law, and tangential,
-    for friction, a law of the interface, none unless given: what others need is not known of a flattened asperity.
+    Parameters
+    ----------
+    contact : Contact or Indices
+        As in `solve`, without film and liquid.
+    min_separation : float [m], str with a unit, or array, optional
+        Smallest mean separation that was reached; over sigma for Indices.
+    max_load : float [N], str with a unit, or array, optional
+        Load at the smallest separation, in place of `min_separation`.
+    separation : float [m], str with a unit, or array, optional
+        Mean separations during unloading, none below the smallest one.
+    separation_increase : float [m], str with a unit, or array, optional
+        Increase of the mean separation since then, in place of `separation`.
+    model : str
+        A sum over an asperity law.
+    heights : Heights or str, optional
+        As in `solve`.
+    **laws : str, optional
+        As in `solve`: `asperity`, and `tangential`, a law of the interface; by default no friction is computed.
 
-    Elastic asperities return as they came; those that adhere hold on to below zero displacement, if they had touched.
-    Those that have yielded unload as their law says (thornton_ning_1998), or, without adhesion, as elastic spheres that
-    are flatter, around an interference that stays. The parts of load and area by state are by what asperities were when
-    they were pressed hardest.
+    Returns
+    -------
+    xarray.Dataset
+        As from `solve`, with min_separation [m] and pull_off_force [N], the largest tension during unloading; with an adhesive
+        asperity law also pull_off_separation [m] and zero_load_separation [m], where the load is zero.
 
-    Returns an xarray.Dataset like that of `solve`, with min_separation and pull_off_force, the largest tension on the way back;
-    with an asperity law that adheres also pull_off_separation and zero_load_separation, where the load has fallen to nothing.
-    Raises InputError for bad input, and for laws of which it is not known how they unload.
+    Raises
+    ------
+    InputError
+        A value is out of bounds, or it is not known how these laws unload.
+
+    Notes
+    -----
+    Elastic asperities follow the loading curve backwards; adhesive ones stay in contact below zero displacement once they have
+    touched. Yielded ones unload by their own law (thornton_ning_1998) or, without adhesion, as flattened elastic spheres with a
+    residual interference. Parts by state count asperities by their state at the smallest separation.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> back = st.unload(st.Indices(hardness_group=0.1), max_load=1.0, separation_increase=[0.0, 0.1])
+    >>> bool(back["load"][1] < back["load"][0])
+    True
     """
     way = _make_way(contact, Choice.of(model, {"tangential": "none"} | laws), heights)
     subject = way.pressed.subject

@@ -2,12 +2,12 @@
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction import __version__
-from stiction.case.read import Case
+from stiction.case.read import Case, as_case
 from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
@@ -26,20 +26,46 @@ from stiction.studies.uncertainty.drawing import solves_maps
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseLike
+    from stiction.quantities.arguments import QuantityLike
+
 _MOST = 1_000_000  # points at once in memory
 _FEW = 5  # curves of force against displacement of one case
 
 
-def solve_case(case: Case, choice: Choice | None = None, progress: Progress = silent) -> "xarray.Dataset":
-    """The points of a case, as `solve` gives them; choice: other laws and options than those of the case. The model may be any
-    that `compare` shows; for "recommended" it is what `predict` gives.
+def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progress = silent) -> "xarray.Dataset":
+    """Solve a case at its points.
 
-    Where the case names scans, friction_coefficient is that of the method which stands for the surface, and the result has
-    also friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high; its
-    attributes say the method and what was done to the scans. Where numbers of the case are uncertain, it is that of the nominal
-    ones, and has also NAME_quantile (quantile, ...) of friction, area, load and pull-off, with NAME_quantile_error.
-    progress: from a text, what wraps a list of steps. Raises InputError.
+    Parameters
+    ----------
+    case : Case, path, or dict like a case file
+        What is in contact, and its points.
+    choice : Choice, optional
+        Model, laws and options in place of those of the case; the model may be any that `compare` shows, or
+        "recommended", which is `predict`.
+    progress : callable
+        Receives a label and returns a function that wraps the list of steps.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `solve`. With uncertain numbers it is computed at the nominal ones, and NAME_quantile (quantile, ...) and
+        NAME_quantile_error of friction, area, load and pull-off are added. With scans friction_coefficient_by_method
+        (asperity_method, points), friction_coefficient_low and friction_coefficient_high are added.
+
+    Raises
+    ------
+    InputError
+        As `solve`; also for more points than fit in memory.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> case = {"indices": {"theta": 40, "lam": 10}, "solve": {"separation": [0.5, 1.0]}}
+    >>> st.solve_case(case).mean_separation.values
+    array([0.5, 1. ])
     """
+    case = as_case(case)
     choice = choice or case.choice
     if choice.model == RECOMMENDED and is_predicted(chosen := replace(case, choice=choice)):
         return predict(chosen)
@@ -61,12 +87,43 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 
 
-def slide_case(case: Case, choice: Choice | None = None, kept: float = 1.0, weakening_slip: Any = None) -> "xarray.Dataset":
-    """From rest to sliding at points of a case, five of them at the most, as `slide` gives it: of the nominal numbers, where
-    some are uncertain, and of the map, or of the method that stands for the surface, where it was measured.
+def slide_case(
+    case: "CaseLike",
+    choice: Choice | None = None,
+    kept: float = 1.0,
+    weakening_slip: "QuantityLike | None" = None,
+) -> "xarray.Dataset":
+    """Slide a case at its points, at most five of them.
 
-    choice: model and laws, in place of those of the case; kept, weakening_slip: as in `slide`. Raises InputError, also for a
-    contact of which numbers are several."""
+    Parameters
+    ----------
+    case : Case, path, or dict like a case file
+        One contact; with uncertain numbers the nominal ones are taken.
+    choice : Choice, optional
+        Model and laws in place of those of the case.
+    kept : float
+        As in `slide`, 0 to 1.
+    weakening_slip : float [m] or str with a unit, optional
+        As in `slide`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `slide`, with the groups of the contact as attributes.
+
+    Raises
+    ------
+    InputError
+        As `slide`; also where numbers of the contact are several.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> case = {"indices": {"theta": 40, "lam": 10}, "solve": {"separation": [0.5, 1.0]}}
+    >>> st.slide_case(case).sizes["mean_separation"]
+    2
+    """
+    case = as_case(case)
     if case.is_several:
         raise InputError("contact", "numbers of the contact are several", "one contact; st.slide takes any number")
     choice = choice_of_case(case, choice or case.choice)
@@ -108,13 +165,36 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
     return choice_of(choice.model, laws | dict(choice.options), case.subject)
 
 
-def compare_case(case: Case, load: Any = None, progress: Progress = silent) -> "xarray.Dataset":
-    """Every model on the contact of a case, as `compare` gives them, at a working load [N].
+def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress: Progress = silent) -> "xarray.Dataset":
+    """Solve a case with every model that applies to it.
 
-    Where the case names scans, the result has also friction_coefficient_at_load_by_method (asperity_method, model),
-    friction_coefficient_at_load_low and friction_coefficient_at_load_high. progress: from a text, what wraps a list of steps.
-    Raises InputError.
+    Parameters
+    ----------
+    case : Case, path, or dict like a case file
+        What is in contact, and its points.
+    load : float [N] or str with a unit, optional
+        Working load, above 0.
+    progress : callable
+        Receives a label and returns a function that wraps the list of models.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `compare`.
+
+    Raises
+    ------
+    InputError
+        As `compare`.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> case = {"indices": {"theta": 40, "lam": 10}, "solve": {"separation": [0.5, 1.0]}}
+    >>> "persson_2001" in st.compare_case(case, load=1.0).model
+    False
     """
+    case = as_case(case)
     return _said(compare(case.subject, load=load, progress=progress("Asking the models")), case)
 
 

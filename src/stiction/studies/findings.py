@@ -66,7 +66,7 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
     why = why or ("" if at is not None else "nothing presses at any of its points, and models are judged at a load above 0")
     here = None
     if is_predicted(case) and (at is not None or case.is_several):
-        data = predict(case) if load is None else predict(case, load=[at])
+        data = predict(case) if load is None or at is None else predict(case, load=[at])
     else:
         data = solve_case(case, progress=progress)
         if at is not None:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     import xarray
 
     from stiction.case.read import Case
+    from stiction.quantities.arguments import QuantityLike
 
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
@@ -45,28 +46,52 @@ RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "frictio
 def compare(
     contact: Subject,
     *,
-    load: Any = None,
+    load: "QuantityLike | None" = None,
     separations: Iterable[float] | None = None,
     progress: Steps = iter,
 ) -> "xarray.Dataset":
-    """Every applicable model at once on one contact.
+    """Solve one contact with every model that applies to it.
 
-    contact: a Contact or Indices, of numbers (no arrays). load: the working load, above 0, N for a Contact (text with a unit is
-    fine), normalised for Indices; None: only curves. separations: mean separations of the curves, over the sigma that a model
-    takes, by default 80 from 5 to -2. progress: wraps the list of models while they are computed.
+    Parameters
+    ----------
+    contact : Contact or Indices
+        One contact: numbers, no arrays.
+    load : float [N] or str with a unit, optional
+        Working load, above 0; normalised for Indices. Without it there are only curves.
+    separations : iterable of float, optional
+        Mean separations of the curves, over the sigma that a model takes; by default 80 from 5 to -2.
+    progress : callable
+        Receives the list of models and returns an iterator over it, e.g. a progress bar.
 
-    Where a model has no tangential law of its own and the contact states an interfacial shear strength, that law of the
-    interface is taken. Returns an xarray.Dataset over `model` and `point`, units as in `solve`: mean_separation, load,
-    contact_area, friction_force, friction_coefficient; and over `model`, under names that end in `_at_load`, the same at the
-    working load, with `status` in words: whether the contact fits the model, and why not; grade, `outside_validity` in words,
-    `validity_warnings` as JSON, `family_of_curve`, what its friction rests on, and `plastic_junctions_resist`, a word of
-    stiction.records.registry.YIELDED; `measured_area_error` (and `_rms`) and `measured_friction_error`, how far it is from
-    solved surfaces near this contact (docs/truth.md), relative, not a number where none was solved near; `measured_error` as
-    JSON, `measured_error_in_words`. A theory that knows no separation has none (not a number) and is computed at the loads of
-    Greenwood & Williamson. `range_status` says of every point whether it is within what its model claims, outside of it, or
-    impossible (0, 1, 2). Attributes: `working_load`, `criteria` (is it sticky?), and `left_out`: model: why. Where the
-    roughness was measured, there are also friction_coefficient_at_load_by_method (asperity_method, model),
-    friction_coefficient_at_load_low and _high. What of all this is the answer, `predict` says. Raises InputError for bad input.
+    Returns
+    -------
+    xarray.Dataset
+        Curves over (model, point), units as in `solve`: mean_separation [m], load [N], contact_area [m^2], friction_force [N],
+        friction_coefficient, and `range_status`: within the claims of the model, outside of them, or impossible (0, 1, 2).
+        Over `model`: the same five at the working load, with names that end in `_at_load`; `status`, whether the contact fits
+        the model and why not; grade, `outside_validity`, `validity_warnings` (JSON), `family_of_curve`,
+        `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative
+        errors on solved surfaces near this contact (docs/truth.md), NaN where there are none; `measured_error` (JSON) and
+        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `left_out` (model: reason); with a measured surface
+        also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
+
+    Raises
+    ------
+    InputError
+        A number of the contact is an array, or load or separations are out of bounds.
+
+    Notes
+    -----
+    A theory without a separation is computed at the loads of Greenwood and Williamson, with NaN for mean_separation. Where a
+    model has no tangential law and the contact states an interfacial shear strength, a law of the interface computes friction.
+    `predict` combines the models into one answer.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> table = st.compare(st.Indices(hardness_group=0.1), load=1.0)
+    >>> float(table["load_at_load"].sel(model="greenwood_williamson_1966"))
+    1.0
     """
     as_subject(contact).require_single(_ONE)
     data = _compared(contact, load, separations, progress)

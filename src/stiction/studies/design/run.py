@@ -17,6 +17,8 @@ from stiction.studies.design.space import TOLERANCE, Answers, Space
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseFile
+
 # Told how many designs were asked, and the best so far in words.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched, of a model
@@ -88,15 +90,40 @@ class Designing:
         return designed_case(self, out)
 
 
-def design(case: Any, *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
-    """Search the design of a case that comes nearest to the objective, under its limits.
+def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
+    """Search the design that comes nearest to an objective and keeps all limits.
 
-    case: path of a case file with a table [design], or its tables as a dict. tell: told how many designs were asked, and the
-    best so far.
+    Parameters
+    ----------
+    case : path, or dict like a case file
+        Case with a table [design].
+    tell : callable
+        Called with the number of evaluated designs and the best one so far, in words.
 
-    Returns a labelled dataset: over `design` the best one for each way to choose from lists, the best of all first, with what
-    is chosen, the objective and limited, `kept`, `violated`, the limits that are broken, one a line, and `broken`, by how
-    much, over their size; with two objectives also over `front` the designs of which none is better in both. Raises InputError.
+    Returns
+    -------
+    xarray.Dataset
+        Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers, objective,
+        limited quantities, `kept` (all limits hold), `violated` (names of limits, one a line) and `broken` (by how much,
+        relative). With two objectives also the Pareto front, over `front`.
+
+    Raises
+    ------
+    InputError
+        The table [design] is missing or wrong.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> contact = {
+    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
+    ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    ... }
+    >>> radius = {"roughness": {"asperity_radius": {"low": "10 um", "high": "100 um"}}}
+    >>> task = {"objective": {"minimise": "friction_coefficient"}, "choose": radius, "validity": "any"}
+    >>> best = st.design({"contact": contact, "solve": {"load": "1 N", "model": "persson_2001"}, "design": task})
+    >>> best.sizes["design"]
+    1
     """
     require_callable(tell, "tell")
     return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()

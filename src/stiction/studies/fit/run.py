@@ -25,6 +25,9 @@ from stiction.studies.fit.search import CONFIDENCE
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseFile
+    from stiction.quantities.arguments import FilePath
+
 _FEW = 100  # independent sets, below which a 95 % band is rough
 # From a text, what wraps a list of steps.
 
@@ -49,19 +52,47 @@ class Fitting:
         return _fitted_case(self, out)
 
 
-def fit(case: Any, data: Any, *, progress: Progress = silent) -> "xarray.Dataset":
-    """Fit numbers of a case to measured series.
+def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "xarray.Dataset":
+    """Fit numbers of a case to measured values.
 
-    case: path of a case file with a table [fit], or its tables as a dict. data: path of a CSV file, see
-    `stiction.case.measurements.read_measurements`. progress: from a text, what wraps a list of steps.
+    Parameters
+    ----------
+    case : path, or dict like a case file
+        Case with a table [fit].
+    data : path
+        CSV file of measured values, with heads like `load [N],friction_coefficient`.
+    progress : callable
+        Receives a label and returns a function that wraps the list of steps.
 
-    Returns a labelled dataset: over `parameter` the best value, the 95 % interval `low`, `high` by the profile of the
-    likelihood, whether it is open at an end, `standard_error`, and `correlation`; `profile_value` and `profile_rise` of chi
-    square; over `row` what was measured, what the model says, and residuals; over `model` Akaike's criterion, weights, and
-    errors of values left out; and predictions with bands, `predicted_...`, `..._low`, `..._high`, over the points of [solve]
-    and the numbers of [fit.predict]. The attribute `verdict` says what the data determine badly, or cannot tell apart. Where no
-    model is named, it is `st.predict` with what was measured, with `value`, `low`, `high` of the free numbers. Raises
-    InputError.
+    Returns
+    -------
+    xarray.Dataset
+        Over `parameter` the best `value`, the 95 % interval `low` and `high` by the profile likelihood, whether it is open at
+        an end, `standard_error` and `correlation`; `profile_value` and `profile_rise` of chi-square. Over `row` measured
+        values, computed values and residuals. Over `model` Akaike's criterion, weights and errors of left-out values.
+        Predictions: `predicted_...` with `..._low` and `..._high`. Attribute `verdict`: what the data determine poorly. Where
+        the case names no model, it is the result of `predict` with these measured values, with `value`, `low` and `high` of the
+        free numbers.
+
+    Raises
+    ------
+    InputError
+        The table [fit] or the CSV file is missing or wrong.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import stiction as st
+    >>> contact = {
+    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
+    ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    ... }
+    >>> data = pathlib.Path(tempfile.mkdtemp()) / "measured.csv"
+    >>> _ = data.write_text("load [N],friction_coefficient\\n0.1,0.03\\n1,0.028\\n")
+    >>> free = {"interfacial_shear_strength": {"low": "1 MPa", "high": "1 GPa"}}
+    >>> case = {"contact": contact, "solve": {"load": ["1 N"], "model": "persson_2001"}, "fit": {"free": free}}
+    >>> print(f"{st.fit(case, data)['value'].item():.1e} Pa")
+    2.2e+07 Pa
     """
     require_callable(progress, "progress")
     if (answer := fit_prediction(case, data)) is not None:

@@ -19,7 +19,7 @@ __all__ = ["predict_value"]
 _MU = "friction_coefficient"
 
 
-def predict_value(output: str, *pairs: Any) -> float:
+def predict_value(output: str, *pairs: str | float) -> float:
     """Return one predicted number; a cell of a spreadsheet can call it.
 
     Parameters

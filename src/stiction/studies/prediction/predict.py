@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -26,6 +26,10 @@ from stiction.studies.pressing_loads import pressing_loads
 
 if TYPE_CHECKING:
     import xarray
+    from numpy.typing import ArrayLike
+
+    from stiction.case.arguments import CaseLike
+    from stiction.quantities.arguments import FilePath, QuantityLike
 
 __all__ = ["COUNT", "case_given", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
 
@@ -33,7 +37,13 @@ COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured
 _UNTOLD = 0.8  # of the width of the stated interval, above which measured values tell nothing of a number
 
 
-def predict(contact: Any, *, load: Any = None, level: float | None = None, measured: Any = None) -> "xarray.Dataset":
+def predict(
+    contact: "Contact | CaseLike",
+    *,
+    load: "QuantityLike | None" = None,
+    level: float | None = None,
+    measured: "FilePath | None" = None,
+) -> "xarray.Dataset":
     """Predict the static friction of a contact, with an interval.
 
     Parameters
@@ -113,7 +123,7 @@ def predict(contact: Any, *, load: Any = None, level: float | None = None, measu
     data = _dataset(samples, loads, level).assign_attrs(attributes)
     data = data if measured is None else data.assign(found)
     data = data.assign_attrs({"case": case.title} if case.title else {}, working_load=float(loads[at]))
-    return data.isel(load=0) if load is not None and np.ndim(load) == 0 else data
+    return data.isel(load=0) if load is not None and np.ndim(cast("ArrayLike", load)) == 0 else data
 
 
 def is_predicted(case: Case) -> bool:

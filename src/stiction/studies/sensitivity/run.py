@@ -27,6 +27,9 @@ from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseLike
+    from stiction.quantities.arguments import QuantityLike
+
 METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
 _LOADS = 9  # at most so many of the loads of a case
 _ENDS = (0.025, 0.975)  # shares of a distribution between which effects are taken
@@ -34,31 +37,57 @@ _PER_TRAJECTORY = 16  # points of the indices for each trajectory
 
 
 def sensitivity(
-    case: Any,
+    case: "CaseLike",
     *,
-    load: Any = None,
+    load: "QuantityLike | None" = None,
     models: Sequence[str] | None = None,
     ranges: bool | None = None,
     progress: Progress = silent,
 ) -> "xarray.Dataset":
-    """Which input should be measured better.
+    """Compute how much each input decides the results of a case.
 
-    Of a prediction, where neither the case nor `models` name a model: over `input`, friction_coefficient_share, the share of
-    the variance of ln mu at the working load that comes from it; over `number`, friction_coefficient_log_sensitivity, d ln mu/d
-    ln x of the median at the nominal numbers. Of models, at nine of the loads of a case at most, what follows.
+    Parameters
+    ----------
+    case : Case, path, or dict like a case file
+        One contact; its numbers may be uncertain.
+    load : float [N] or str with a unit, optional
+        Only this load; by default at most nine of the loads of the case.
+    models : sequence of str, optional
+        Names of models as `compare` shows them, drawn with equal chance; by default the model of the case.
+    ranges : bool, optional
+        Whether numbers of material presets vary within their ranges, in place of what the case states.
+    progress : callable
+        Receives a label and returns a function that wraps the list of steps.
 
-    case: path of a case file, its tables as a dict, or a Case. load: only at this one. models: names of models as `compare`
-    shows them, among which is drawn evenly; none for that of the case alone. ranges: whether numbers of materials vary within
-    their ranges, in place of what the case says. progress: from a text, what wraps a list of steps.
+    Returns
+    -------
+    xarray.Dataset
+        For y of friction_coefficient, contact_area, load (at separations) and pull_off_force. Over `input`, the uncertain
+        inputs: y_first_order and y_total_order, Sobol indices of ln y with 95 % intervals (`_low`, `_high`); y_effect, the mean
+        elementary effect of Morris on ln y from the 2.5 to the 97.5 % quantile of the input, with y_effect_error and
+        y_effect_deviation. Over `number`, all numbers of the contact: y_log_sensitivity, d ln y/d ln x at the nominal numbers.
+        Without a named model it is of the prediction: friction_coefficient_share over `input`,
+        friction_coefficient_log_sensitivity over `number`.
 
-    Returns, for y of friction_coefficient, contact_area, load (at separations) and pull_off_force, over `input`, which is what
-    is uncertain, with the way of finding asperities where scans say the roughness and the model:
-    y_first_order and y_total_order, Sobol indices of ln y, each with its 95 % interval (_low, _high): the share of the variance
-    of ln y that goes if the input were known, and that stays if all others were; y_effect, the mean size of the elementary
-    effects of Morris on ln y, from the 2.5 % to the 97.5 % end of the input, with y_effect_error and y_effect_deviation.
-    Over `number`, which are all numbers of the contact: y_log_sensitivity, d ln y/d ln x at the nominal numbers by the model of
-    the case. Attributes: `working_load`, the `models` that are drawn and their weights, `validity_warnings_of_points`. Where
-    nothing is uncertain there are elasticities only. Raises InputError for bad input.
+    Raises
+    ------
+    InputError
+        A number of the contact is an array, or a model is not known.
+
+    Notes
+    -----
+    Sobol (2001); Morris (1991). Without uncertain inputs there are logarithmic sensitivities only.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> contact = {
+    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
+    ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    ... }
+    >>> slopes = st.sensitivity({"contact": contact, "solve": {"load": "1 N", "model": "persson_2001"}})
+    >>> round(slopes.friction_coefficient_log_sensitivity.sel(number="interfacial_shear_strength").item(), 3)
+    1.0
     """
     require_callable(progress, "progress")
     case = as_case(case, ranges)

@@ -1,22 +1,27 @@
 """What the mean touching asperity makes of a film and its bond: how near to yield, where first, and what peels the film off."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Unpack
 
 import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.heights import Heights
 from stiction.laws.validity import warnings_about, with_warnings
 from stiction.quantities.errors import InputError
+from stiction.quantities.keywords import with_keywords
 from stiction.records.claims import Validity
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
 from stiction.solvers.layered.first_yield import at_interface, first_yield
 from stiction.solvers.layered.stresses import Stresses
+from stiction.solving.choice import LawKeywords
 from stiction.solving.solve import solve
 
 if TYPE_CHECKING:
     import xarray
+
+    from stiction.quantities.arguments import QuantityLike
 
 _FILM = "layered"
 # The radii, over the thickness of a film, at which stresses were compared.
@@ -29,17 +34,60 @@ _RULES = (
 )
 
 
-def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
-    """The stresses in a film, in the body below and between the two, under the mean touching asperity.
+@with_keywords(LawKeywords)
+def film_stresses(
+    contact: Subject,
+    *,
+    separation: "QuantityLike | None" = None,
+    load: "QuantityLike | None" = None,
+    model: str | None = None,
+    heights: Heights | str | None = None,
+    **laws: Unpack[LawKeywords],
+) -> "xarray.Dataset":
+    """Compute the stresses in a film and its substrate under the mean asperity.
 
-    contact: a Contact or Indices with a film, one contact only. given: as `solve` takes it, a separation or load, a model and
-    laws; the film law is `layered`. The asperity has the mean area, load and friction force of those that touch, and its
-    stresses are those of an elastic sphere that is pressed and dragged (`solvers.layered.stresses`).
+    Parameters
+    ----------
+    contact : Contact or Indices
+        One contact with a film: numbers, no arrays.
+    separation, load : float, str with a unit, or array, optional
+        Exactly one of them, as in `solve`: mean separation [m] or net normal load [N].
+    model : str, optional
+        As in `solve`.
+    heights : Heights or str, optional
+        As in `solve`.
+    **laws : str, optional
+        As in `solve`; the film law is "layered".
 
-    Returns the dataset of `solve` with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, and
-    with yields_first: "film", "counterbody" (where it is softer than the film that it meets), "interface" or "body", or ""
-    where nothing touches. Where they leave what film and body bear, `validity_warnings` say so. The strength of the bond is not
-    asked for: it is compared with the weaker of the two that it joins. Raises InputError.
+    Returns
+    -------
+    xarray.Dataset
+        As from `solve`, with contact_over_thickness, stress_over_yield, interface_tension and interface_shear, the last two
+        over the strength of the weaker of film and body; and yields_first: "film", "counterbody", "interface", "body", or ""
+        where nothing touches. `validity_warnings` name the stresses that film or body cannot bear.
+
+    Raises
+    ------
+    InputError
+        The contact has no film, a number of it is an array, or another film law is asked for.
+
+    Notes
+    -----
+    The mean asperity has the mean area, load and friction force of those that touch. Its stresses are those of an elastic
+    sphere that is pressed and dragged on a layered half-space (`solvers.layered.stresses`).
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> rough = st.Roughness(asperity_height_deviation="50 nm", asperity_radius="20 um", asperity_density="1.7e10 1/m^2")
+    >>> nitride = st.Material(youngs_modulus="600 GPa", poissons_ratio=0.2, hardness="14 GPa")
+    >>> contact = st.Contact(
+    ...     first="hardened_steel_52100", second="hardened_steel_52100", roughness=rough, nominal_area="1 mm^2",
+    ...     interfacial_shear_strength="300 MPa", coating=st.Coating(material=nitride, thickness="0.4 um", bodies="first"),
+    ... )
+    >>> stresses = st.film_stresses(contact, load="1 N", model="greenwood_williamson_1966")
+    >>> stresses.yields_first.item()
+    'interface'
     """
     subject = as_subject(contact)
     require_film(subject)
@@ -50,9 +98,10 @@ def film_stresses(contact: Subject, **given: Any) -> "xarray.Dataset":
         raise InputError(
             "film_aspect", None, "t/sqrt(R sigma), a number of 0 or more: how thick the film is under its asperities"
         )
-    if given.get("film", _FILM) != _FILM:
-        raise InputError("film", given["film"], f"{_FILM}, which solves film and body as one")
-    data = solve(subject, **{**given, "film": _FILM})
+    if (film := laws.get("film") or _FILM) != _FILM:
+        raise InputError("film", film, f"{_FILM}, which solves film and body as one")
+    laws["film"] = _FILM
+    data = solve(subject, separation=separation, load=load, model=model, heights=heights, **laws)
     factors = subject.scales().factors()
     touching = np.maximum(data["touching_asperities"] / factors["count"], 1e-300)
     friction = data.get("friction_force", 0.0 * data["load"])

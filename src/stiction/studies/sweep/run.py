@@ -16,6 +16,8 @@ from stiction.studies.sweep.workers import make_ready
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseFile
+    from stiction.quantities.arguments import FilePath
     from stiction.studies.sweep.store import Store
 
 _MOST_WORKERS = 1024  # processes of one machine
@@ -25,19 +27,50 @@ Progress = Callable[[int, int, Iterable[int]], Iterable[int]]
 
 
 def sweep(
-    case: Any, out: Any, *, workers: int = 1, scheduler: str | None = None, progress: Progress | None = None
+    case: "CaseFile", out: "FilePath", *, workers: int = 1, scheduler: str | None = None, progress: Progress | None = None
 ) -> "xarray.Dataset":
-    """Solve all contacts of a case whose numbers are several, into a store on disk; what was done before is not done again.
+    """Solve all contacts of a case with array parameters into a store on disk.
 
-    case: path of a case file, or its tables as a dict. out: path of the store, new, or of this case. workers: how many
-    processes of this machine share the work; or scheduler: address of a dask.distributed scheduler, whose workers see the store
-    under the same path. The store is the same, bit for bit, whoever does the work, and however often it is interrupted.
-    progress: shown what is done.
+    Parameters
+    ----------
+    case : path, or dict like a case file
+        Case whose numbers may be lists or ranges.
+    out : path
+        Folder of the store: new, or one of this case, which is then completed.
+    workers : int
+        Number of processes on this machine.
+    scheduler : str, optional
+        Address of a dask.distributed scheduler, in place of workers; its workers need the store under the same path.
+    progress : callable, optional
+        Receives the numbers of finished and of all contacts and the iterator of steps; returns that iterator.
 
-    Returns the store as a labelled dataset, read from disk as it is used: the results, over the dimensions of what varies (or
-    `sample`, of points that are listed or drawn) and the loads or separations, and `validity_warnings`, whose bits say of every
-    point which ranges of validity it leaves, and why it has no results, by its attributes flag_masks and flag_meanings. Raises
-    InputError for bad input, a store of another case, and a place that cannot be written to.
+    Returns
+    -------
+    xarray.Dataset
+        The store, read from disk when needed: results over the varied dimensions (or `sample`) and the points, and
+        `validity_warnings`, bit flags whose meaning is in the attributes flag_masks and flag_meanings.
+
+    Raises
+    ------
+    InputError
+        The case is wrong, the store is of another case, or it cannot be written.
+
+    Notes
+    -----
+    The store is the same, bit for bit, however many processes computed it and however often it was interrupted.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import stiction as st
+    >>> contact = {
+    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
+    ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    ... }
+    >>> contact["interfacial_shear_strength"] = ["50 MPa", "100 MPa"]
+    >>> case = {"contact": contact, "solve": {"load": ["0.1 N", "1 N"], "model": "persson_2001"}}
+    >>> st.sweep(case, pathlib.Path(tempfile.mkdtemp()) / "store.zarr").friction_coefficient.shape
+    (2, 2)
     """
     from stiction.studies.sweep.store import open_store
 
