@@ -1,9 +1,9 @@
 from .case.read import read_case as read_case
-from .contact.contact import Coating as Coating
+from .contact.coating import Coating as Coating
 from .contact.contact import Contact as Contact
-from .contact.contact import Liquid as Liquid
 from .contact.indices import Indices as Indices
 from .contact.interfaces import interfaces as interfaces
+from .contact.liquid import Liquid as Liquid
 from .contact.materials import Material as Material
 from .contact.materials import material as material
 from .contact.materials import work_of_adhesion as work_of_adhesion

@@ -1,31 +1,109 @@
-"""Run the examples of exported names, and hold rooms that have them to all sections of the numpydoc standard."""
+"""Hold exported names to the numpydoc standard: all sections, all parameters, typed signatures, examples that run."""
 
 import doctest
 import inspect
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
 import stiction as st
+from stiction.records.registry import all_options
+from stiction.solving.choice import LAWS, LawKeywords
 
-ROOMS = ("contact", "surfaces")  # others join as their docstrings get the sections
 EXPORTED = {name: getattr(st, name) for name in st.__all__ if callable(getattr(st, name))}
+FUNCTIONS = [name for name, value in EXPORTED.items() if inspect.isfunction(value)]
+RAISE_NOTHING = ("Evaluation", "InputError", "InputWarning", "summary")
+USER_SCRIPT = """
+import numpy as np
+
+import stiction as st
+
+rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+film = st.Coating(material="silver", thickness="200 nm")
+contact = st.Contact(
+    first="gold", second=st.material("gold"), roughness=rough, nominal_area="1 mm^2", coating=film,
+    interfacial_shear_strength="30 MPa",
+)
+result = st.solve(contact, load=["1 mN", "10 mN"], model="greenwood_williamson_1966", film="sequential", asperity="hertz_1882")
+curve = st.solve(contact, separation=np.linspace(0.0, 1e-7, 5), tangential="tabor_1959", variant="published")
+several = st.solve(contact, load=st.axis("load", ["1 mN", "2 mN"]), threads=2)
+answer = st.predict(contact, load="1 N", level=0.5)
+table = st.compare(contact, load="1 N")
+moved = st.slide(contact, load="1 N", kept=0.5)
+back = st.unload(contact, max_load="1 N", separation_increase=[0.0, 1e-9])
+stresses = st.film_stresses(contact, load="1 N", film="layered")
+case = {"indices": {"theta": 40, "lam": 10}, "solve": {"load": 1.0}}
+st.solve_case(case).to_netcdf("a.nc")
+st.compare_case(st.read_case("case.toml"), load=1.0)
+print(st.summary(answer), st.cite(result), [row["key"] for row in st.models()], st.show_config()["loops"])
+mu: float = st.predict_value("mu", "load", 10, "first", "gold")
+area: float = st.evaluate(np.linspace(0, 3, 10), theta=1.0, lam=1.0).contact_area.sum()
+target = st.SelfAffine(hurst=0.8, rolloff=2e-6, shortest=4e-7, deviation=1e-8)
+surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
+st.asperities(surface, "mccool")
+st.export(contact, "csv", "a.csv", load="1 N")
+st.sweep(case, "store.zarr", workers=2)
+st.fit(case, "data.csv")
+"""
+MISTAKES = """
+st.solve(contact, load=1.0, flim="sequential")
+st.evaluate(0.0, 1.0, 1.0, readding="published")
+reveal_type(result)
+reveal_type(st.__version__)
+"""
 
 
-def room_of(name):
-    return EXPORTED[name].__module__.removeprefix("stiction.").split(".")[0]
+def check_types(folder, text):
+    """Return what mypy --strict reports of a user's script, without its summary."""
+    script = folder / "script.py"
+    script.write_text(text, encoding="utf-8")
+    assert (Path(st.__file__).parent / "py.typed").exists()  # or a type checker would not look into the installed package
+    options = ["--strict", "--follow-imports=silent", "--config-file=", f"--cache-dir={folder / 'cache'}", "--no-error-summary"]
+    command = [sys.executable, "-m", "mypy", *options, str(script)]
+    environment = os.environ | {"MYPYPATH": str(Path(st.__file__).parents[1])}
+    return subprocess.run(command, text=True, capture_output=True, env=environment, cwd=folder, check=False).stdout
 
 
-@pytest.mark.parametrize("name", [name for name, value in EXPORTED.items() if ">>> " in (inspect.getdoc(value) or "")])
-def test_examples_run(name):
+@pytest.mark.parametrize("name", EXPORTED)
+def test_examples_run(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     example = doctest.DocTestParser().get_doctest(inspect.getdoc(EXPORTED[name]), {}, name, None, 0)
     assert example.examples and doctest.DocTestRunner(verbose=False).run(example).failed == 0
 
 
-@pytest.mark.parametrize("name", [name for name in EXPORTED if room_of(name) in ROOMS])
+@pytest.mark.parametrize("name", EXPORTED)
 def test_sections_are_complete(name):
     value, text = EXPORTED[name], inspect.getdoc(EXPORTED[name])
-    sections = ["Parameters", "Raises", "Examples", *(["Returns"] if inspect.isfunction(value) else [])]
+    parameters = inspect.signature(value).parameters if name != "InputWarning" else {}
+    sections = ["Examples", *(["Parameters"] if parameters else []), *(["Returns"] if name in FUNCTIONS else [])]
+    sections += [] if name in RAISE_NOTHING else ["Raises"]
     assert not [title for title in sections if f"\n{title}\n{'-' * len(title)}\n" not in text]
-    parameters = text.split("Parameters\n", 1)[1].split("\n\n", 1)[0]
-    fields = [each for each in inspect.signature(value).parameters if each not in ("unnamed_values", "args", "kwargs")]
-    assert not [field for field in fields if field not in parameters]
+    fields = [each for each in parameters if each not in ("unnamed_values", "args", "kwargs")]
+    described = text.split("Parameters\n", 1)[1].split("\n\n", 1)[0] if parameters else ""
+    if "**laws" in described:
+        fields = [field for field in fields if field not in LawKeywords.__annotations__]
+    assert not [field for field in fields if field not in described]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_signatures_are_typed(name):
+    signature = inspect.signature(EXPORTED[name])
+    annotations = {each.name: str(each.annotation) for each in signature.parameters.values()}
+    assert not [each for each, annotation in annotations.items() if "Any" in annotation or "_empty" in annotation]
+    assert signature.return_annotation is not inspect.Signature.empty
+
+
+def test_law_keywords_are_those_of_the_registry():
+    assert set(LawKeywords.__annotations__) == (set(LAWS) - {"model"}) | set(all_options())
+
+
+def test_a_strict_type_checker_reads_the_script_of_a_user(tmp_path):
+    """It accepts what is right, finds misspelt keywords, and sees the types of results. One run, as mypy is slow to start."""
+    *errors, dataset, version = check_types(tmp_path, USER_SCRIPT + MISTAKES).splitlines()
+    assert [re.findall(r'keyword argument "(\w+)"', error) for error in errors] == [["flim"], ["readding"]]
+    assert 'Revealed type is "xarray.core.dataset.Dataset"' in dataset
+    assert 'Revealed type is "str"' in version

@@ -1,7 +1,5 @@
-"""The public names: listed once, imported when they are used, never hidden by a module, and seen by a user's type checker."""
+"""The public names: listed once, imported when they are used, never hidden by a module."""
 
-import os
-import re
 import subprocess
 import sys
 import tomllib
@@ -12,14 +10,6 @@ import pytest
 import stiction as st
 
 PACKAGE = Path(st.__file__).parent
-SCRIPT = """
-import stiction as st
-
-reveal_type(st.solve)
-reveal_type(st.solve(st.Indices(theta=40, lam=10), load=1.0))
-reveal_type(st.__version__)
-st.evaluate(0.0, 1.0, 1.0, readding="published")
-"""
 
 
 def run(code: str) -> str:
@@ -57,19 +47,3 @@ def test_version_is_that_of_the_project():
     if not project.exists():
         pytest.skip("installed, not from a clone")
     assert st.__version__ == tomllib.loads(project.read_text(encoding="utf-8"))["project"]["version"]
-
-
-def test_a_type_checker_sees_signatures(tmp_path):
-    """mypy on the script of a user: types of arguments and results, and a misspelt keyword found."""
-    assert (PACKAGE / "py.typed").exists()  # or it would look no further, once the package is installed
-    script = tmp_path / "script.py"
-    script.write_text(SCRIPT, encoding="utf-8")
-    options = ["--ignore-missing-imports", "--follow-imports=silent", "--config-file=", f"--cache-dir={tmp_path / 'cache'}"]
-    environment = os.environ | {"MYPYPATH": str(PACKAGE.parent)}
-    command = [sys.executable, "-m", "mypy", *options, str(script)]
-    said = subprocess.run(command, text=True, capture_output=True, env=environment, cwd=tmp_path, check=False).stdout
-    lines = [line for line in said.splitlines() if line.startswith("script.py")]
-    assert re.search(r"contact: [\w.]+\.Subject, .*model: str \| None =", lines[0]), said
-    assert 'Revealed type is "xarray.core.dataset.Dataset"' in lines[1], said
-    assert 'Revealed type is "str"' in lines[2], said
-    assert 'Unexpected keyword argument "readding"' in lines[3], said

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import Field, create_model, model_validator
@@ -39,6 +39,9 @@ from stiction.records.registry import all_options
 from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
 from stiction.surfaces.finished import Finished, FinishedBodies, is_finished
 from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
+
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import FilePath
 
 _CASE_FILE = "a TOML case file"
 _SOLVE = "a table with separation or load"
@@ -186,13 +189,38 @@ def _case_file() -> type[_CaseFile]:
     return create_model("_CaseFile", __base__=_CaseFile, __doc__=_CaseFile.__doc__, **tables)
 
 
-def read_case(path, *, ranges: bool | None = None) -> Case:
-    """The case in a TOML file.
+def read_case(path: "FilePath", *, ranges: bool | None = None) -> Case:
+    """Read a case file.
 
-    path: of the file; scans and files of materials are looked for beside it. ranges: whether numbers of materials vary within
-    their ranges, in place of what the file says. Raises InputError, one line, if the file cannot be read or is not TOML, for
-    a key that is not known, and for a number that is missing, has no unit where it needs one, or is out of bounds. Warns with
-    InputWarning of numbers that are no rough surface: sigma and R swapped, a metre of roughness.
+    Parameters
+    ----------
+    path : path
+        TOML file; scans and files of materials are looked for in its folder.
+    ranges : bool, optional
+        Whether numbers of material presets vary within their ranges, in place of what the file states.
+
+    Returns
+    -------
+    Case
+        Contact, points, model and uncertain numbers, for `solve_case`, `compare_case`, `slide_case` and `predict`.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read or is no TOML, a key is not known, or a number is missing, without unit or out of bounds.
+
+    Notes
+    -----
+    It warns (InputWarning) of numbers that are no rough surface, e.g. a roughness of one metre.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import stiction as st
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "case.toml"
+    >>> _ = path.write_text("indices = { theta = 40, lam = 10 }\\nsolve = { load = [1.0, 2.0] }")
+    >>> st.read_case(path).load
+    array([1., 2.])
     """
     return parse_case(_with(read_content(path), ranges), Path(path).parent)
 

@@ -51,7 +51,9 @@ def surface(
         what, value = ("--load", load) if case is None else ("--case", str(case))
         raise InputError(what, value, "together with --out: it is for the resolution study")
     pressures = _pressures(contact, hardness)
-    given = {"size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel}
+    given: dict[str, Any] = {
+        "size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel,
+    }  # fmt: skip
     with busy("Reading the scan"):
         from stiction.studies.scans.analysis import analyse
         from stiction.surfaces.prepare import prepared, prepared_period

@@ -1,6 +1,7 @@
 """A film on one body or on both."""
 
-from typing import Annotated, Any, Literal
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, Field
@@ -8,7 +9,12 @@ from pydantic import BeforeValidator, Field
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 
-Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
+if TYPE_CHECKING:
+    from stiction.quantities.keywords import Converted
+
+    Body = Converted[Material, Material | str | Mapping[str, object]]
+else:
+    Body = Annotated[Material, BeforeValidator(as_material, json_schema_input_type=str | Material)]
 
 
 class Coating(Input):

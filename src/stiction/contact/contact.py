@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from stiction.contact.coating import Body, Coating, softer_in_words
 from stiction.contact.indices import Indices, plain_number
-from stiction.contact.interfaces import State, check_interface
+from stiction.contact.interfaces import OptionalState, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
@@ -78,8 +78,9 @@ class Contact(Subject):
     hardness_to_yield: OptionalNumber = None
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
-    interface: State | None = Field(
-        None, description="the name of a state, see `stiction interfaces`, or a table of its numbers"
+    interface: OptionalState = Field(
+        default=None,  # type: ignore[arg-type]
+        description="the name of a state, see `stiction interfaces`, or a table of its numbers",
     )
     peeling: OptionalNumber = None
     liquid: Liquid | None = None

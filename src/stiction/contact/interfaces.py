@@ -1,8 +1,8 @@
 """States of an interface: distributions of its shear strength, from interface_data/ (one file for each family of states)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
@@ -242,4 +242,9 @@ def _as_interface(value: Any) -> Any:
 
 
 # A field that holds a state: its name, a table of its numbers, or an Interface.
-State = Annotated[Interface, BeforeValidator(_as_interface, json_schema_input_type=str | Interface)]
+if TYPE_CHECKING:
+    from stiction.quantities.keywords import Converted
+
+    OptionalState = Converted[Interface | None, Interface | str | Mapping[str, object] | None]
+else:
+    OptionalState = Annotated[Interface, BeforeValidator(_as_interface, json_schema_input_type=str | Interface)] | None

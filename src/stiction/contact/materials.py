@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import Any, Literal, NamedTuple, Self, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, get_args
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -12,6 +12,11 @@ from stiction.quantities.errors import InputError, field_as, nearest
 from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.units import to_si
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.quantities.arguments import QuantityLike
 
 # What decides which states an interface may be in, the class that rules a pair first.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
@@ -63,9 +68,9 @@ class Material(Input):
     tangent_modulus: OptionalNumber = None
     characteristic_depth: OptionalNumber = None
     surface_energy: OptionalNumber = None
-    source: str | dict[str, str] | None = Field(None, union_mode="left_to_right")
+    source: str | dict[str, str] | None = Field(default=None, union_mode="left_to_right")
     range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")
-    material_class: MaterialClass | None = Field(None, description=", ".join(MATERIAL_CLASSES))
+    material_class: MaterialClass | None = Field(default=None, description=", ".join(MATERIAL_CLASSES))
 
     @model_validator(mode="after")
     def _ranges_hold_the_numbers(self):
@@ -120,7 +125,7 @@ def material_names() -> list[str]:
     return sorted(_presets())
 
 
-def material(name: str, /, **changes) -> Material:
+def material(name: str, /, **changes: "QuantityLike | None") -> Material:
     """Return the preset of this name or symbol, with some numbers changed.
 
     Parameters
@@ -152,7 +157,9 @@ def material(name: str, /, **changes) -> Material:
     return Material(**own | changes | notes_left(preset.source, preset.range, changes))
 
 
-def work_of_adhesion(first, second, *, interfacial) -> Any:
+def work_of_adhesion(
+    first: Material | str, second: Material | str, *, interfacial: "QuantityLike"
+) -> "float | xarray.DataArray":
     """Return the work of adhesion of two surfaces (Dupre).
 
     Parameters

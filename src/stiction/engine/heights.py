@@ -7,12 +7,16 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
 from stiction.quantities.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 # Where the density has fallen by exp(-NEGLIGIBLE) below its largest value on a piece, the rest of the piece is left out.
 NEGLIGIBLE = 36.0
@@ -161,13 +165,38 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 }
 
 
-def height_distribution(key: str, **parameters) -> Heights:
-    """The distribution of this name; `weibull` needs exponent=..., `empirical` samples=...
+def height_distribution(key: str, *, exponent: float | None = None, samples: "ArrayLike | None" = None) -> Heights:
+    """Return a height distribution by its name.
 
-    key: gaussian, exponential, weibull or empirical. parameters: of weibull its exponent, a number; of empirical the measured
-    samples (n,), in any unit: every distribution is brought to mean 0 and standard deviation 1. Returns what `heights` of
-    `solve` takes. Raises InputError for a name that is not known, and for parameters that are missing or out of bounds.
+    Parameters
+    ----------
+    key : str
+        "gaussian", "exponential", "weibull" or "empirical".
+    exponent : float, optional
+        Shape parameter of "weibull".
+    samples : array_like (n,), optional
+        Measured heights of "empirical", in any unit.
+
+    Returns
+    -------
+    Heights
+        Distribution with mean 0 and standard deviation 1, for `heights` of `solve`.
+
+    Raises
+    ------
+    InputError
+        The name is not known, or a parameter is missing or out of bounds.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> weibull = st.height_distribution("weibull", exponent=2.0)
+    >>> result = st.solve(st.Indices(theta=40, lam=10), load=1.0, heights=weibull)
+    >>> result.attrs["heights"]
+    'weibull'
     """
+    given = {"exponent": exponent, "samples": samples}
+    parameters = {name: value for name, value in given.items() if value is not None}
     if key not in DISTRIBUTIONS:
         raise InputError("height_distribution", key, ", ".join(DISTRIBUTIONS))
     try:

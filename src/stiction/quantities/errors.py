@@ -26,10 +26,27 @@ def _short(value) -> str:
 
 
 class InputError(ValueError):
-    """Something given by the user is not usable; `str()` of it is one line.
+    """Report an unusable input; its text is one line.
 
-    field: dotted name of what was given ("contact.coating.thickness"); value: what was given, None if
-    nothing; allowed: text saying what would have been accepted, with its unit; hint: what else would help, or "".
+    Parameters
+    ----------
+    field : str
+        Dotted name of the input, e.g. "contact.coating.thickness".
+    value : object
+        Its value; None if it is missing.
+    allowed : str
+        Allowed values, with their unit.
+    hint : str, optional
+        Further help.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> try:
+    ...     st.Coating(material="silver", thickness="-3 nm")
+    ... except st.InputError as error:
+    ...     print(error.field)
+    thickness
     """
 
     def __init__(self, field: str, value, allowed: str, hint: str = ""):
@@ -78,4 +95,15 @@ def nearest(word, known: Iterable[str]) -> str:
 
 
 class InputWarning(UserWarning):
-    """Something given is usable, but out of all proportion: most likely it was not meant."""
+    """Warn of an input that can be used but is out of all proportion.
+
+    Notes
+    -----
+    Python's `warnings` module filters it; `warnings.simplefilter("error", st.InputWarning)` raises it.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> issubclass(st.InputWarning, UserWarning)
+    True
+    """

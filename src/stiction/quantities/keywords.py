@@ -1,10 +1,22 @@
-"""Show the names of keyword arguments that a typed dictionary holds."""
+"""Tell editors and type checkers which keyword arguments there are, and what they take."""
 
 import inspect
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 F = TypeVar("F", bound=Callable)
+Value = TypeVar("Value")
+Taken = TypeVar("Taken")
+
+
+class Converted(Generic[Value, Taken]):
+    """Describe a field of a record to type checkers: the type that is read, and the types that are taken (PEP 681)."""
+
+    def __get__(self, record: object, owner: object) -> Value:
+        raise NotImplementedError  # for type checkers alone
+
+    def __set__(self, record: object, value: Taken) -> None:
+        raise NotImplementedError
 
 
 def with_keywords(names: type) -> Callable[[F], F]:

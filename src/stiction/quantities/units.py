@@ -10,6 +10,7 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from numbers import Real
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +22,11 @@ from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.quantity import Quantity, in_degrees
 from stiction.quantities.table import QUANTITIES, rows_of_table
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.quantities.arguments import QuantityLike
 
 _NUMBER_AND_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 # pint evaluates what it reads, and "m^9^9^9" would never end: only products of single-digit powers reach it.
@@ -103,12 +109,33 @@ def reason_of(error: InputError) -> str:
     return f"{error.field} is {show(value, name, 4) if isinstance(value, Real) else value}; allowed: {error.allowed}"
 
 
-def axis(name: str, values=None, dimension: str | None = None):
-    """Values of the named quantity along a dimension: usable as any number of a Contact or Indices.
+def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None = None) -> "xarray.DataArray":
+    """Return values of a quantity along a named dimension.
 
-    name: a key of QUANTITIES; values: n numbers in SI units or texts with units; dimension: another name
-    for the dimension, needed where one quantity of two bodies is swept. Returns an xarray.DataArray of
-    shape (n,) that is its own coordinate. Raises InputError as `to_si` does, and for an unknown name.
+    Parameters
+    ----------
+    name : str
+        Name of a quantity, e.g. "load" or "thickness".
+    values : array_like (n,) [SI], or sequence of str with units
+        Values along the dimension.
+    dimension : str, optional
+        Name of the dimension; by default that of the quantity. Needed where one quantity of two bodies varies.
+
+    Returns
+    -------
+    xarray.DataArray
+        Values (n,) in SI units, which are also their coordinate: usable as any number of a Contact or Indices.
+
+    Raises
+    ------
+    InputError
+        The name is not known, or a value has a wrong unit or is out of bounds.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> st.axis("load", ["1 mN", "2 mN"]).values
+    array([0.001, 0.002])
     """
     import xarray
 

@@ -2,7 +2,7 @@
 
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.paths import require_place
@@ -12,11 +12,21 @@ from stiction.studies.prediction.friction_table import friction_table
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.case.arguments import CaseLike
+    from stiction.contact.contact import Contact
+    from stiction.quantities.arguments import FilePath, QuantityLike
+
 __all__ = ["export"]
 
 
 def export(
-    contact: Any, to: str, out: Any = None, *, load: Any = None, level: float = 0.5, units: str = "m-kg-s"
+    contact: "Contact | CaseLike",
+    to: str,
+    out: "FilePath | None" = None,
+    *,
+    load: "QuantityLike | None" = None,
+    level: float = 0.5,
+    units: str = "m-kg-s",
 ) -> "xarray.Dataset":
     """Write the predicted friction of a contact against nominal pressure for another program.
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from stiction.case.read import Case, as_case
 from stiction.case.text import as_toml
@@ -30,6 +30,10 @@ from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
 from stiction.studies.findings import ReportData, find_out, text_of_file
 
+if TYPE_CHECKING:
+    from stiction.case.arguments import CaseLike
+    from stiction.quantities.arguments import FilePath, QuantityLike
+
 # Columns whose cells are symbols and meanings of the table of quantities.
 _FORMULAS = ("symbol", "quantity", "group", "stated")
 _SUFFIXES = (".html", ".htm", ".pdf")
@@ -38,42 +42,50 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 
 
 def write_report(
-    case: Any, path: Any, *, load: Any = None, ranges: bool | None = None, progress: Progress = silent
+    case: "CaseLike",
+    path: "FilePath",
+    *,
+    load: "QuantityLike | None" = None,
+    ranges: bool | None = None,
+    progress: Progress = silent,
 ) -> dict[str, Any]:
-    """Write a report of a case as one file of HTML or PDF.
+    """Write a report of a case as one HTML or PDF file.
 
     Parameters
     ----------
-    case : path, dict or Case
-        A case file, its tables, or a case that was read.
+    case : Case, path, or dict like a case file
+        One contact, or a case with array parameters.
     path : path
-        File to write, .html or .pdf (which needs a browser or weasyprint); an existing one is replaced at the end.
-    load : number or text, optional
-        Working load [N]; by default the middle one of the case.
+        File to write: .html, or .pdf where a browser or weasyprint is installed. An existing file is replaced.
+    load : float [N] or str with a unit, optional
+        Working load; by default the middle one of the case.
     ranges : bool, optional
-        Whether numbers of materials vary within their ranges; by default as the case states.
-    progress : callable, optional
-        Takes a label and returns a wrapper of a list of steps.
+        Whether numbers of material presets vary within their ranges, in place of what the case states.
+    progress : callable
+        Receives a label and returns a function that wraps the list of steps.
 
     Returns
     -------
     dict
-        The answer as numbers and words, as `stiction report --json` prints it.
+        The answer as numbers and texts, e.g. `friction_coefficient`.
 
     Raises
     ------
     InputError
-        A case without an answer, or a file that cannot be written.
-
-    Notes
-    -----
-    The report has the answer, inputs with their sources, pictures, all models compared, uncertainty, validity, measured
-    surfaces, citations, versions, and the case file.
+        The case is wrong, or the file cannot be written.
 
     Examples
     --------
+    >>> import pathlib, tempfile
     >>> import stiction as st
-    >>> answer = st.write_report("case.toml", "report.html")  # doctest: +SKIP
+    >>> contact = {
+    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interface": "clean metal",
+    ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
+    ... }
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "report.html"
+    >>> answer = st.write_report({"contact": contact, "solve": {"load": "1 N", "model": "persson_2001"}}, path)
+    >>> path.exists()
+    True
     """
     require("report", "matplotlib")
     check_place(Path(path), case)

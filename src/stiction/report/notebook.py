@@ -53,9 +53,8 @@ def summary(result: "xarray.Dataset") -> Summary:
     Examples
     --------
     >>> import stiction as st
-    >>> print(st.summary(st.solve(st.Indices(theta=40, lam=10), load=1e-3)))  # doctest: +ELLIPSIS
-    Result
-      model ...
+    >>> print(st.summary(st.solve(st.Indices(theta=40, lam=10), load=1e-3)).title)
+    Static friction after soft_coating_2015
     """
     used = result.attrs
     if "regime" in used:

@@ -35,7 +35,7 @@ def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     --------
     >>> import stiction as st
     >>> [model["title"] for model in st.models(["greenwood_williamson_1966"])]
-    ['TITLE']
+    ['Elastic contact of nominally flat surfaces']
     """
     if keys is None:
         return [_row(record) for record in records()]

@@ -32,6 +32,8 @@ from stiction.studies.prediction.predict import predict
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.quantities.arguments import FilePath
+
 # What is compared by ratios: of a separation there is none.
 _NOT_COMPARED = ("mean_separation",)
 _TABLES = ("title", "materials", "contact", "indices", "measured")
@@ -164,19 +166,58 @@ def entries_in(folder: Any) -> list[Path]:
     return found
 
 
-def validate(entry: Any, *, progress: Steps = iter) -> "xarray.Dataset":
-    """Every model that applies, against one measured series.
+def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Dataset":
+    """Compare every model that applies, and the prediction, with measured values.
 
-    entry: the path of its TOML file, or what `read_entry` gives. progress: wraps the list of models while they are computed.
-    Returns an xarray.Dataset over `model` and `row`, the measured values: measured, error, quantity, sample, load over the
-    rows; `predicted` over both, not a number where a model refuses; over the models `bias`, the geometric mean of predicted
-    over measured; `factor`, e to the root mean square of its logarithm: by what factor a prediction is off, as a rule;
-    `in_errors`, the root mean square of the difference over the standard error; `answered`, how many rows; grade,
-    `outside_validity` in words and `outside`, the symbols of the quantities. Models are in the order of how many rows they
-    answer, then of `factor`. Of friction also the prediction: `prediction` over `quantile` (LEVELS) and the rows, and
-    `within_50` and `within_90`, whether the measured value or band lies "inside", "partly" inside or "outside" the
-    interval; measured_low and measured_high are the ends of a band. Attributes: title, kind, source, place, doi, read,
-    note, `left_out`: model: why, and `sources`. Raises InputError for bad input.
+    Parameters
+    ----------
+    entry : path or Entry
+        TOML file with the tables [contact] and [measured], beside a CSV file of values; or what `read_entry` returns.
+    progress : callable
+        Receives the list of models and returns an iterator over it.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `row`: measured, error, quantity, sample, load; for bands measured_low and measured_high. Over (model, row):
+        `predicted`, NaN where a model refuses. Over `model`: `bias`, the geometric mean of predicted over measured; `factor`,
+        exp of the root mean square of its logarithm; `in_errors`, the root mean square difference over the standard error;
+        `answered`, the number of rows; grade, `outside_validity` and `outside`. Of friction also `prediction` (quantile, row),
+        and `within_50` and `within_90`: "inside", "partly" or "outside" of that interval. Attributes: title, kind, source,
+        place, doi, read, note, `left_out` (model: reason) and `sources`.
+
+    Raises
+    ------
+    InputError
+        The entry or its values are missing or wrong.
+
+    Notes
+    -----
+    Models are sorted by the number of rows that they answer, then by `factor`.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import stiction as st
+    >>> folder = pathlib.Path(tempfile.mkdtemp())
+    >>> _ = (folder / "values.csv").write_text("load [N],friction_coefficient\\n0.1,0.3\\n1,0.2\\n")
+    >>> entry = '''
+    ... contact.first = "gold"
+    ... contact.second = "gold"
+    ... contact.nominal_area = "1 mm^2"
+    ... contact.interfacial_shear_strength = "50 MPa"
+    ... contact.roughness.asperity_height_deviation = "48 nm"
+    ... contact.roughness.asperity_radius = "50 um"
+    ... contact.roughness.asperity_density = "1.7e10 1/m^2"
+    ... measured.file = "values.csv"
+    ... measured.kind = "measured"
+    ... measured.read = "printed"
+    ... measured.source = "Example"
+    ... measured.place = "Table 1"
+    ... '''
+    >>> _ = (folder / "entry.toml").write_text(entry)
+    >>> st.validate(folder / "entry.toml").sizes["row"]
+    2
     """
     one = entry if isinstance(entry, Entry) else read_entry(entry)
     cases = one.cases()

@@ -7,7 +7,7 @@ A method is a file in `asperity_method`, or an entry point of another package, w
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +16,9 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityMethod, Parameter, find, of_kind
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap, in_metres
+
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import QuantityLike
 
 
 def methods() -> dict[str, AsperityMethod]:
@@ -37,7 +40,7 @@ def method_of_moments() -> str:
     return next(key for key, one in methods().items() if one.of_moments)
 
 
-def asperities(surface: HeightMap, method: str = "mccool", **options) -> Asperities:
+def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityLike | None") -> Asperities:
     """Find the asperities of a surface by one method.
 
     Parameters

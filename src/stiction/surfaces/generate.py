@@ -28,6 +28,7 @@ from scipy.fft import irfft2, rfft2
 from scipy.special import ndtri
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.keywords import with_keywords
 from stiction.quantities.units import show
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
@@ -127,7 +128,7 @@ class _Periodic:
 
 
 def gaussian_surface(
-    shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *,
+    shape: tuple[int, int], size: tuple[float | str, float | str], spectrum: Spectrum, seed: int, *,
     stretch: float = 1.0, angle: float = 0.0, random_amplitudes: bool = True,
 ) -> HeightMap:  # fmt: skip
     """Generate a periodic Gaussian surface or profile of mean 0 from a seed.
@@ -174,9 +175,10 @@ def gaussian_surface(
     return HeightMap(asked.heights(), asked.size, (asked.said("Gaussian"),), periodic=True)
 
 
+@with_keywords(Lay)
 def non_gaussian_surface(
-    shape: tuple[int, int], size: tuple[float, float], spectrum: Spectrum, seed: int, *, skewness: float, kurtosis: float,
-    steps: int = 50, exact_spectrum: bool = False, **lay: Unpack[Lay],
+    shape: tuple[int, int], size: tuple[float | str, float | str], spectrum: Spectrum, seed: int, *,
+    skewness: float, kurtosis: float, steps: int = 50, exact_spectrum: bool = False, **lay: Unpack[Lay],
 ) -> HeightMap:  # fmt: skip
     """Generate a periodic surface with a skewness, a kurtosis and nearly a spectrum.
 

@@ -398,4 +398,9 @@ def _rough(value):
         return roughness_of(value)
 
 
-Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
+if TYPE_CHECKING:
+    from stiction.quantities.keywords import Converted
+
+    Rough = Converted[Roughness, Roughness | HeightMap | Mapping[str, object] | tuple[object, object]]
+else:
+    Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]

@@ -2,13 +2,10 @@
 
 Each step takes a HeightMap and returns another, with the step in its history. Missing points stay missing unless filled; fits
 and filters use the points with heights.
-
-Each step takes a HeightMap and returns another, with what was done in its history. Missing points stay missing unless
-filled; fits and filters work from the points that are there.
 """
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.fft
@@ -20,6 +17,9 @@ from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
 from stiction.surfaces.spikes import mask_spikes
 
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import QuantityLike
+
 _APART = 5.0  # steps from end to end of one period over those of neighbours: no period has such
 
 
@@ -28,8 +28,8 @@ def prepared(
     form: int = 1,
     spikes: float | None = None,
     fill: str | None = None,
-    shortest: Any = None,
-    longest: Any = None,
+    shortest: "QuantityLike | None" = None,
+    longest: "QuantityLike | None" = None,
 ) -> HeightMap:
     """Return the scan without its form and without waves outside a band.
 

@@ -3,9 +3,6 @@
 Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
 is a file in `readers` with a READER; no other code depends on it.
 
-Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
-is a file in `readers` with a READER: nothing else has to know of it.
-
 Libraries and instruments disagree on the size, the unit and the height factor of one file, so all of them can be overridden,
 and the history says what was taken.
 """
@@ -15,6 +12,7 @@ import re
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,10 +23,21 @@ from stiction.surfaces.heightmap import HeightMap, metres, metres_per
 from stiction.surfaces.raw_scan import FEWEST_POINTS, RawScan, Reader
 from stiction.surfaces.readers.shared.packed import check_packed
 
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import FilePath, QuantityLike
+
 _FLATTEST, _STEEPEST = 1e-10, 10.0  # peak to valley over size, beyond which a unit or a factor must be wrong
 
 
-def read_scan(path, *, size=None, unit=None, height_unit=None, height_scale=None, channel=None) -> HeightMap:
+def read_scan(
+    path: "FilePath",
+    *,
+    size: "QuantityLike | None" = None,
+    unit: str | None = None,
+    height_unit: str | None = None,
+    height_scale: float | None = None,
+    channel: str | int | None = None,
+) -> HeightMap:
     """Read the heights of a scan, in metres.
 
     Parameters

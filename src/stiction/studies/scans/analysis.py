@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_av
 from stiction.surfaces.spikes import spikes as spikes_of
 from stiction.surfaces.statistics import ProfileMoments, Statistics, moments_by_differences, moments_by_spectrum, statistics
 from stiction.surfaces.theory.moments import Moments
+
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import QuantityLike
 
 
 @dataclass(frozen=True)
@@ -46,11 +49,36 @@ class Analysis:
     kind: str | None
 
 
-def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: Any = None) -> Analysis:
-    """Statistics, spectrum, moments and asperities of a prepared scan.
+def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLike | None" = None) -> Analysis:
+    """Compute statistics, spectrum, moments and asperities of a scan.
 
-    surface: heights in metres, as `prepared` gives them. progress: wraps the list of methods. tip_radius: of the stylus, metres
-    or text with a unit: ends the reliable band of the spectrum where it could not follow. Raises InputError.
+    Parameters
+    ----------
+    surface : HeightMap
+        Heights (rows, columns) [m], as `prepared` returns them.
+    progress : callable
+        Receives the list of methods and returns an iterator over it.
+    tip_radius : float [m] or str with a unit, optional
+        Radius of the stylus; ends the reliable band of the spectrum where it could not follow.
+
+    Returns
+    -------
+    Analysis
+        Its attributes: surface, statistics, spectrum, spikes, moments, and by method asperities, height distributions and
+        reasons of failure.
+
+    Raises
+    ------
+    InputError
+        The map or the tip radius is not usable.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
+    >>> "mccool" in st.analyse(surface).asperities
+    True
     """
     tip = None if tip_radius is None else metres(tip_radius, "tip_radius")
     each: dict[str, Asperities] = {}

@@ -31,6 +31,8 @@ from stiction.surfaces.spectrum import POINTS_PER_WAVE
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.quantities.arguments import QuantityLike
+
 # What is kept of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
     "sigma": ("deviation", "asperity deviation", "m"),
@@ -113,32 +115,62 @@ class _Friction:
 
 def resolution_study(
     surface: HeightMap,
-    cutoffs: Iterable[float] | None = None,
+    cutoffs: Iterable[float | str] | None = None,
     methods: Iterable[str] | None = None,
     *,
-    options: dict[str, dict[str, Any]] | None = None,
+    options: "Mapping[str, Mapping[str, QuantityLike | None]] | None" = None,
     points_per_cutoff: float | None = None,
     progress: Steps = iter,
     contact: Contact | None = None,
-    load: Any = None,
+    load: "QuantityLike | None" = None,
     choice: Choice | None = None,
 ) -> "xarray.Dataset":
-    """sigma, R, N and, with a contact, mu, for each method and each shortest wavelength that is left in the map.
+    """Compute roughness numbers and mu of a scan against the shortest wavelength.
 
-    surface: a levelled map, or what `as_height_map` takes for one.
-    cutoffs: wavelengths [m], or text with a unit, at which the Gaussian low-pass of
-    prepare.filter_band lets half the amplitude through; 0 leaves the map as it is; by default `default_cutoffs`. methods: keys,
-    by default all that the map allows. contact: whose rough surface is replaced by what is found, all its numbers single ones;
-    load: of it, one number [N] or text, > 0; choice: model and laws that answer, by default those of `solve`; theories of the
-    whole surface take its moments, boundary_elements the map, and give the same mu after every method. options: of each method
-    by its key. points_per_cutoff: take only every k-th point, with at least this many to a cutoff (>= 2); by default all are
-    kept.
-    progress: wraps the list of cutoffs.
+    Parameters
+    ----------
+    surface : HeightMap
+        Levelled heights (rows, columns) [m].
+    cutoffs : iterable of float [m] or str with a unit, optional
+        Wavelengths at which the Gaussian low-pass halves the amplitude; 0 leaves the map unfiltered.
+    methods : iterable of str, optional
+        Keys of ways of finding asperities; by default all that the map allows.
+    options : dict of dict, optional
+        Options of each method, by its key.
+    points_per_cutoff : float, optional
+        Take only every k-th point, with at least this many (2 or more) to a cutoff; by default all points.
+    progress : callable
+        Receives the list of cutoffs and returns an iterator over it.
+    contact : Contact, optional
+        Contact of single numbers, whose roughness is replaced by what is found.
+    load : float [N] or str with a unit, optional
+        Load of the contact, above 0.
+    choice : Choice, optional
+        Model and laws; by default those of `solve`.
 
-    Returns an xarray.Dataset over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution,
-    mu, and `failure`, the reason why numbers are not there (NaN), else empty: the map is too smooth for the method, or the
-    contact cannot carry the load. Raises InputError for cutoffs, methods, options, or a contact, load or choice that will not
-    do.
+    Returns
+    -------
+    xarray.Dataset
+        Over (asperity_method, cutoff): sigma, R, N, mean_height, skewness, count, height_distribution, with a contact mu, and
+        `failure`, the reason where a number is NaN.
+
+    Raises
+    ------
+    InputError
+        A cutoff, method, option, contact, load or choice is not usable.
+
+    Notes
+    -----
+    Theories of the whole surface take its moments and boundary_elements takes the map: their mu is the same for every method.
+
+    Examples
+    --------
+    >>> import stiction as st
+    >>> target = st.SelfAffine(hurst=0.8, rolloff="2 um", shortest="400 nm", deviation="10 nm")
+    >>> surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
+    >>> study = st.resolution_study(surface, ["0.5 um", "1 um"], ["mccool"])
+    >>> bool((study.R.diff("cutoff") > 0).all())
+    True
     """
     surface = as_height_map(surface, "surface")
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
@@ -169,7 +201,7 @@ def resolution_study(
     return _labelled(surface, keys, wanted, numbers, words)
 
 
-def _cutoffs(cutoffs: Iterable[float]) -> np.ndarray:
+def _cutoffs(cutoffs: Iterable[float | str]) -> np.ndarray:
     if isinstance(cutoffs, str | Real) and not isinstance(cutoffs, bool):
         cutoffs = [cutoffs]  # type: ignore[list-item]
     try:

@@ -82,7 +82,8 @@ def sensitivity(
     --------
     >>> import stiction as st
     >>> contact = {
-    ...     "first": "gold", "second": "gold", "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
+    ...     "first": "hardened_steel_52100", "second": "hardened_steel_52100",
+    ...     "nominal_area": "1 mm^2", "interfacial_shear_strength": "50 MPa",
     ...     "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
     ... }
     >>> slopes = st.sensitivity({"contact": contact, "solve": {"load": "1 N", "model": "persson_2001"}})
