@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ReportData:
-    """What a report tells.
+    """Hold the results that a report shows.
 
-    case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the model that is
-    named. load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
-    where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> what is said of its
-    scan. input_warnings: about numbers that were hardly meant. recommended: the prediction of one contact, also where a
-    model is named; None where numbers are several or normalised.
+    case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the named model.
+    load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
+    where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> analysis of its
+    scan. input_warnings: about unlikely numbers. recommended: the prediction of one contact, also where a
+    model is named; None for array parameters and normalised contacts.
     """
 
     case: Case
@@ -57,8 +57,11 @@ class ReportData:
 
 
 def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
-    """All that is said of a case. load: the working load [N]; by default the middle one of the case; of numbers that are
-    several there is none, and models are not compared. progress: from a text, what wraps a list of steps. Raises InputError."""
+    """Compute the results that a report of a case shows.
+
+    load: the working load [N]; by default the middle one of the case; a case with array parameters has none, and its models are
+    not compared. progress: callable(label) that returns an iterator wrapper. Raises InputError.
+    """
     if case.is_several and load is not None:
         raise InputError("--load", load, "nothing, where numbers of the case are several: it is solved at its own points")
     at = None if case.is_several else working_load(case, load)
@@ -87,7 +90,7 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
 
 
 def places_in(text: str) -> frozenset[Address]:
-    """The places of all values in the text of a case file: ("contact", "first", "hardness"). None where it is no TOML."""
+    """Return the addresses of all values in the text of a case file; none for invalid TOML."""
     found: set[Address] = set()
 
     def walk(table: Mapping, path: Address) -> None:
@@ -104,5 +107,5 @@ def places_in(text: str) -> frozenset[Address]:
 
 
 def text_of_file(path: Path) -> str:
-    """The text of a case file that was read already."""
+    """Return the text of a case file that was read already."""
     return path.read_text(encoding="utf-8-sig")

@@ -89,8 +89,11 @@ class Origin(Input):
 
 @dataclass(frozen=True)
 class Entry:
-    """A measured series with its contact. content: the tables of a case, with scans and own materials read; uncertain: its
-    uncertain numbers, which the prediction draws."""
+    """Hold a measured series with its contact.
+
+    content: the tables of a case, with scans and own materials read; uncertain: its uncertain numbers, which the prediction
+    draws.
+    """
 
     title: str
     origin: Origin
@@ -116,7 +119,7 @@ class Entry:
 
 
 def read_entry(path: Any) -> Entry:
-    """The entry in a TOML file, with the values in the CSV file beside it. Raises InputError, one line."""
+    """Read the entry in a TOML file, with the values in its CSV file. Raises InputError."""
     content = read_content(path)
     table = content.get("measured")
     if not isinstance(table, Mapping):
@@ -159,7 +162,7 @@ def _check(values: Measurements, file: str) -> None:
 
 
 def entries_in(folder: Any) -> list[Path]:
-    """The files of the entries in a folder: those with a table [measured], by name. Raises InputError."""
+    """Return the files of the entries in a folder, those with a table [measured], by name. Raises InputError."""
     found = [path for path in sorted(Path(folder).glob("*.toml")) if "measured" in read_content(path)]
     if not found:
         raise InputError("entry", str(folder), "a TOML file with a table [measured], or a folder that has some")
@@ -235,7 +238,7 @@ _OF_MODELS = ("bias", "factor", "in_errors", "answered", "grade", "outside_valid
 
 
 def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> dict[str, Any]:
-    """What a model says of the measured values (n,): _OF_MODELS, predicted (n,), sources, and why it says nothing."""
+    """Evaluate one model at the measured values: _OF_MODELS, predicted (n,), sources, and why it has no results."""
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
     sources: dict[str, None] = {}
@@ -294,7 +297,7 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 
 
 def _within(low: float, high: float, least: float, most: float) -> str:
-    """Return where a measured range lies beside an interval; "" where nothing is predicted."""
+    """Return where a measured range lies relative to an interval; "" without a prediction."""
     if not np.isfinite(least):
         return ""
     return "inside" if least <= low and high <= most else "outside" if high < least or most < low else "partly"

@@ -51,7 +51,7 @@ def dataset_of(found: "Designing") -> "xarray.Dataset":
 
 
 def _columns(found: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
-    """What was chosen and what it gives, of some of the archive."""
+    """Return the choices and results of some designs of the archive as columns."""
     shares, _, worst, known = found.archive.table()
     shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}

@@ -27,7 +27,7 @@ _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 
 @dataclass(frozen=True)
 class Options:
-    """A list of which one is taken: numbers in SI units, or what stands in a case file, tables and names."""
+    """A list from which one entry is chosen: numbers in SI units, or tables and names of a case file."""
 
     path: Address
     entries: tuple[Any, ...]
@@ -60,8 +60,11 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """A design, ready to be searched. content: the tables of the case without studies; given: as they were written. objectives
-    with the value of a target in SI units. uncertain: numbers of the contact that are drawn."""
+    """Hold a design that is ready to be searched.
+
+    content: the tables of the case without studies; given: as they were written. objectives, with the value of a target in SI
+    units. uncertain: numbers of the contact that are drawn.
+    """
 
     content: Mapping[str, Any]
     given: Mapping[str, Any]
@@ -83,12 +86,15 @@ class DesignPlan:
 
 
 def quantity_of(name: str) -> str:
-    """Return the quantity of a result: of an end of an interval, that of its median."""
+    """Return the quantity of a result; the end of an interval has the quantity of its median."""
     return name if name in QUANTITIES else name.removesuffix("_low").removesuffix("_high")
 
 
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
-    """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
+    """Return the plan of the tables of a case file.
+
+    folder: scans are named relative to it. Raises InputError.
+    """
     require_names(content)
     wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'
     design: Design = study_table(content, "design", wanted)

@@ -40,8 +40,10 @@ _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 @dataclass
 class Archive:
-    """Every design that was asked for: shares (n, d), objectives (n, w), how far beyond its limits each is (n,), and what is
-    known."""
+    """Record every design that was evaluated.
+
+    shares (n, d), objectives (n, w), worst: constraint violation of each (n,), known: results by name (n,).
+    """
 
     shares: list[np.ndarray] = field(default_factory=list)
     objectives: list[np.ndarray] = field(default_factory=list)
@@ -69,8 +71,10 @@ class Designing:
     stopped: bool = False
 
     def best(self) -> np.ndarray:
-        """Numbers in the archive of the designs worth showing: of each way to choose from lists the one that is nearest to the
-        first objective, the best first; where none keeps the limits those that break them least."""
+        """Return the archive rows of the best design for each combination of list entries, the best first.
+
+        Where no design meets the constraints, those with the least violation come first.
+        """
         shares, objectives, worst, _ = self.archive.table()
         order = np.lexsort((objectives[:, 0], np.maximum(worst - TOLERANCE, 0.0)))
         way = self.space.way(shares[order])
@@ -78,7 +82,7 @@ class Designing:
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
-        """Numbers in the archive of the designs that keep the limits and of which none is better in both objectives."""
+        """Return the archive rows of the Pareto front of the designs that meet the constraints."""
         _, objectives, worst, _ = self.archive.table()
         return _front(objectives, worst)
 
@@ -86,7 +90,7 @@ class Designing:
         return dataset_of(self)
 
     def case_text(self, out: Path) -> str:
-        """The case with the best design, as text of a file in a folder: `stiction run` reads it."""
+        """Return the case with the best design as the text of a file in a folder."""
         return designed_case(self, out)
 
 
@@ -130,7 +134,7 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
 
 
 def plan_of_design(case: Any) -> DesignPlan:
-    """What is searched. Raises InputError."""
+    """Return the plan of a design. Raises InputError."""
     if isinstance(case, Mapping):
         return make_design_plan(case)
     return make_design_plan(read_content(case), Path(case).parent)
@@ -157,7 +161,7 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
 
 
 def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
-    """What is known of designs (n, d); it is kept."""
+    """Evaluate designs (n, d) and add them to the archive."""
     answers, archive = found.space.answers(shares), found.archive
     archive.shares.append(shares.copy())
     archive.objectives.append(answers.objectives)
@@ -187,8 +191,11 @@ def _drawn(found: Designing) -> np.ndarray:
 
 
 def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
-    """Differential evolution (Storn & Price 1997) of one objective, designs that keep the limits before all that do not (Deb
-    2000), on from the best that are known: for each of the best ways to choose from lists. ceiling: of the other objective."""
+    """Search one objective by differential evolution (Storn & Price 1997).
+
+    Designs that meet all constraints rank before all others (Deb 2000). The search continues from the best known designs, once
+    for each of the best combinations of list entries. ceiling: upper bound of the other objective.
+    """
     if not found.plan.free and found.archive.count:
         return  # every design was asked
     from scipy.optimize import differential_evolution
@@ -243,7 +250,7 @@ class _Quiet:
 
 
 def _cost(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
-    """The objective of designs (n, d); of those beyond limits and ceiling how far, above that of all others."""
+    """Return the objective of designs (n, d); those beyond constraints and ceiling cost more than all others."""
     answers = _ask(found, shares, tell)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
@@ -277,8 +284,10 @@ def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.
 
 
 def _refined(found: Designing, number: int, tell: Tell) -> None:
-    """The numbers between ends of the best designs, by a model of their neighbourhood (COBYQA: Ragonneau 2022): where a
-    limit or an end decides, to its last digit."""
+    """Refine the numbers of the best designs by COBYQA (Ragonneau 2022).
+
+    A quadratic model of the neighbourhood finds the optimum to its last digit where a constraint or an end decides.
+    """
     if not found.plan.free or found.space.is_predicted:  # draws are known to two digits
         return
     shares = found.archive.table()[0]
@@ -316,8 +325,10 @@ def _best_ways(found: Designing, number: int) -> list[int]:
 
 
 def _search_front(found: Designing, tell: Tell) -> None:
-    """Designs between the best for either objective: the first objective, where the other is held below a ceiling (Haimes,
-    Lasdon & Wismer 1971), for a row of ceilings."""
+    """Search designs between the best for either objective.
+
+    The first objective is searched with the other below a ceiling (Haimes, Lasdon & Wismer 1971), for a row of ceilings.
+    """
     front = found.front()
     if not front.size or not found.plan.free:
         return
@@ -330,8 +341,11 @@ def _search_front(found: Designing, tell: Tell) -> None:
 
 
 def _spread(found: Designing, tell: Tell) -> None:
-    """Search predictions for two objectives: rounds of normal steps from the front, as of an evolution strategy (Rechenberg
-    1973), each shorter than the last; where no design keeps the limits, from those that break them least."""
+    """Search predictions for two objectives by an evolution strategy (Rechenberg 1973).
+
+    Each round takes normal steps from the Pareto front, shorter than the last; where no design meets the constraints, from
+    those with the least violation.
+    """
     rng = np.random.default_rng(found.plan.seed)
     step, named = _FIRST_STEP, found.space.named
     if not found.plan.free:
@@ -348,8 +362,7 @@ def _spread(found: Designing, tell: Tell) -> None:
 
 
 def _front(objectives: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Numbers of those within the tolerance of which none is at least as good in both objectives and better in one, by the
-    first."""
+    """Return the rows of the Pareto front within the tolerance, ordered by the first objective."""
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(objectives).all(axis=1))
     order = kept[np.lexsort((objectives[kept, -1], objectives[kept, 0]))]
     lowest = np.minimum.accumulate(np.concatenate([[np.inf], objectives[order, -1]]))[:-1]

@@ -35,8 +35,11 @@ _SAMPLES = 32
 
 @dataclass(frozen=True)
 class Answers:
-    """Of designs (n,): objectives (n, 1 or 2), less is better; broken (n, limits and one for validity), how far beyond each
-    limit, over its size, 0 or below where it is kept; known: name -> what is shown of each (n,)."""
+    """Hold the results of designs (n,).
+
+    objectives (n, 1 or 2), to be minimised; broken (n, limits + 1): excess over each limit and over validity, relative to its
+    size, 0 or below where it is met; known: name -> displayed value of each (n,).
+    """
 
     objectives: np.ndarray
     broken: np.ndarray
@@ -75,7 +78,10 @@ class Space:
         return len(self.plan.unknowns)
 
     def _choice(self) -> Choice:
-        """The model, asked for the first design. Raises InputError where it does not know the objective or limited."""
+        """Return the model, resolved for the first design.
+
+        Raises InputError where it does not compute an objective or a limited result.
+        """
         shares = np.full((1, self.dimension), 0.5)
         content, numbers, points = self._contacts(shares, np.arange(1))
         if self.is_predicted:
@@ -92,7 +98,7 @@ class Space:
         return choice
 
     def _prediction(self, content: Mapping, numbers: Mapping, points: Mapping) -> Choice:
-        """Refuse what no prediction knows of the first design."""
+        """Refuse results that a prediction does not compute, by the first design."""
         subject = case_of(content, numbers).subject
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
@@ -133,14 +139,16 @@ class Space:
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
     def way(self, shares: np.ndarray) -> np.ndarray:
-        """Which entries of the lists designs (n, d) take (n, lists): of the lists of what is no number, or where there are none
-        of all."""
+        """Return the list entries that designs (n, d) take, (n, lists).
+
+        Lists of numbers count only where there are no other lists.
+        """
         some = self.named or range(len(self.plan.options))
         columns = [self.plan.options[at].index(shares[:, at]) for at in some]
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Answers:
-        """What is known of designs (n, d). Those that are refused are far beyond all limits."""
+        """Evaluate designs (n, d); refused designs get a large constraint violation."""
         shares = np.atleast_2d(shares)
         count, limits = len(shares), len(self.plan.limits) + 1
         objectives, broken = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
@@ -195,8 +203,10 @@ class Space:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Rows of designs that take the same of what is no number, in the order of N R sigma: which laws answer depends on it,
-        so that neighbours are predicted together."""
+        """Return groups of rows with the same materials and bodies, ordered by N R sigma.
+
+        The laws that apply depend on N R sigma, so neighbours are predicted together.
+        """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
             return [order]
@@ -231,8 +241,10 @@ class Space:
         return content, numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, content: Mapping, chosen: list[Address]) -> dict[Address, np.ndarray]:
-        """Values of what is uncertain and not chosen (samples,), the same for every design of the same materials. Of a material
-        that is chosen its own ranges count."""
+        """Return samples of the uncertain numbers that are not chosen, (samples,) each.
+
+        Designs of the same materials share them. A chosen material brings its own ranges.
+        """
         if self.is_predicted:  # which draws for itself
             return {}
         kept = self._uncertain(chosen)
@@ -260,12 +272,15 @@ class Space:
         )
 
     def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
-        """Return every result and group that is asked for (designs, samples, loads), by name."""
+        """Return every required result and group (designs, samples, loads), by name."""
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
-        """What is shown of each result (designs,): where a limit or an objective of it is kept worst; else in the middle."""
+        """Return the displayed value of each result (designs,).
+
+        It is the worst value where a limit or an objective concerns the result, and the median elsewhere.
+        """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
         for name, worst in zip(names, [*broken[: len(self.plan.limits)], *objectives], strict=True):
@@ -274,7 +289,7 @@ class Space:
         return found
 
     def _table(self, name: str, solved: BatchResult, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
-        """A result or a group (designs, samples, loads)."""
+        """Return a result or a group as a table (designs, samples, loads)."""
         if name in solved.variables:
             dims, values, _ = solved.variables[name]
             return _as_table(dims, values, shape)
@@ -309,7 +324,7 @@ def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.
 
 
 def _cost_of(objective: Any, table: np.ndarray, target: float) -> np.ndarray:
-    """What is to be least."""
+    """Return the objective in the form that is minimised."""
     return np.abs(table - target) if objective.target else -table if objective.maximise else table
 
 

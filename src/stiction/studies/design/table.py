@@ -39,11 +39,11 @@ class Objective(Input):
 
 
 class Design(Input):
-    """What is chosen, and the objective of it.
+    """What is chosen, and its objective.
 
-    objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists of which one
-    is taken. limits: results with the ends between which they must be. validity: "claimed" where no range of validity may be
-    left but those that are about statistics, "possible" where none may be that makes a result impossible, "any".
+    objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists from which
+    one entry is taken. limits: results with their low or high ends. validity: "claimed" allows validity warnings about
+    statistics only, "possible" all except those that make a result impossible, "any" allows all.
     """
 
     objective: Any = Field(description='an objective, { minimise = "friction_coefficient" }, or a list of two')

@@ -23,9 +23,12 @@ _FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were giv
 
 @dataclass(frozen=True)
 class Fitted:
-    """A model and its best free numbers. scale: what the errors were multiplied by, where none were given or the scatter is
-    larger, which `found` says; threshold: rise of chi square at the ends of an interval; freedom: values less free numbers that
-    the model asks for. profiles: of each number, none where they were not asked for."""
+    """Hold a model with its best free numbers.
+
+    scale: factor on the errors, where none were stated or the scatter is larger (`found`); threshold: rise of chi square at the
+    ends of an interval; freedom: number of values minus number of free numbers that the model uses. profiles: one for each
+    number, none where they were not requested.
+    """
 
     name: str
     forward: Forward
@@ -56,8 +59,11 @@ class Fitted:
         return np.array([one.free.at(np.asarray(share)) for one, share in zip(self.parameters, shares, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
-        """Of sets that are so far above the least chi square, over that of the best. Where the size of the errors is found from
-        the same values it is integrated over (Gelman et al. 2013, section 14.2: Student's t where the model is linear)."""
+        """Return the log-likelihood relative to the best fit, for a rise of chi square.
+
+        Where the size of the errors is found from the same values it is integrated out (Gelman et al. 2013, section 14.2:
+        Student's t for a linear model).
+        """
         rise = np.maximum(rise, 0.0)
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
@@ -71,7 +77,10 @@ def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
 
 
 def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
-    """The best fit of a model. Raises InputError where nothing between the ends gives what was measured."""
+    """Return the best fit of a model.
+
+    Raises InputError where no numbers between the ends reproduce the measured points.
+    """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))
     refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
@@ -83,8 +92,11 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
 
 
 def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
-    """The best fit. Where errors are far smaller than the values it is found with larger ones in the same proportion, which
-    give the same numbers: over the errors themselves all that is not next to the best would be equally far off."""
+    """Search the best fit, with enlarged errors where they are far smaller than the values.
+
+    Errors enlarged in proportion have the same minimum. With the stated errors all sets outside its neighbourhood would have
+    the same clipped residuals, and the search would have no slope to follow.
+    """
     sizes = {
         name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
     }
@@ -99,7 +111,7 @@ def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
 
 
 def _over(best: Best, factor: float) -> Best:
-    """The same with errors times a factor."""
+    """Return the fit with errors multiplied by a factor."""
     return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
@@ -120,14 +132,14 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
 
 
 def refitted(one: Fitted, forward: Forward) -> Fitted:
-    """The same model fitted to other values, from where it was best."""
+    """Fit the same model to other values, starting from its best numbers."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, one.best.shares)
     return _scaled(one.name, forward, best, (errors, stated), False)
 
 
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
-    """Standard errors, and whether they were stated. Where they were not all values have one, found from their scatter."""
+    """Return standard errors, and whether they were stated; unstated errors are equal and found from the scatter."""
     there = np.isfinite(data.error)
     if there.all():
         return data.error, True
@@ -141,7 +153,7 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: Forward) -> np.ndarray:
-    """What the case says, where it says something between the ends; else the middle."""
+    """Return shares of the numbers in the case, or 0.5 where the case states none between the ends."""
     shares = []
     for one in forward.parameters:
         value = _given(forward.plan.content, one.free.path)
@@ -164,7 +176,7 @@ def _given(content, path):
 
 
 def verdicts(one: Fitted) -> list[str]:
-    """What these data say badly, or cannot say, in words."""
+    """Return sentences on what these data determine badly or not at all."""
     found = []
     groups = _not_told_apart(one)
     for group in groups:
@@ -207,8 +219,10 @@ def _is_wide(one: Fitted, at: int) -> bool:
 
 
 def _not_told_apart(one: Fitted) -> list[list[int]]:
-    """Groups of numbers of which some are badly determined because the others may go with them: along the profile of one the
-    other goes several times as far as it could go alone."""
+    """Return groups of numbers that are badly determined because they can change together.
+
+    Along the profile of one number the other moves several times as far as it could alone.
+    """
     from scipy.sparse.csgraph import connected_components
 
     k = range(len(one.parameters))

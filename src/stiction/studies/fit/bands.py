@@ -27,8 +27,10 @@ _SET = "set"
 
 @dataclass(frozen=True)
 class Bands:
-    """Predictions by quantity: dimensions, best, low and high arrays; coords: of what the numbers are over; effective: how many
-    sets the bands are worth."""
+    """Hold predictions by quantity.
+
+    tables: dimensions, best, low and high arrays; coords of their dimensions; effective: effective sample size of the bands.
+    """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
     coords: dict[str, Any]
@@ -37,8 +39,10 @@ class Bands:
 
 
 def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
-    """Sets of shares (m, k) with the probability that the data give them between the ends, and how many of them are worth one
-    each: importance sampling from a wide normal about the best fit, and evenly, by Sobol points."""
+    """Return samples of the shares (m, k) from their posterior, and the effective sample size.
+
+    Importance sampling: the proposal mixes a wide Student's t about the best fit with a uniform distribution, by Sobol points.
+    """
     k = len(one.parameters)
     points = sobol_points(k + 1, _TRIED, seed)
     root = np.linalg.cholesky(one.best.bounded) * 1.5
@@ -75,8 +79,11 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
 
 
 def predicted(plan: FitPlan, one: Fitted) -> Bands:
-    """The measured quantities at the points of [solve], for the numbers of [fit.predict], with bands that hold what the data
-    leave with a probability of 95 %. Where samples have numbers of their own, of the first sample. Raises InputError."""
+    """Predict the measured quantities at the points of [solve] with 95 % bands.
+
+    The numbers are those of [fit.predict]. Where samples have numbers of their own, the first sample is predicted. Raises
+    InputError.
+    """
     sample = plan.data.samples[0] if any(x.sample is not None for x in one.parameters) else None
     columns = [at for at, x in enumerate(one.parameters) if x.sample in (None, sample)]
     sets, effective = draws_of(one)
@@ -117,7 +124,7 @@ def check_predicted(plan: FitPlan) -> None:
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
-    """The numbers of [fit.predict], those that are several as labelled arrays."""
+    """Return the numbers of [fit.predict], arrays as labelled arrays."""
     from stiction.case.places import flat, placed
     from stiction.case.several import number_of, several_numbers
 
@@ -141,7 +148,7 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
 
 
 def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
-    """The free numbers as arrays along the sets, but for what [fit.predict] says."""
+    """Return the free numbers as arrays along the sets, except those in [fit.predict]."""
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 
 
@@ -162,7 +169,7 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
 
 def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
-    """A measured quantity as a table (sets, its other dimensions)."""
+    """Return a measured quantity as a table (sets, its other dimensions)."""
     result = result_of(name)
     dims, values, _ = solved.variables[result]
     others = tuple(dim for dim in dims if dim != _SET)

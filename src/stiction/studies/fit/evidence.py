@@ -15,8 +15,11 @@ _FOLDS = 5
 
 @dataclass(frozen=True)
 class Rival:
-    """A model among others: its fit, or why it has none; aicc: Akaike's criterion, small is good; left_out: root mean square of
-    the errors of values that were left out, over their standard errors as stated, or else over the largest of all values."""
+    """Hold an alternative model with its fit, or the reason why it has none.
+
+    aicc: Akaike's criterion, small is good; left_out: root mean square error of left-out values, over their stated standard
+    errors, or over the largest of all values.
+    """
 
     name: str
     fit: Fitted | None
@@ -26,7 +29,7 @@ class Rival:
 
 
 def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
-    """A model of this name, fitted and cross-validated."""
+    """Fit and cross-validate a model by its name."""
     try:
         one = fit or fitted(name, forward_of(plan, name), with_profiles=False)
         return Rival(name, one, aicc_of(one), _left_out(plan, one))
@@ -35,8 +38,11 @@ def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
 
 
 def aicc_of(one: Fitted) -> float:
-    """Akaike's criterion, corrected for few values (Hurvich & Tsai 1989), of Gaussian errors: chi square + 2k with errors that
-    are stated, n ln(sum of squares/n) + 2k with an error that is found, which counts among the k; and 2k(k+1)/(n-k-1)."""
+    """Return Akaike's criterion, corrected for few values (Hurvich & Tsai 1989), of Gaussian errors.
+
+    It is chi square + 2k with stated errors, n ln(sum of squares/n) + 2k with an error that is found, which counts among the k;
+    and 2k(k+1)/(n-k-1).
+    """
     n, k = len(one.errors), int(one.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
     chi_square = one.best.chi_square * one.scale**2  # of errors as they were given, not as they were enlarged
     if one.stated:
@@ -72,8 +78,11 @@ def _model(plan: FitPlan, one: Fitted) -> str | None:
 
 
 def _folds(plan: FitPlan) -> list[np.ndarray]:
-    """Whole samples where there are three or more and none has numbers of its own; else every fifth value in the order of the
-    loads, so that each fold has the whole range."""
+    """Return the folds of the cross-validation.
+
+    They are whole samples where there are three or more and none has numbers of its own; else every fifth value in the order of
+    the loads, so that each fold covers the whole range.
+    """
     data, each = plan.data, any(one.each_sample for one in plan.free)
     if len(data.samples) >= 3 and not each:
         return [np.array([at for at, name in enumerate(data.sample) if name == one]) for one in data.samples]

@@ -37,8 +37,10 @@ class Parameter:
 
 @dataclass(frozen=True)
 class _Group:
-    """Measured values (rows) that are asked for together: the numbers of the contact that the data give of each (rows,), and
-    which parameters (columns) they have."""
+    """Hold measured values (rows) that are evaluated together.
+
+    known: the numbers of the contact that the data state for each (rows,); columns: their parameters.
+    """
 
     rows: np.ndarray
     known: Mapping[Address, np.ndarray]
@@ -56,7 +58,7 @@ class Forward:
     groups: tuple[_Group, ...]
 
     def values(self, shares: np.ndarray) -> np.ndarray:
-        """What the model says (sets, n) for sets of shares (sets, k) of the free numbers; not a number where it refuses."""
+        """Return what the model predicts (sets, n) for shares (sets, k); NaN where it refuses."""
         shares = np.atleast_2d(shares)
         numbers = [one.free.at(shares[:, at]) for at, one in enumerate(self.parameters)]
         found = np.full((len(shares), len(self.data)), np.nan)
@@ -76,13 +78,16 @@ class Forward:
 
 
 def result_of(name: str) -> str:
-    """The result from which a measurable quantity follows."""
+    """Return the result from which a measurable quantity follows."""
     return "contact_area" if name == "contact_resistance" else name
 
 
 def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
-    """A measurable quantity (sets, ...) from results: the resistance of a contact is that of its interface (sets,) over its
-    area (Holm 1967: the resistance of a film, sigma/A)."""
+    """Compute a measurable quantity (sets, ...) from results.
+
+    The resistance of a contact is the specific resistance of its interface (sets,) over its area (Holm 1967: the resistance of
+    a film, sigma/A).
+    """
     table = tables[result_of(name)]
     if name != "contact_resistance":
         return table
@@ -98,8 +103,10 @@ def solved_sets(
     load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
-    """Results (sets, rows), by name, of contacts with these numbers (sets,) and those that are known (rows,), at the loads
-    (rows,), or at any separation where these are no numbers; not a number for what is refused, set by set."""
+    """Solve contacts for sets of numbers and return results (sets, rows), by name.
+
+    numbers: (sets,); known: (rows,); load: (rows,), or NaN for results that need none. A refused set gives NaN.
+    """
     from xarray import DataArray
 
     sets = len(next(iter(numbers.values()))) if numbers else 1
@@ -116,8 +123,10 @@ def solved_sets(
 
 
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
-    """The model of a plan, or another by its name, asked for the data, or for some of them. Raises InputError where it knows
-    nothing of what was measured."""
+    """Return the model of a plan, or a named one, with the data or some of them.
+
+    Raises InputError where it does not compute what was measured.
+    """
     data = plan.data if data is None else data
     parameters = _parameters(plan)
     case = case_between_the_ends(plan, data)
@@ -139,7 +148,10 @@ def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
 
 
 def check_models(plan: FitPlan) -> None:
-    """InputError for a name among those that are compared that no model has: what a model cannot answer is said in the end."""
+    """Refuse names in [fit] models that no model has.
+
+    What a model cannot compute is reported with the results.
+    """
     if not plan.models:
         return
     subject = case_between_the_ends(plan, plan.data).subject
@@ -156,7 +168,7 @@ def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:
 
 
 def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group, ...]:
-    """The measured values by which numbers the data give of them, whose parameters they have, and whether there is a load."""
+    """Group the measured values by their stated numbers, their parameters, and whether they have a load."""
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)
     for at in range(len(data)):

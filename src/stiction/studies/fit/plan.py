@@ -25,9 +25,11 @@ _MOST_FREE = 8
 
 @dataclass(frozen=True)
 class FitPlan:
-    """A fit, ready to be computed. content: the tables of the case without [fit], its scans and own materials read; given: the
-    tables as they were written. predict: tables of the contact with the numbers asked for. uncertain: numbers that are
-    uncertain and not free."""
+    """Hold a fit that is ready to be computed.
+
+    content: the tables of the case without [fit], its scans and own materials read; given: the tables as they were written.
+    predict: tables of the contact with the numbers to predict for. uncertain: numbers that are uncertain and not free.
+    """
 
     content: Mapping[str, Any]
     given: Mapping[str, Any]
@@ -42,8 +44,10 @@ class FitPlan:
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
-    """The plan of the tables of a case file and a file of measured series; folder: from which scans are named. Raises
-    InputError."""
+    """Return the plan of the tables of a case file and a file of measured series.
+
+    folder: scans are named relative to it. Raises InputError.
+    """
     require_names(content)
     given = dict(content)
     fit = read_fit(given)

@@ -34,8 +34,11 @@ _FEW = 100  # independent sets, below which a 95 % band is rough
 
 @dataclass
 class Fitting:
-    """A fit as far as it is done: the model of the case, its predictions, and the models that it is compared with; stopped:
-    whether it was interrupted before its end."""
+    """Hold a fit as far as it is done.
+
+    best: the fitted model of the case; bands: its predictions; rivals: alternative models; stopped: whether it was
+    interrupted.
+    """
 
     plan: FitPlan
     best: Fitted
@@ -48,7 +51,7 @@ class Fitting:
         return _dataset(self)
 
     def case_text(self, out: Path) -> str:
-        """The case with the fitted numbers, as text of a file in a folder: `stiction run` reads it."""
+        """Return the case with the fitted numbers as the text of a file in a folder."""
         return _fitted_case(self, out)
 
 
@@ -101,7 +104,7 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
 
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
-    """What is fitted. Raises InputError."""
+    """Return the plan of a fit. Raises InputError."""
     plan = (
         make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
     )
@@ -222,7 +225,7 @@ def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
 
 
 def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
-    """Chi square of each model; its scatter where no errors were given, of which there is no chi square."""
+    """Return the chi square of each model, or its scatter where no errors were stated."""
     if stated:
         chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
         return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}

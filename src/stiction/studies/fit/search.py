@@ -24,8 +24,11 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Best:
-    """The best set of k free numbers: shares (k,), residuals (n,) and their jacobian (n, k) there; unfinished: why the search
-    did not end at a minimum, if it did not."""
+    """Hold the best set of k free numbers.
+
+    shares (k,), residuals (n,) and their jacobian (n, k) there; unfinished: why the search did not end at a minimum, if it
+    did not.
+    """
 
     shares: np.ndarray
     residuals: np.ndarray
@@ -53,9 +56,11 @@ class Best:
 
 @dataclass(frozen=True)
 class Profile:
-    """Of one free number: shares (m,), and by how much the least chi square that any other numbers give there is above that of
-    the best fit (m,). low, high: where that is the threshold; 0 and 1 where it is not reached before the ends, and then
-    open."""
+    """Hold the likelihood profile of one free number.
+
+    shares (m,); rise: least chi square over all other numbers, above the best fit (m,). low, high: where the rise is the
+    threshold; 0 and 1 where it is not reached before the ends (open).
+    """
 
     shares: np.ndarray
     rise: np.ndarray
@@ -91,8 +96,10 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 
 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
-    """The best fit by least squares (Branch, Coleman & Li 1999) from the start (k,) and from the best of points that are drawn
-    between the ends."""
+    """Return the best fit by least squares (Branch, Coleman & Li 1999).
+
+    It starts from `start` (k,) and from the best of points that are drawn between the ends.
+    """
     from scipy.optimize import least_squares
 
     k = len(start)
@@ -118,8 +125,11 @@ def _drawn(k: int, seed: int) -> np.ndarray:
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Least squares over some columns of many sets (sets, k) at once, between 0 and 1: Levenberg's and Marquardt's steps
-    (Marquardt 1963), clipped. Returns the sets and their sums of squares (sets,)."""
+    """Minimise the sum of squares over some columns of many sets (sets, k) at once.
+
+    Levenberg's and Marquardt's steps (Marquardt 1963), clipped between 0 and 1. Returns the sets and their sums of squares
+    (sets,).
+    """
     shares, columns = shares.copy(), list(columns)
     sums = (finite(residuals(shares)) ** 2).sum(axis=1)
     if not columns:
@@ -144,7 +154,7 @@ def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -
 
 
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Steps (sets, columns); columns that are at an end and would leave it stand still."""
+    """Return damped steps (sets, columns); columns that would leave their end get none."""
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
     slopes = np.where(held[:, None, :], 0.0, slopes)
@@ -157,7 +167,10 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 
 
 def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
-    """The profile of each free number; threshold: rise of chi square at the ends of the interval."""
+    """Return the profile of each free number.
+
+    threshold: rise of chi square at the ends of the interval.
+    """
     return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
 
 
@@ -191,8 +204,10 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 
 
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
-    """Where the rise is the threshold, between points that come closer: the root of the rise bends where another number comes
-    to its end."""
+    """Return where the rise reaches the threshold, by repeated subdivision.
+
+    The square root of the rise has a kink where another number reaches its end, so one interpolation is not enough.
+    """
     for _ in range(_NARROWINGS):
         over = int(np.argmax(rise >= threshold))
         if over == 0:
@@ -213,7 +228,7 @@ def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
 
 
 def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The best sets (m, k) with one share fixed on a grid (m,), and the rise of chi square (m,)."""
+    """Return the best sets (m, k) with one share fixed on a grid (m,), and the rise of chi square (m,)."""
     slope = best.bounded[:, at] / best.bounded[at, at]
     sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
     sets[:, at] = grid
@@ -233,8 +248,10 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 
 
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
-    """Where the rise first is the threshold on the way out along the grid, and whether it never is: between two points by the
-    root of the rise, which is all but straight."""
+    """Return where the rise first reaches the threshold outwards along the grid, and whether it never does.
+
+    Between two points the square root of the rise, which is almost straight, is interpolated.
+    """
     over = np.flatnonzero(rise >= threshold)
     if not over.size:
         return float(grid[-1]), True

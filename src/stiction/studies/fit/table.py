@@ -8,10 +8,10 @@ from stiction.quantities.inputs import Input
 
 
 class Fit(Input):
-    """What is fitted to measured series.
+    """Numbers that are fitted to measured series.
 
-    free: numbers of the case by their names, each with its ends. models: names of models that are compared, besides that of
-    [solve]. predict: numbers of the contact, one or several, for which the fitted model predicts at the points of [solve].
+    free: numbers of the case by their names, each with its ends. models: names of alternative models, besides the one in
+    [solve]. predict: numbers of the contact, single or arrays, for which the fitted model predicts at the points of [solve].
     specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
     """
 

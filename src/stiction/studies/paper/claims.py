@@ -218,8 +218,10 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 
 
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
-    """Judge every claim at every pair of theta and lam, in both readings and with a film that is solved. progress: wraps the
-    loop, to show how far it is."""
+    """Judge every claim at every pair of theta and lam, for every variant.
+
+    progress: wraps the list of steps.
+    """
     results = np.empty((2, len(CLAIMS), len(VARIANTS), len(theta), len(lam)))
     steps = [(row, column) for row in range(len(VARIANTS)) for column in range(len(theta))]
     for row, column in progress(steps):
@@ -230,8 +232,11 @@ def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callab
 
 
 def where(claims: ClaimMap, chosen: np.ndarray) -> str:
-    """In words where the chosen points (theta, lambda) are: the bound on theta, lambda or the hardness group eta, or the two
-    bounds, that tell them best from the others, with the share of all points that this puts on the right side."""
+    """Describe where the chosen points (theta, lambda) are.
+
+    The text names the bound on theta, lambda or the hardness group eta, or the two bounds, that best separate them from the
+    others, with the share of all points that this classifies correctly.
+    """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):
         return "everywhere" if share else "nowhere"
@@ -265,8 +270,11 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 
 
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
-    """One record for each claim and variant: shares of the plane where it holds for all, some and none of its cases or is
-    not comparable; where it holds for all and for none; and how it stands at the given theta and lam."""
+    """Return one record for each claim and variant.
+
+    It has the shares of the plane where the claim holds for all, some and none of its cases or is not comparable; where it
+    holds for all and for none; and its state at the given theta and lam.
+    """
     rows = []
     here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]
     for at, claim in enumerate(CLAIMS):

@@ -49,7 +49,7 @@ class PanelCurves:
 
     @property
     def caption(self) -> str:
-        """What was printed in the paper and what was chosen, on two lines of plain text."""
+        """Return the printed and the chosen parameters, on two lines of plain text."""
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"
@@ -57,7 +57,7 @@ class PanelCurves:
 
 
 def in_words(variant: str) -> str:
-    """What a variant of the paper is called in pictures."""
+    """Return the name of a variant of the paper in pictures."""
     from stiction.studies.paper.layered import LAYERED
 
     return "its film solved" if variant == LAYERED else f"{variant} variant"

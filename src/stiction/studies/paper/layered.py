@@ -25,18 +25,20 @@ _NU = 0.3
 
 
 def choice(coated: bool) -> Choice:
-    """The laws of the coated and of the uncoated surface."""
+    """Return the laws of the coated or of the uncoated surface."""
     return Choice(_SUM, _ASPERITY, "layered_peeling", LAYERED) if coated else Choice(_SUM, _ASPERITY, "savkoor_briggs_1977")
 
 
 def film_groups(tau: Any) -> dict[str, Any]:
-    """What says how thick a film of tau is beside its contacts; a number or an array."""
+    """Return the groups of the thickness of a film of tau, a number or an array."""
     return {"tau": tau, "film_aspect": tau * SHARPNESS}
 
 
 def totals(theta: float, lam: np.ndarray, h: np.ndarray, film: tuple[np.ndarray, ...] | None = None) -> tuple[np.ndarray, ...]:
-    """Load, contact area and friction force, normalised, (n, H) at separations h (H,), of n contacts with lam (n,) and films
-    n_E, n_H, tau (n,), or none."""
+    """Return load, contact area and friction force, normalised, (n, H) at separations h (H,).
+
+    Contacts have lam (n,) and films n_E, n_H, tau (n,), or none.
+    """
     n = len(lam)
     ones, K_beta = np.ones(n), stiffness_group(_NU)
     given = {"theta": theta * ones, "lam": lam, "nu": _NU * ones, "hardness_to_yield": 2.8 * ones, "K_beta": K_beta * ones}

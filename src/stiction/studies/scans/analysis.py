@@ -26,13 +26,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Analysis:
-    """What is said of a scan.
+    """Hold the analysis of a scan.
 
     surface: as prepared. statistics; spectrum: radial average of it; of_spectrum: how its gaps were filled for that, if there
     are any. spikes: how many points are SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral
-    moments, both with the same cutoff. asperities: method -> what was found; heights: method -> their distribution; failures:
-    method -> why nothing was found. standing: the method that stands for the surface, "" where none found anything. kind: of
-    surface, one of finishes.SURFACE_KINDS, as skewness, lay and top say; None where it was not found.
+    moments, both with the same cutoff. asperities: by method; heights: their distribution by method; failures:
+    why a method found none. standing: the method that stands for the surface, "" where none found any. kind: of
+    surface, one of finishes.SURFACE_KINDS, from skewness, lay and top; None where it was not found.
     """
 
     surface: HeightMap
@@ -107,7 +107,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
 
 
 def summary(analysis: Analysis) -> dict[str, Any]:
-    """The analysis as plain numbers in SI units, for JSON."""
+    """Return the analysis as plain numbers in SI units, for JSON."""
     surface = analysis.surface
     rows, columns = surface.heights.shape
     return {
@@ -148,7 +148,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
 
 
 def _band(spectrum: BinnedSpectrum) -> dict[str, float] | None:
-    """Ends of the reliable band; None where too few points leave none."""
+    """Return the ends of the reliable band; None where too few points leave none."""
     if spectrum.shortest >= spectrum.longest:
         return None
     return {"longest": spectrum.longest, "shortest": spectrum.shortest}

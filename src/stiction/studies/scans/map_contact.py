@@ -64,8 +64,11 @@ class ContactOfMap:
 def contact_of_map(
     surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None, *, sampled: bool = False
 ) -> ContactOfMap:
-    """Contact of a prepared map at nominal pressures over E* h', > 0; hardness: over E* h', > 0; sampled: only as many points
-    as the area needs. Raises InputError for a profile, missing points, or what cannot be carried."""
+    """Solve the contact of a prepared map at nominal pressures over E* h', > 0.
+
+    hardness: over E* h', > 0; sampled: only as many points as the area needs. Raises InputError for a profile, missing
+    points, or pressures that cannot be carried.
+    """
     allowed = "a row of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
     if wanted.ndim != 1 or not wanted.size or not (np.isfinite(wanted) & (wanted > 0.0)).all():

@@ -1,5 +1,4 @@
-"""The resolution study: how sigma, R, N, and the friction that follows from them, change with the method and with the
-cutoff."""
+"""Study how sigma, R, N and the resulting friction change with the method and the cutoff."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -64,8 +63,10 @@ def default_cutoffs(surface: HeightMap) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Friction:
-    """The contact whose friction is wanted, at which load, by which model; nothing is where there is no contact. InputError for
-    what no asperities could make good."""
+    """The contact whose friction is computed, with load and model; all None without a contact.
+
+    Raises InputError for a contact, load or choice that no asperities could make valid.
+    """
 
     contact: Contact | None
     load: Any
@@ -93,14 +94,16 @@ class _Friction:
 
     @property
     def of_map(self) -> bool:
-        """Whether the map is solved, and no asperities are asked."""
+        """Return whether the map itself is solved, without asperities."""
         return find(self.choice.model_key, RoughSurface).of_map is not None
 
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
     ) -> float:
-        """Static friction coefficient of the contact with these asperities for its rough surface. Theories of the whole surface
-        take its moments, whatever was found, and what solves a map takes that; options: of the methods."""
+        """Return the static friction coefficient of the contact with these asperities.
+
+        Theories of the whole surface take its moments instead, and models of maps take the map; options: of the methods.
+        """
         assert self.contact is not None
         if takes_surface_moments(self.choice.model_key):
             key = method_of_moments()
@@ -224,7 +227,7 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
 
 
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
-    """The map without the waves below the cutoff, with fewer points if so asked."""
+    """Return the map without waves below the cutoff, with fewer points if requested."""
     if cutoff == 0.0:
         return surface
     smooth = filter_band(surface, shortest=cutoff)
@@ -232,7 +235,7 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
 
 
 def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
-    """The map whose contact is solved: of one period the waves are taken off over its ends, so that it stays one."""
+    """Return the map to be solved; a periodic map is filtered across its ends, so that it stays periodic."""
     if not surface.periodic or not surface.complete:
         return seen
     return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)

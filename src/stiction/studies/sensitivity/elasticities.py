@@ -32,8 +32,11 @@ _LEFT_OUT = ("surface_energy",)
 
 @dataclass(frozen=True)
 class Elasticities:
-    """names: of the inputs (k,); tables: result -> d ln y/d ln x (k, *shape), not a number where y is none or is 0; errors: how
-    far the extrapolation changes it. dims: result -> the dimensions of that shape."""
+    """Hold logarithmic sensitivities of results.
+
+    names: of the inputs (k,); tables: result -> d ln y/d ln x (k, *shape), NaN where y is NaN or 0; errors: change by the
+    extrapolation. dims: result -> the dimensions of that shape.
+    """
 
     names: list[str]
     tables: dict[str, np.ndarray]
@@ -81,7 +84,7 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
 
 
 def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
-    """The elasticities of results of a case for every number of its contact. Raises InputError."""
+    """Return the logarithmic sensitivities of results for every number of the contact. Raises InputError."""
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
     each = {name: _slopes(found.tables[name], len(inputs)) for name in found.tables}

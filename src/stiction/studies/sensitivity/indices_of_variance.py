@@ -18,8 +18,10 @@ _LEVELS = 4
 
 @dataclass(frozen=True)
 class Indices:
-    """First and total index of k inputs, each with the ends of its 95 % interval, (k,); not a number where they are not known.
-    points: how many of the points they are from."""
+    """Hold first and total indices of k inputs, each with its 95 % interval, (k,).
+
+    NaN where they are unknown. points: how many points they come from.
+    """
 
     first: np.ndarray
     first_low: np.ndarray
@@ -44,11 +46,11 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def sobol_indices(values: np.ndarray) -> Indices:
-    """The indices, from the function at `points_of_indices`, values (parts, k + 2, n).
+    """Return the indices from values (parts, k + 2, n) of a function at `points_of_indices`.
 
     Source: Saltelli et al. 2010, table 2 (b) for the first and (f), Jansen 1999, for the total index. The interval is that of
-    Student's t over the parts, each of which is scrambled on its own. Where values are not known, their rows are left out, and
-    as many others as make the rest a power of two.
+    Student's t over the parts, each scrambled on its own. Rows with NaN are left out, and then as many others as
+    make the rest a power of two.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)
@@ -103,8 +105,11 @@ def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def effects(points: np.ndarray, values: np.ndarray) -> Effects:
-    """The elementary effects of a function at `trajectories`, values (count, k + 1): how much it changes over the whole of each
-    column. Source: Morris 1991, eq. 1; the mean of sizes Campolongo, Cariboni & Saltelli 2007, eq. 3."""
+    """Return the elementary effects from values (count, k + 1) of a function at `trajectories`.
+
+    An effect is the change over the whole of a column. Source: Morris 1991, eq. 1; the mean of sizes Campolongo, Cariboni &
+    Saltelli 2007, eq. 3.
+    """
     from pandas import DataFrame
 
     steps = np.diff(points, axis=1)

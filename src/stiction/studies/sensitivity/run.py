@@ -127,7 +127,7 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
-    """The case at nine of its loads at most, the working load among them."""
+    """Return the case at nine of its loads at most, including the working load."""
     if case.load is None or case.load.size <= _LOADS:
         return case
     places = few_places(case.load.size, _LOADS)
@@ -139,7 +139,7 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
 
 @dataclass(frozen=True)
 class _Variation:
-    """What varies: numbers of the case, and which variant answers. methods, models: their names, drawn evenly."""
+    """Hold the varied inputs: numbers of the case, methods and models, both drawn evenly, and the variants they make."""
 
     numbers: list[str]
     methods: list[str]
@@ -152,7 +152,7 @@ class _Variation:
         return [*self.numbers, *more]
 
     def rows(self, shares: np.ndarray) -> np.ndarray:
-        """The variant of each row of shares (n, inputs)."""
+        """Return the variant of each row of shares (n, inputs)."""
         rows = np.zeros(len(shares), dtype=int)
         for name, drawn in ((METHOD_INPUT, self.methods), (MODEL_INPUT, self.models)):
             if name in self.inputs:
@@ -236,7 +236,7 @@ _MEANINGS = {
 def _of_result(
     name: str, drawn: Draws, screened: Draws, points: np.ndarray, paths: np.ndarray
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
-    """Indices and effects (inputs, *shape) of the logarithm of one result: how its name ends, values and meaning."""
+    """Yield name ending, values and attributes of the indices and effects (inputs, *shape) of ln y."""
     shape = drawn.tables[name].shape[1:]
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]
     indices = [sobol_indices(logs[0][..., at]) for at in range(logs[0].shape[-1])]

@@ -64,8 +64,11 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
-    """Of the mean asperity: contact radius over the thickness of one film, mean pressure over the body's yield stress, friction
-    over load; and its sizes in SI, of a Contact."""
+    """Return radius, pressure and traction of the mean asperity, and its sizes in SI for a Contact.
+
+    The radius is over the thickness of one film, the mean pressure over the body's yield stress, and the traction is friction
+    over load.
+    """
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
     if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):
         raise InputError("load", load, "a load or separation at which asperities press: nothing is stressed here")

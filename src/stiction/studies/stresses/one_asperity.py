@@ -52,10 +52,10 @@ class OneAsperity:
 
 
 def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperity:
-    """The stresses under one asperity of a contact.
+    """Compute the stresses under one asperity of a contact.
 
     radius: of the contact, over (R sigma)^(1/2), above 0; traction: tangential over normal force, 0 or more. Raises InputError
-    for numbers that are several, and for a film out of proportion.
+    for array parameters, and for a film out of proportion.
     """
     subject.require_single("one number, for one asperity")
     if not (math.isfinite(radius) and radius > 0.0 and math.isfinite(traction) and traction >= 0.0):
@@ -96,8 +96,10 @@ def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
 
 
 def section(stresses: Stresses, traction: float, film_strength: float, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """The von Mises stress over the mean pressure, in the film over its strength, at all places (n, m) of depths z (n,) and of
-    x (m,) along the traction, as many on either side of the axis."""
+    """Return the von Mises stress over the mean pressure at depths z (n,) and places x (m,).
+
+    In the film it is over the film's strength. x runs along the traction, symmetric about the axis.
+    """
     r = np.abs(x[len(x) // 2 :])
     inside = stresses.thickness > z
     rows = []

@@ -21,13 +21,10 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Return the results of a block, name -> array (dimensions of the contacts and the points), and its validity warnings as
-    bits.
+    """Return the results of a block and its validity warnings as bits.
 
-    dims: name -> dimensions of each result that is kept; sizes: of the dimensions of the points.
-
-    Contacts that are refused are not numbers, with that as their validity warning; all that are not are solved together, as far
-    as halving the region parts them.
+    Results are name -> array (dimensions of the contacts and the points). dims: name -> dimensions of each stored result;
+    sizes: of the dimensions of the points. Refused contacts give NaN with the reason among their bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
@@ -77,8 +74,10 @@ def _along_places(solved: BatchResult) -> BatchResult:
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
-    """Of values whose first so many dimensions are contacts: number, mean, sum of squared deviations, least and most of those
-    that are numbers, (5, points)."""
+    """Return count, mean, sum of squared deviations, minimum and maximum of the finite values, (5, points).
+
+    contacts: how many leading dimensions are contacts.
+    """
     rows = values.reshape(math.prod(values.shape[:contacts]), -1)
     there = np.isfinite(rows)
     count = there.sum(axis=0)
@@ -90,7 +89,7 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
 
 
 def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
-    """The statistics (points,) of all parts, each as `statistics_of` gives, one after another.
+    """Merge the statistics (points,) of parts, each as `statistics_of` returns them.
 
     Source: Chan, Golub & LeVeque 1983, eqs 2.1: sums of squared deviations of two samples together. The standard deviation
     is over n - 1.

@@ -9,8 +9,10 @@ from stiction.quantities.errors import InputError
 
 @contextmanager
 def locked(path: Path):
-    """Alone with the store: InputError where another sweep writes to it. The lock goes with the process that has it; where the
-    system has none, two sweeps of one store write the same bits."""
+    """Lock the store, or raise InputError where another sweep writes to it.
+
+    The lock ends with its process. On systems without locks, two sweeps of one store write the same bits.
+    """
     try:
         import fcntl
     except ImportError:

@@ -68,7 +68,7 @@ class Plan:
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
 
     def pieces(self, block: int) -> Iterator[Region]:
-        """The contacts of a block in parts of as many points as are solved together."""
+        """Return the contacts of a block in parts that are solved together."""
         return pieces(self.region(block), AT_ONCE // self.points)
 
     def contacts(self, block: int) -> int:
@@ -76,11 +76,11 @@ class Plan:
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
     def tables(self, region: Mapping[str, slice]) -> Mapping[str, Any]:
-        """The tables of the contacts in a region, which with maps has one."""
+        """Return the tables of the contacts in a region, which with maps has one."""
         return with_roughness(self.content, self.maps[region[PLACE].start].roughness()) if self.maps else self.content
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
-        """The numbers that are several, as labelled arrays, in a region."""
+        """Return the array parameters in a region, as labelled arrays."""
         if self.maps:
             return {}
         if self.sweep.sample.is_drawn:
@@ -99,7 +99,7 @@ class Plan:
         return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.several.items()}
 
     def identity(self) -> str:
-        """What decides the results, as text: the same for the same case."""
+        """Return what decides the results as text, equal for equal cases."""
         content = {key: value for key, value in self.content.items() if key != "title"}
         plain = json.loads(json.dumps(content, default=_plain))
         plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
@@ -128,7 +128,10 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
-    """The plan of the tables of a case file; folder: from which scans are named. Raises InputError."""
+    """Return the plan of the tables of a case file.
+
+    folder: scans are named relative to it. Raises InputError.
+    """
     require_names(content)
     sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
     if sweep.roughness:
@@ -152,7 +155,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 
 
 def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Plan:
-    """The plan of an ensemble of maps, a block for each."""
+    """Return the plan of an ensemble of maps, a block for each."""
     if not isinstance(content.get("contact"), Mapping):
         raise InputError("sweep.roughness", "given", "a case with [contact]")
     maps = maps_of(sweep.roughness, roughness_in(content), folder)
@@ -174,8 +177,10 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
 
 
 def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
-    """The tables with the numbers of the method that stands for the surface alone, where scans say the roughness: maps are not
-    for every worker; and what was done to the scans."""
+    """Replace scans by the numbers of their standing method, and return their history.
+
+    Maps are too large to be sent to every worker.
+    """
     rough = roughness_in(content)
     if not isinstance(rough, Roughness) or rough.measured is None:
         return content, {}
@@ -183,7 +188,7 @@ def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[
 
 
 def _lengths(plan: Plan) -> dict[str, int]:
-    """The length of every dimension of the contacts. Raises InputError."""
+    """Return the length of every dimension of the contacts. Raises InputError."""
     if not plan.several:
         raise InputError(
             "contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep"
@@ -202,7 +207,7 @@ def _lengths(plan: Plan) -> dict[str, int]:
 
 
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
-    """The plan with blocks of as many contacts as have the points asked for, whole along the last dimensions."""
+    """Return the plan cut into blocks of the requested size, whole along the last dimensions."""
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1
     room = max(1, plan.sweep.block // plan.points if plan.sweep.block else times * (AT_ONCE // plan.points))

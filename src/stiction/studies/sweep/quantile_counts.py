@@ -29,13 +29,13 @@ _AT_ONCE = 250_000  # counts that are added together: as many as stay in a cache
 
 
 def sizes_of(values: np.ndarray) -> np.ndarray:
-    """The sizes (uint32, above 0) of finite float64 values, of the same shape: in the order of the values."""
+    """Return the bins (uint32, above 0) of finite float64 values, in the order of the values."""
     bits = np.ascontiguousarray(values, dtype=np.float64).view(np.int64)
     return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
 
 
 def values_at(sizes: np.ndarray) -> np.ndarray:
-    """The middles of the bins of these sizes; 0 of the bins beside 0."""
+    """Return the centres of bins; 0 for the bins next to 0."""
     first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
     low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
@@ -44,8 +44,10 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
 
 
 def counted(values: np.ndarray) -> np.ndarray:
-    """Of values (n, points), not numbers left out: sizes and how many there are of each, (2, points, m) uint32; those of each
-    point ascend, and there are none of size 0, which fills the rest; m: the most sizes that a point has."""
+    """Count the finite values (n, points) by bin, (2, points, m) uint32: bins and counts.
+
+    The bins of each point ascend; bin 0 does not occur and fills the rest; m: the largest number of bins of a point.
+    """
     there = np.isfinite(values)
     sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
     sizes.sort(axis=1)
@@ -66,8 +68,10 @@ def counted(values: np.ndarray) -> np.ndarray:
 
 
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
-    """The quantiles (shares, points) of all parts together, each (2, points, n) as `counted` gives: of the least size such that
-    so large a share of the values is of no larger one. Not a number where there are no values."""
+    """Return the quantiles (shares, points) of all parts, each (2, points, n) as `counted` returns.
+
+    A quantile is the lowest bin up to which the values make the requested share; NaN without values.
+    """
     keys, counts = _together(parts)
     shares = list(shares)
     found = np.full((len(shares), points), np.nan)
@@ -97,8 +101,10 @@ def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _added(keys: list[np.ndarray], counts: list[np.ndarray]) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """The same in one part: every key once, ascending, with its counts together. The keys of each part ascend, which is what
-    this way of sorting them is quick by."""
+    """Merge parts into one: every key once, ascending, with its total count.
+
+    The keys of each part ascend, which makes a stable sort fast.
+    """
     every = np.concatenate(keys)
     order = np.argsort(every, kind="stable")
     every = every[order]

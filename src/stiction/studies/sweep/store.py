@@ -76,7 +76,7 @@ class Store:
         return json.loads(self.group.attrs["points"])
 
     def left(self) -> list[int]:
-        """The blocks that are not done, in order."""
+        """Return the blocks that are not done, in order."""
         done = self.group[_DONE][:, 0]
         return np.flatnonzero(done == _NOTHING).tolist()
 
@@ -143,19 +143,19 @@ class Store:
 
 
 def _percentiles(plan: Plan) -> dict[str, float]:
-    """The percentiles among the statistics that are asked for, and their shares."""
+    """Return the requested percentiles with their shares."""
     return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
 
 
 def _each_row(array: Any) -> Iterator[np.ndarray]:
-    """What an array has of each block, of which it reads few at a time."""
+    """Yield the row of each block, reading few blocks at a time."""
     step = max(1, _ROWS_AT_ONCE // max(1, math.prod(array.shape[1:])))
     for start in range(0, array.shape[0], step):
         yield from array[start : start + step]
 
 
 def _each_counts(array: Any) -> Iterator[np.ndarray]:
-    """What is counted of each block, in parts: those that are not there, as the sizes of a point are few, are not read."""
+    """Yield the stored counts of each block in chunks; chunks beyond the last occupied bin are skipped."""
     wide = array.chunks[-1]
     step = max(1, _ROWS_AT_ONCE // math.prod(array.chunks))
     for start in range(0, array.shape[0], step):
@@ -167,7 +167,10 @@ def _each_counts(array: Any) -> Iterator[np.ndarray]:
 
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
-    """The store at this place, made if there is none. Raises InputError where there is something else, or another case's."""
+    """Open the store at a path; create it if there is none.
+
+    Raises InputError where the path holds something else, or the store of another case.
+    """
     require_place(path, "a folder for the store, new, or of this case")
     if path.is_file():
         raise InputError("--out", str(path), "a folder for the store, new, or of this case; this is a file")
@@ -195,7 +198,7 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
 
 
 def _difference(one: Any, other: Any, path: str = "") -> str:
-    """The place of the first difference of two trees of tables."""
+    """Return the address of the first difference of two trees of tables."""
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         for key in [*one, *(key for key in other if key not in one)]:
             if one.get(key) != other.get(key):
@@ -220,7 +223,7 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """What answers, and the case and the results of one contact that is not refused: of the first that is found."""
+    """Return the choice, and case and results of the first contact that is not refused."""
     from stiction.studies.case_results import choice_of_case
 
     refused: Exception = InputError("contact", None, "contacts that the model takes")
@@ -291,7 +294,7 @@ def _of_sample(plan: Plan) -> dict[str, Any]:
 
 
 def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[str, int], solved: Any) -> None:
-    """The arrays of results by point, chunked as the blocks are, and of validity warnings."""
+    """Create the arrays of results and validity warnings, chunked as the blocks."""
     for name, dims in [*layout.items(), (_WARNINGS, tuple(sizes))]:
         validity_warnings = name == _WARNINGS
         array = group.create_array(
@@ -315,7 +318,7 @@ def _warning_attributes(meanings: list[str]) -> dict[str, Any]:
 
 
 def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
-    """The arrays of statistics, and of what they are merged from."""
+    """Create the arrays of statistics, and of the parts from which they are merged."""
     parts = group.create_group(_PARTS)
     kinds = plan.sweep.statistics
     for name, dims in layout.items():
@@ -337,8 +340,10 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
 
 
 def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
-    """What the points along the dimensions are called: name -> dimension, values, attributes; numbers of each contact that is
-    listed or drawn are written with its block."""
+    """Return the coordinates of the dimensions: name -> dimension, values, attributes.
+
+    Numbers of listed or drawn contacts are written with their block instead.
+    """
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:
         found["statistic"] = ("statistic", np.array(plan.sweep.statistics, dtype=object), {"long_name": "over all contacts"})
@@ -362,7 +367,7 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
 
 
 def open_store(path: str | Path) -> "xarray.Dataset":
-    """What a sweep has stored, read as it is used."""
+    """Open the results of a sweep as a dataset that is read as it is used."""
     import xarray
 
     return xarray.open_zarr(path, consolidated=False, chunks=None)

@@ -16,8 +16,10 @@ STATISTICS = (*MOMENTS, *PERCENTILES)
 
 
 class Sample(Input):
-    """Which contacts. grid: every combination; list: the values point by point; sobol, latin_hypercube: so many points drawn
-    between start and stop of each range, evenly in it or in its logarithm."""
+    """Selection of contacts. grid: every combination; list: the values point by point.
+
+    sobol, latin_hypercube: `count` points between start and stop of each range, evenly in it or in its logarithm.
+    """
 
     method: Method = Field("grid", description=", ".join(get_args(Method)))
     count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
@@ -40,12 +42,12 @@ class Sample(Input):
 
 
 class Sweep(Input):
-    """What is computed and kept.
+    """Contacts that are computed and results that are stored.
 
-    roughness: maps, each the roughness of one contact (see `maps`).
-    sample: which contacts. keep: names of results, all if left out. statistics: in place of the points, of what is kept over
-    all contacts at each load. precision: of what is stored. block: points that are stored at once; where it is left out, as
-    many as are solved at once, or for statistics, of which a large block has no more than a small one, up to 8 times that.
+    roughness: maps, each the roughness of one contact (see `maps`). sample: which contacts. keep: names of results, all by
+    default. statistics: of these results over all contacts at each load, stored in place of the points. precision: of what is
+    stored. block: points that are stored at once; by default as many as are solved at once, or up to 8 times that for
+    statistics, whose blocks need no more room when they are larger.
     """
 
     roughness: list[str | dict[str, Any]] = Field(

@@ -24,7 +24,7 @@ _NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "sci
 
 
 def make_ready() -> Any:
-    """The way in which workers are begun; what they need is imported while this process goes on."""
+    """Return the context that starts workers; their imports begin in the background."""
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -38,8 +38,10 @@ def make_ready() -> Any:
 
 
 def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
-    """Do the blocks in so many processes; yields the points of each as it is done. Processes that die are replaced, and their
-    blocks begun again. Raises InputError where they die again and again."""
+    """Do the blocks in several processes and yield the points of each.
+
+    Processes that die are replaced, and their blocks repeated. Raises InputError where they die again and again.
+    """
     from concurrent.futures.process import BrokenProcessPool
 
     left, deaths = list(blocks), 0
@@ -89,8 +91,10 @@ def _begin(store: "Store") -> None:
 
 
 def _end_with_parent() -> None:
-    """End this process when the one that shares out the work has been killed: it would wait for work for ever. What it was
-    writing is not half there: files are moved into place."""
+    """End this process when its parent was killed, because it would wait for ever.
+
+    No file is left half written: files are moved into place.
+    """
     from multiprocessing import parent_process
 
     parent = parent_process()
@@ -105,8 +109,10 @@ def _do(block: int) -> int:
 
 
 def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator[int]:
-    """The same by the workers of a cluster, which see the store under the same path. Raises InputError where there is none, or
-    its workers die again and again."""
+    """Do the blocks on a cluster whose workers see the store under the same path.
+
+    Raises InputError where there is no cluster, or its workers die again and again.
+    """
     from distributed import Client, as_completed
     from distributed.scheduler import KilledWorker
 
@@ -160,5 +166,8 @@ def _do_there(given: bytes, block: int) -> int:
 
 @lru_cache(maxsize=1)
 def _opened(given: bytes) -> "Store":
-    """A store, opened once by a worker. It comes with every block: what is sent to workers once is lost with them."""
+    """Open a store, once for each worker.
+
+    It comes with every block, because data that are sent to workers once are lost with them.
+    """
     return pickle.loads(given)
