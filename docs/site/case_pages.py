@@ -61,9 +61,9 @@ def page(schema: dict[str, Any]) -> Iterator[str]:
 
 
 def _described(part: dict[str, Any]) -> str:
-    """Return a description without its list of numbers, which the table has, and without what is Python's."""
-    said = part.get("description", "").partition("\n\nNumbers, each")[0].partition("\n\nExamples\n")[0]
-    return re.sub(r"\s*Raises InputError[^.]*\.", "", said).replace("*", "\\*")
+    """Return the description without its list of numbers, which the table has, and without sections for Python."""
+    text = re.split(r"\n\n(?:Numbers, each|(?:Returns|Raises|Notes|Examples)\n---)", part.get("description", ""))[0]
+    return re.sub(r"\s*Raises InputError[^.]*\.", "", text).replace("*", "\\*")
 
 
 def _anchor(name: str) -> str:
@@ -75,9 +75,9 @@ def _table(part: dict[str, Any], defined: dict[str, Any]) -> Iterator[str]:
     rows = part.get("properties", {})
     if not rows:
         return
-    yield from ("| key | value | default | what it is |", "|---|---|---|---|")
+    yield from ("| key | value | default | meaning |", "|---|---|---|---|")
     for name, one in rows.items():
-        must = "**must be given**" if name in part.get("required", ()) else ""
+        must = "**required**" if name in part.get("required", ()) else ""
         usual = one.get("default")
         default = must if usual in (None, "") or isinstance(usual, dict) else f"`{_toml(usual)}`"
         said = _meaning(one, defined) or cell(said_of(_described(part), name, rows))
@@ -107,7 +107,7 @@ def value_of(one: dict[str, Any]) -> str:
         references = [part["$ref"].rpartition("/")[2] for part in one["anyOf"] if "$ref" in part]
         if set(_NUMBERS) <= set(references):
             first = value_of(one["anyOf"][0])
-            return f"{first}; one, a list, or [several, or uncertain](#{_anchor('RangeOfNumbers')})"
+            return f"{first}; one value, a list, or [a range or an uncertain number](#{_anchor('RangeOfNumbers')})"
         return ", or ".join(dict.fromkeys(value_of(part) for part in one["anyOf"]))
     kind = one.get("type", "")
     if kind == "array":

@@ -37,7 +37,7 @@ def section(name: str, command: Any) -> Iterator[str]:
     yield from (as_markdown(_plain(command.help or "")), "")
     rows = [one for one in command.params if not one.hidden]
     if rows:
-        yield from ("| argument or option | default | what it is |", "|---|---|---|", *map(_row, rows), "")
+        yield from ("| argument or option | default | meaning |", "|---|---|---|", *map(_row, rows), "")
 
 
 def _plain(text: str) -> str:

@@ -137,7 +137,7 @@ def index() -> str:
     lines = ["# Laws and models", "", "One page a law: equations, picture, range of validity, evidence and BibTeX.", ""]
     for kind in kinds():
         mine = sorted((one for one in records() if type(one) is kind), key=lambda one: (name_of(one).lower(), one.key))
-        lines += [f"## {TITLES[kind.kind]}", "", "| law | key | what it is | grade |", "|---|---|---|---|"]
+        lines += [f"## {TITLES[kind.kind]}", "", "| law | key | meaning | grade |", "|---|---|---|---|"]
         lines += [f"| [{name_of(one)}]({place_of_law(one).name}) | `{one.key}` | {one.title} | {one.grade} |" for one in mine]
         lines += ["", ":::{toctree}", ":hidden:", "", *(place_of_law(one).stem for one in mine), ":::", ""]
     return "\n".join(lines)

@@ -33,7 +33,7 @@ def write(out: Path) -> list[PurePosixPath]:
     folder.mkdir(parents=True)
     lines = ["# Public names", "", "Everything that is imported as `import stiction as st`.", ""]
     for title, names in GROUPS.items():
-        lines += [f"## {title}", "", "| name | what it is |", "|---|---|"]
+        lines += [f"## {title}", "", "| name | meaning |", "|---|---|"]
         for name in names:
             thing = getattr(st, name)
             lines.append(f"| [`{name}`]({page_name(name)}) | {summary(inspect.getdoc(thing) or '')} |".replace("`|`", "`\\|`"))
