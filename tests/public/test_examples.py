@@ -103,7 +103,9 @@ def test_law_keywords_are_those_of_the_registry():
 
 def test_a_strict_type_checker_reads_the_script_of_a_user(tmp_path):
     """It accepts what is right, finds misspelt keywords, and sees the types of results. One run, as mypy is slow to start."""
-    *errors, dataset, version = check_types(tmp_path, USER_SCRIPT + MISTAKES).splitlines()
+    lines = check_types(tmp_path, USER_SCRIPT + MISTAKES).splitlines()
+    errors = [line for line in lines if ": error:" in line]
+    dataset, version = (line for line in lines if "Revealed type" in line)
     assert [re.findall(r'keyword argument "(\w+)"', error) for error in errors] == [["flim"], ["readding"]]
     assert 'Revealed type is "xarray.core.dataset.Dataset"' in dataset
     assert 'Revealed type is "str"' in version

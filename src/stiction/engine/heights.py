@@ -7,13 +7,14 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
 from stiction.quantities.errors import InputError
+from stiction.quantities.keywords import with_keywords
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -165,7 +166,16 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 }
 
 
-def height_distribution(key: str, *, exponent: float | None = None, samples: "ArrayLike | None" = None) -> Heights:
+class HeightParameters(TypedDict, total=False):
+    """Parameters of height distributions."""
+
+    exponent: float
+    samples: "ArrayLike"
+    cells: int | None
+
+
+@with_keywords(HeightParameters)
+def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Heights:
     """Return a height distribution by its name.
 
     Parameters
@@ -176,6 +186,8 @@ def height_distribution(key: str, *, exponent: float | None = None, samples: "Ar
         Shape parameter of "weibull".
     samples : array_like (n,), optional
         Measured heights of "empirical", in any unit.
+    cells : int, optional
+        Number of cells of the density of "empirical"; by default by the number of samples.
 
     Returns
     -------
@@ -195,8 +207,6 @@ def height_distribution(key: str, *, exponent: float | None = None, samples: "Ar
     >>> result.attrs["heights"]
     'weibull'
     """
-    given = {"exponent": exponent, "samples": samples}
-    parameters = {name: value for name, value in given.items() if value is not None}
     if key not in DISTRIBUTIONS:
         raise InputError("height_distribution", key, ", ".join(DISTRIBUTIONS))
     try:
