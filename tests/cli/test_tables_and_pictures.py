@@ -80,7 +80,7 @@ def test_the_table_begins_with_what_it_is_and_pandas_reads_it(case, tmp_path):
 
 def test_a_result_without_warnings_says_so(tmp_path):
     result = st.solve(st.Indices(theta=40, lam=10), load=[1e-3, 2e-3]).assign_attrs(validity_warnings="[]")
-    assert "validity warning: none: within the ranges that are claimed" in comments_of(result)
+    assert "validity warning: none: within the claimed ranges" in comments_of(result)
     write_csv(result, tmp_path / "plain.csv")
     assert not (tmp_path / "plain.csv").read_text().startswith("#")
 

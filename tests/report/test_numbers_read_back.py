@@ -93,7 +93,7 @@ def test_compare(run):
 def test_sensitivity(run):
     """The friction goes with the strength, and falls with the root of either modulus; the area knows no strength."""
     lines, out = run("sensitivity")
-    rows = {(float(row["load [N]"]), row["number"]): row for row in table(out / "elasticities.csv")}
+    rows = {(float(row["load [N]"]), row["number"]): row for row in table(out / "log_sensitivities.csv")}
     for name, of_mu, of_area in (("interfacial_shear_strength", 1.0, 0.0), ("first.youngs_modulus", -0.5, -0.5)):
         printed = next(line for line in lines if line[0:1] == [name] and len(line) == 3)
         assert [float(word) for word in printed[1:]] == pytest.approx([of_mu, of_area], abs=1e-3)

@@ -44,8 +44,8 @@ def test_draws_are_called_what_they_are():
         "validity_warnings_of_points": '{"y is not 1": 0.333, "area_fraction is not 0 to 0.1: too near": 0.2}',
     }
     said = "\n".join(one for one in uncertain_notes(xarray.Dataset(attrs=attributes)))
-    assert "random draws of what is uncertain: 64, seed 0" in said
-    assert "in 33.3% of the random draws, each a possible set of the uncertain inputs: y is not 1" in said
+    assert "random samples of the uncertain inputs: 64, seed 0" in said
+    assert "in 33.3% of the random samples of the inputs: y is not 1" in said
     assert "inputs: real contact area over the nominal one is not 0 to 0.1: too near" in said
 
 
@@ -75,7 +75,7 @@ def test_sensitivity_names_every_law_that_answers():
     data = st.sensitivity(case, models=[])
     said = "\n".join(one.plain for one in sensitivity_notes(data) if isinstance(one, Text))
     assert "models: soft_coating_2015 + variant published 100%" in said
-    line = next(one for one in said.splitlines() if one.startswith("elasticities: "))
+    line = next(one for one in said.splitlines() if one.startswith("logarithmic sensitivities: "))
     assert "tangential law soft_coating_2015, film law printed, variant published" in line
 
 

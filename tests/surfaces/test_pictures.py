@@ -241,11 +241,11 @@ def test_the_heights_of_all_points_are_beneath():
 def test_asperities_are_marked_on_the_map_where_they_are():
     surface = bumps()
     found = asperities(surface, "eight_neighbour")
-    (marks,) = map_figure(surface, found=found).axes[0].collections
+    (marks,) = map_figure(surface, asperities=found).axes[0].collections
     across = {"µm": 1e6, "nm": 1e9}[map_figure(surface).axes[0].get_xlabel().removeprefix("x [").removesuffix("]")]
     points = np.asarray(marks.get_offsets()) / across / surface.pitch[::-1] - 0.5
     np.testing.assert_allclose(points[:, ::-1], found.places, atol=1e-9)
-    averages = map_figure(surface, found=asperities(surface, "mccool")).axes[0]
+    averages = map_figure(surface, asperities=asperities(surface, "mccool")).axes[0]
     assert averages.get_title() == "moments (McCool): averages only, no places" and not averages.collections
 
 
@@ -403,7 +403,7 @@ def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(with_ra
         assert column.max() == pytest.approx(np.nanmax(table[:, at]))
     assert axes.get_xlabel() == "net normal load $P$ [N]" and axes.get_ylabel() == "static friction coefficient $\\mu$"
     assert "a title" in figure.get_suptitle() and "grade" in figure.get_suptitle()
-    assert legend(figure)[0] == "spread over methods of\nfinding asperities" and inside(figure)
+    assert legend(figure)[0] == "range over methods of\nfinding asperities" and inside(figure)
 
 
 def test_gaps_and_zeros_are_named(with_range_over_methods):

@@ -17,7 +17,7 @@ from collisions import collisions
 from stiction import cli
 from stiction.quantities.errors import InputError
 from stiction.report.sensitivity_pictures import sensitivity_figure
-from stiction.report.views.sensitivity import elasticities_table, indices_table
+from stiction.report.views.sensitivity import indices_table, log_sensitivities_table
 from stiction.studies.case_results import solve_case
 
 S_TAU, S_R = np.log(2.0), 0.5 * np.log(1.5)  # deviations of ln mu by its two inputs
@@ -143,7 +143,7 @@ def test_pictures_and_tables_rank_what_matters(of_power_law):
     table = indices_table(of_power_law)
     assert [row[0] for row in table.rows] == ["interfacial_shear_strength", "asperity_radius"]
     assert table.rows[0][1] == f"{float(of_power_law['friction_coefficient_total_order'][0, 0]):.2f}"
-    assert elasticities_table(of_power_law).rows[0][1] == "+1"
+    assert log_sensitivities_table(of_power_law).rows[0][1] == "+1"
     indices, over_load, screening, slopes = sensitivity_figure(of_power_law).axes
     assert [text.get_text() for text in indices.get_yticklabels()] == ["interfacial_shear_strength", "asperity_radius"]
     widths = sorted(patch.get_width() for patch in indices.patches[:2])
@@ -201,7 +201,7 @@ def test_the_command_writes_its_files_and_json(tmp_path):
     result = CliRunner().invoke(cli.app, words)
     assert result.exit_code == 0, (result.output, result.exception)
     assert "interfacial_shear_strength" in result.stdout and "input raised by 1 %" in result.stdout
-    names = {"sensitivity.csv", "elasticities.csv", "sensitivity.nc", "sensitivity.png"}
+    names = {"sensitivity.csv", "log_sensitivities.csv", "sensitivity.nc", "sensitivity.png"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
     found = json.loads(CliRunner().invoke(cli.app, [*words[:4], "--json"]).stdout)
     assert found["variables"]["friction_coefficient_total_order"]["dims"] == ["input", "load"]

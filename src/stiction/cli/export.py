@@ -12,7 +12,7 @@ from stiction.report.exports import UNITS, export_formats
 def export(
     case: Path = argument("CASE.toml", "Case file: what is in contact and at which loads."),
     to: str = option(f"Format: {', '.join(export_formats())}.", ..., "--to", metavar="FORMAT"),
-    out: Path = option("File to write; one that is there is replaced.", ..., "--out", metavar="FILE"),
+    out: Path = option("File to write; an existing one is replaced.", ..., "--out", metavar="FILE"),
     load: Load = None,
     level: float = option("Quantile of mu: 0.5 the median, 0.05 a lower bound, 0.95 an upper one.", 0.5),
     units: str = option(f"Consistent units of the file: {', '.join(UNITS)}.", "m-kg-s"),
@@ -27,16 +27,16 @@ def export(
         from stiction.report.export import export as write
 
         table = write(case, to, out, load=load, level=level, units=units)
-    ends = [float(table["nominal_pressure"][at]) for at in (0, -1)]
-    found = {"file": str(out), "format": to, "units": units, "level": level, "comments": table.attrs["comments"]}
+    ends = [float(table["nominal_pressure"][place]) for place in (0, -1)]
+    content = {"file": str(out), "format": to, "units": units, "level": level, "comments": table.attrs["comments"]}
     if json:
-        columns = {name: {"unit": one.attrs["units"], "values": one.values} for name, one in table.items()}
-        print_json(found | {"working_row": table.attrs["working_row"], "table": columns})
+        columns = {name: {"unit": variable.attrs["units"], "values": variable.values} for name, variable in table.items()}
+        print_json(content | {"working_row": table.attrs["working_row"], "table": columns})
         return
-    mu, at = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "load"))
+    mu, place = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "load"))
     force, unit = (table[name].attrs["units"] for name in ("load", "nominal_pressure"))
     terminal = console()
-    terminal.print(f"mu = {mu:.3g} at {at:.3g} {force}; {table.sizes['row']} rows, {ends[0]:.3g} to {ends[1]:.3g} {unit}")
+    terminal.print(f"mu = {mu:.3g} at {place:.3g} {force}; {table.sizes['row']} rows, {ends[0]:.3g} to {ends[1]:.3g} {unit}")
     for line in table.attrs["comments"]:
         if line.startswith("no "):
             terminal.print(line, highlight=False, markup=False)

@@ -19,7 +19,9 @@ def _show(rows: Any, json: bool, parts: Iterable[Any]) -> None:
 
 @app.command()
 def models(
-    keys: list[str] | None = argument("[KEY]...", "Say all of these; else a line of each.", None, autocompletion=every_key),
+    keys: list[str] | None = argument(
+        "[KEY]...", "Print all of these; without KEY one line for each model.", None, autocompletion=every_key
+    ),
     json: Json = False,
 ) -> None:
     """List every model and law by kind, with its grade and title.
@@ -38,7 +40,7 @@ def models(
 def materials(
     names: list[str] | None = argument(
         "[NAME]...",
-        "Also the source of every number of these; else a line of each.",
+        "Print the source of every number of these; without NAME one line for each.",
         None,
         autocompletion=names_of("stiction.contact.materials", "material_names"),
     ),
@@ -59,7 +61,7 @@ def materials(
 def interfaces(
     names: list[str] | None = argument(
         "[NAME]...",
-        'Also sources, and where each must not be used, of these: "oxidised metal".',
+        'Print sources and exclusions of these, e.g. "oxidised metal"; without NAME one line for each.',
         None,
         autocompletion=names_of("stiction.contact.interfaces", "interface_names"),
     ),
@@ -79,7 +81,9 @@ def interfaces(
 
 @app.command()
 def cite(
-    keys: list[str] | None = argument("[KEY]...", "Models or entries; all if none.", None, autocompletion=every_key),
+    keys: list[str] | None = argument(
+        "[KEY]...", "Models or entries; without KEY all of them.", None, autocompletion=every_key
+    ),
 ) -> None:
     """Print BibTeX entries of models, film laws and the bibliography."""
     from stiction.solving.overview import cite as bibtex_of
@@ -88,7 +92,7 @@ def cite(
 
 
 @app.command()
-def schema(out: Path | None = option("File to write to; else it is printed.")) -> None:
+def schema(out: Path | None = option("File to write; by default the schema is printed.")) -> None:
     """Print the JSON schema of a case file, for editors that complete and check TOML."""
     from stiction.case.read import json_schema
     from stiction.report.files import as_json

@@ -36,28 +36,28 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
     from stiction.records.registry import all_options
 
     known = {f"--{name.replace('_', '-')}": (name, values) for name, values in all_options().items()}
-    found, rest, left = {}, [], iter(words)
+    options, rest, left = {}, [], iter(words)
     for word in left:
         flag, _, value = word.partition("=")
         if flag in own or flag not in known:
             rest.append(word)
             continue
         name, values = known[flag]
-        given = value or next(left, None)
-        if given not in values:
-            raise InputError(flag, given, ", ".join(values))
-        found[name] = given
-    return found, rest
+        taken = value or next(left, None)
+        if taken not in values:
+            raise InputError(flag, taken, ", ".join(values))
+        options[name] = taken
+    return options, rest
 
 
-def option(told: str, default: Any = None, *names: str, **more: Any) -> Any:
+def option(text: str, default: Any = None, *names: str, **more: Any) -> Any:
     """Return an option of a command; names: by default the name of its parameter."""
-    return typer.Option(default, *names, help=told, **more)
+    return typer.Option(default, *names, help=text, **more)
 
 
-def argument(metavar: str, told: str, default: Any = ..., **more: Any) -> Any:
+def argument(metavar: str, text: str, default: Any = ..., **more: Any) -> Any:
     """Return an argument of a command, required where it has no default."""
-    return typer.Argument(default, metavar=metavar, help=told, **more)
+    return typer.Argument(default, metavar=metavar, help=text, **more)
 
 
 def keys_of(kind: str) -> Callable[[str], list[str]]:
@@ -66,7 +66,7 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
     def complete(incomplete: str) -> list[str]:
         from stiction.records.registry import kinds, of_kind
 
-        known = [key for one in kinds() if one.keyword == kind for key in of_kind(one)]
+        known = [key for record_kind in kinds() if record_kind.keyword == kind for key in of_kind(record_kind)]
         return [key for key in [*known, *(["none"] if kind == "tangential" else [])] if key.startswith(incomplete)]
 
     return complete
@@ -81,7 +81,7 @@ def every_key(incomplete: str) -> list[str]:
     """Complete a word to the key of any record."""
     from stiction.records.registry import records
 
-    return [one.key for one in records() if one.key.startswith(incomplete)]
+    return [record.key for record in records() if record.key.startswith(incomplete)]
 
 
 def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
@@ -109,7 +109,7 @@ def _checked(out: Path | None) -> Path | None:
 
 
 _RARE = "Rarely used"
-LAW: dict[str, Any] = {"metavar": "KEY", "rich_help_panel": "Laws in place of those of the case (stiction models)"}
+LAW: dict[str, Any] = {"metavar": "KEY", "rich_help_panel": "Laws that replace those of the case (stiction models)"}
 Out = Annotated[
     Path | None,
     typer.Option("--out", parser=folder, callback=_checked, metavar="FOLDER", help="Folder to write results to."),
@@ -119,9 +119,11 @@ Ranges = Annotated[
     bool | None,
     typer.Option("--ranges/--no-ranges", help="Vary material numbers within their ranges.", rich_help_panel=_RARE),
 ]
-Load = Annotated[str | None, typer.Option(metavar="LOAD", help='In place of the points of the case: "1 N".')]
-Model = Annotated[str | None, option("A model of stiction compare.", ..., metavar="KEY", autocompletion=keys_of("model"))]
-Asperity = Annotated[str | None, option("Asperities.", ..., autocompletion=keys_of("asperity"), **LAW)]
-Tangential = Annotated[str | None, option("Tangential; none: contact only.", ..., autocompletion=keys_of("tangential"), **LAW)]
-AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point, not about twelve.", rich_help_panel=_RARE)]
-Details = Annotated[bool, typer.Option("--details", help="Print all that the answer rests on.")]
+Load = Annotated[str | None, typer.Option(metavar="LOAD", help='Load that replaces the points of the case: "1 N".')]
+Model = Annotated[str | None, option("Model (stiction compare).", ..., metavar="KEY", autocompletion=keys_of("model"))]
+Asperity = Annotated[str | None, option("Asperity law.", ..., autocompletion=keys_of("asperity"), **LAW)]
+Tangential = Annotated[
+    str | None, option("Tangential law, or none for contact only.", ..., autocompletion=keys_of("tangential"), **LAW)
+]
+AllRows = Annotated[bool, typer.Option("--all-rows", help="Print every point instead of about twelve.", rich_help_panel=_RARE)]
+Details = Annotated[bool, typer.Option("--details", help="Print everything behind the answer.")]

@@ -33,12 +33,12 @@ _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the t
 class _Commands(TyperGroup):
     """Report bad input and wrong usage as one line with exit code 2, an interruption with 130; never a traceback."""
 
-    def __init__(self, *given, **named):
-        super().__init__(*given, **named)
+    def __init__(self, *positional, **named):
+        super().__init__(*positional, **named)
         parts: list[Any] = [part for command in self.commands.values() for part in (command, *command.params)]
-        for one in parts:
-            if getattr(one, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
-                one.help = _LINE_ENDS.sub(" ", _TABLE.sub(r"\\[", one.help))
+        for item in parts:
+            if getattr(item, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
+                item.help = _LINE_ENDS.sub(" ", _TABLE.sub(r"\\[", item.help))
 
     def make_context(self, info_name, args, parent=None, **extra):
         if not args:  # which prints the help
@@ -92,20 +92,22 @@ def _as_input(error: Any) -> InputError:
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
-        told = (error.param.help or "a value").replace("\\[", "[")  # of help, which is markup, not that of a table's name
-        return InputError(_name(error.param), None, told.rstrip("."))
+        meaning = (error.param.help or "a value").replace("\\[", "[")  # of help, which is markup, not that of a table's name
+        return InputError(_name(error.param), None, meaning.rstrip("."))
     if hasattr(error, "param"):
         value, allowed = _refused(error)
         return InputError(_name(error.param), value, allowed)
     if hasattr(error, "possibilities"):
-        known = [name for one in command.get_params(error.ctx) for name in one.opts if name.startswith("--")] if command else []
+        known = (
+            [name for each in command.get_params(error.ctx) for name in each.opts if name.startswith("--")] if command else []
+        )
         return InputError("option", error.option_name, ", ".join(known) or "an option of this command")
     if hasattr(error, "option_name"):
-        given, allowed = (None, "a value after it") if "requires" in message else ("with a value", "without a value")
-        return InputError(error.option_name, given, allowed)
+        value_text, allowed = (None, "a value after it") if "requires" in message else ("with a value", "without a value")
+        return InputError(error.option_name, value_text, allowed)
     if hasattr(command, "commands"):
         return InputError("command", None, ", ".join(command.commands))
-    names = [_name(one) for one in command.params if one.param_type_name == "argument"] if command else []
+    names = [_name(parameter) for parameter in command.params if parameter.param_type_name == "argument"] if command else []
     extra = message.rstrip(").").rpartition("(")[2]  # "Got unexpected extra arguments (b c)"
     return InputError("arguments", extra, " ".join([*names, "and options"]) if names else "options only")
 
@@ -180,11 +182,11 @@ def telling_how_far() -> Iterator[Callable[[str], None]]:
             return
         from time import monotonic
 
-        said = [-inf]
+        printed_at = [-inf]
 
         def say(how_far: str) -> None:
-            if monotonic() - said[0] > _EVERY:
-                said[0] = monotonic()
+            if monotonic() - printed_at[0] > _EVERY:
+                printed_at[0] = monotonic()
                 print(how_far, file=sys.stderr, flush=True)
 
         yield say
@@ -251,7 +253,7 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
 
     with (
         telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")),
-        telling_steps(lambda one: line.say(f"{text}: load {one.load + 1} of {one.loads}, residual {one.residual:.1e}")),
+        telling_steps(lambda step: line.say(f"{text}: load {step.load + 1} of {step.loads}, residual {step.residual:.1e}")),
     ):
         yield
 
@@ -310,7 +312,7 @@ def written(folder: Path, names) -> None:
     undrawn = undrawn_of(names)
     there = [name for name in names if name not in undrawn]
     terminal = console()
-    said = wrap(f"written to {folder}: {', '.join(there)}", terminal.width, break_long_words=False, break_on_hyphens=False)
-    terminal.print("\n".join(said), highlight=False, markup=False, soft_wrap=True)
+    lines = wrap(f"written to {folder}: {', '.join(there)}", terminal.width, break_long_words=False, break_on_hyphens=False)
+    terminal.print("\n".join(lines), highlight=False, markup=False, soft_wrap=True)
     if undrawn:
         print(f"stiction: not drawn without matplotlib: {', '.join(undrawn)}; {how_to_install('matplotlib')}", file=sys.stderr)

@@ -32,14 +32,14 @@ def run(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
     out: Out = None,
     load: Load = None,
-    model: str | None = option("A model of stiction compare, or: recommended.", metavar="KEY", autocompletion=keys_of("model")),
+    model: str | None = option("Model (stiction compare), or recommended.", metavar="KEY", autocompletion=keys_of("model")),
     details: Details = False,
     json: Json = False,
     all_rows: AllRows = False,
     ranges: Ranges = None,
     asperity: Asperity = None,
     tangential: Tangential = None,
-    film: str | None = option("Film.", autocompletion=keys_of("film"), **LAW),
+    film: str | None = option("Film law.", autocompletion=keys_of("film"), **LAW),
     **beside: str | None,
 ) -> None:
     """Answer a case: its friction coefficient with an interval, and what the interval comes from.
@@ -80,8 +80,8 @@ def slide(
     ranges: Ranges = None,
     asperity: Asperity = None,
     tangential: Tangential = None,
-    kept: float = option("Share of its strength that an asperity, or a point of a map, keeps once it slides.", 1.0),
-    weakening_slip: str | None = option("Slip over which a point of a map loses the rest, e.g. '10 nm'."),
+    kept: float = option("Residual strength of a sliding asperity or point, as a fraction.", 1.0),
+    weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
     **beside: str | None,
 ) -> None:
     """Move a contact aside, from rest to sliding: tangential force against displacement.
@@ -102,12 +102,12 @@ def slide(
 
 def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
     """Return the command with an option for each kind of law that is added to a model."""
-    own = [one for one in signature(command).parameters.values() if one.kind is not Parameter.VAR_KEYWORD]
+    own = [item for item in signature(command).parameters.values() if item.kind is not Parameter.VAR_KEYWORD]
     options = {
         name: option(f"{text.capitalize()}.", autocompletion=keys_of(name), **LAW)
         for name, text in names_of_additions().items()
     }
-    beside = [Parameter(name, Parameter.KEYWORD_ONLY, default=one, annotation=str | None) for name, one in options.items()]
+    beside = [Parameter(name, Parameter.KEYWORD_ONLY, default=item, annotation=str | None) for name, item in options.items()]
     command.__signature__ = Signature([*own, *beside])  # type: ignore[attr-defined]
     return command
 

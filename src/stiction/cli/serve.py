@@ -15,7 +15,7 @@ def serve(
     case: Path | None = argument("[CASE.toml]", "Case file to begin with; without one, silver on steel.", None),
     port: int = option("Port of the page.", 8080, min=1, max=65535),
     host: str = option(
-        "Address to bind. The default is this machine alone; any other lets whoever reaches it use the page.", "127.0.0.1"
+        "Address to bind; any but the default lets other machines use the page without a password.", "127.0.0.1"
     ),
 ) -> None:
     """Open a page in the browser with a control for every number of a case: friction, models, surfaces and studies.
@@ -32,8 +32,8 @@ def serve(
         query = query_of(case)
     if host not in _LOOPBACK:
         print(
-            f"stiction: bound to {host}: everybody who reaches this address can use the page, there is no password and no "
-            "encryption, and they see the case that is served",
+            f"stiction: {host} is open to other machines: anyone who reaches it can use the page and see the case, without "
+            "password or encryption",
             file=sys.stderr,
         )
     shown = f"[{host}]" if ":" in host else host

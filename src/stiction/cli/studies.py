@@ -40,10 +40,10 @@ def _add_command(folder: str, study: Study) -> None:
     """Add the command of a study, with the options of its plan and --out, --details and --json."""
     own = inspect.signature(study.plan).parameters
 
-    def command(context: typer.Context, **given: Any) -> None:
-        given["options"] = context.meta.get(OPTIONS, {})
+    def command(context: typer.Context, **arguments: Any) -> None:
+        arguments["options"] = context.meta.get(OPTIONS, {})
         with busy("Reading the case"):
-            plan = study.plan(**{name: given[name] for name in own})
+            plan = study.plan(**{name: arguments[name] for name in own})
         if "tell" in inspect.signature(study.run).parameters:
             with telling_how_far() as tell:
                 result = study.run(plan, tell)
@@ -56,15 +56,17 @@ def _add_command(folder: str, study: Study) -> None:
             from stiction.report.views.dataset import dataset_view
 
             view = partial(dataset_view, study.name)
-        present(view(*result), given["out"], given["json"], given["details"])
+        present(view(*result), arguments["out"], arguments["json"], arguments["details"])
 
     taken: dict[str, Any] = {
         "context": (typer.Context, inspect.Parameter.empty),
         "case": (Path, argument("CASE.toml", study.case)),
     }
-    for name, one in own.items():
+    for name, parameter in own.items():
         if name not in ("case", "options"):
-            taken[name] = (one.annotation, one.default) if hasattr(one.annotation, "__metadata__") else _SHARED[name]
+            taken[name] = (
+                (parameter.annotation, parameter.default) if hasattr(parameter.annotation, "__metadata__") else _SHARED[name]
+            )
     taken |= {name: _SHARED[name] for name in ("out", "details", "json") if name not in taken}
     command.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
         [
@@ -82,7 +84,7 @@ for _folder, _study in studies():
 @app.command()
 def report(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
-    out: Path = option("The page; one that is there is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
+    out: Path = option("File to write; an existing one is replaced.", ..., "--out", metavar="FILE.html|.pdf"),
     load: str | None = option('Working load, e.g. "1 N"; default: the middle one of the case.'),
     ranges: Ranges = None,
     json: Json = False,
@@ -94,12 +96,12 @@ def report(
     """
     with busy("Reading the case"):
         from stiction.report.html_report import write_report
-    found: dict[str, Any] = write_report(case, out, load=load, ranges=ranges, progress=bar)
+    answer: dict[str, Any] = write_report(case, out, load=load, ranges=ranges, progress=bar)
     if json:
-        print_json(found | {"file": str(out)})
+        print_json(answer | {"file": str(out)})
         return
     terminal = console()
-    terminal.print(found["answer_in_words"], highlight=False, markup=False)
+    terminal.print(answer["answer_in_words"], highlight=False, markup=False)
     terminal.print(f"written to {out}", highlight=False, markup=False, soft_wrap=True)
 
 
@@ -121,7 +123,7 @@ def validate(
 
         paths = entries_in(entry) if entry.is_dir() else [entry]
         entries = [read_entry(path) for path in paths]
-    found = [validated(one, progress=bar(path.stem)) for one, path in zip(entries, paths, strict=True)]
+    results = [validated(entry_read, progress=bar(path.stem)) for entry_read, path in zip(entries, paths, strict=True)]
     from stiction.report.views.validation import validation_view
 
-    present(validation_view({path.stem: data for path, data in zip(paths, found, strict=True)}), out, json)
+    present(validation_view({path.stem: data for path, data in zip(paths, results, strict=True)}), out, json)

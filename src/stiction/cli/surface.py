@@ -19,25 +19,25 @@ if TYPE_CHECKING:
 @app.command()
 def surface(
     file: Path = argument("FILE", "Scan: an array, numbers in text, or what an instrument wrote."),
-    size: str | None = option('Size along x, e.g. "10 um", in place of what the file says.'),
+    size: str | None = option('Size along x, e.g. "10 um"; by default as the file states.'),
     unit: str | None = option("Length unit of the numbers in the file, e.g. nm."),
-    height_unit: str | None = option("Length unit of the heights, if another."),
+    height_unit: str | None = option("Length unit of the heights, if it differs."),
     height_scale: float | None = option("Factor on the heights, not 0."),
-    channel: str | None = option("Name or place of a channel, of a file with several."),
-    form: int = option("Order of the polynomial taken off: 1 a plane, 0 nothing.", 1, min=0, max=4),
-    spikes: float | None = option("Mask points this many robust deviations off the median: 10."),
-    fill: str | None = option("Fill missing points: harmonic or nearest; else they stay missing."),
+    channel: str | None = option("Name or number of the channel to read."),
+    form: int = option("Order of the polynomial that is removed: 1 a plane, 0 nothing.", 1, min=0, max=4),
+    spikes: float | None = option("Mask points further than this many robust deviations from the median, e.g. 10."),
+    fill: str | None = option("Fill missing points: harmonic or nearest; by default they stay missing."),
     shortest: str | None = option('Shortest wavelength kept, e.g. "200 nm".'),
     longest: str | None = option('Longest wavelength kept, e.g. "5 um".'),
-    tip_radius: str | None = option('Of the stylus, e.g. "2 um": ends the reliable band.'),
-    case: Path | None = option("Case file: draw its mu in the resolution study, with this surface in it."),
-    load: str | None = option('Load of that, e.g. "1 N"; default: the middle load of the case.'),
+    tip_radius: str | None = option('Radius of the stylus tip, e.g. "2 um"; it limits the reliable band.'),
+    case: Path | None = option("Case file whose mu the resolution study draws, with this surface in it."),
+    load: str | None = option('Load of --case, e.g. "1 N"; by default its middle load.'),
     contact: str | None = option(
         "Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."
     ),
-    hardness: float | None = option("Of that contact, over E* h'; else it is elastic."),
-    periodic: bool = option("One period of a surface without end: no form is taken off.", False, "--periodic"),
-    details: bool = option("Also moments, and every way of finding asperities.", False, "--details"),
+    hardness: float | None = option("Hardness of --contact, over E* h'; by default the contact is elastic."),
+    periodic: bool = option("Treat the scan as one period of an endless surface; no form is removed.", False, "--periodic"),
+    details: bool = option("Also print moments, and every method of finding asperities.", False, "--details"),
     out: Out = None,
     json: Json = False,
 ) -> None:
@@ -49,9 +49,9 @@ def surface(
     """
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
-        raise InputError(what, value, "together with --out: it is for the resolution study")
+        raise InputError(what, value, "only with --out, which writes the resolution study")
     pressures = _pressures(contact, hardness)
-    given: dict[str, Any] = {
+    reading: dict[str, Any] = {
         "size": size, "unit": unit, "height_unit": height_unit, "height_scale": height_scale, "channel": channel,
     }  # fmt: skip
     with busy("Reading the scan"):
@@ -59,17 +59,17 @@ def surface(
         from stiction.surfaces.prepare import prepared, prepared_period
         from stiction.surfaces.read import read_scan
 
-        chosen, at = _chosen(case, load)
-        scan = replace(read_scan(file, **given), periodic=periodic)
+        chosen, chosen_load = _chosen(case, load)
+        scan = replace(read_scan(file, **reading), periodic=periodic)
         made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
         scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
     solved = _contact(scan, pressures, hardness) if pressures else None
-    resolution = _resolution(analysis.surface, chosen, at) if out is not None else None
+    resolution = _resolution(analysis.surface, chosen, chosen_load) if out is not None else None
     from stiction.report.views.surface import surface_view
 
     steps = {"form": form, "spikes": spikes, "fill": fill, "shortest": shortest, "longest": longest}
-    body = {"file": file.as_posix(), **given, "periodic": periodic or None}
+    body = {"file": file.as_posix(), **reading, "periodic": periodic or None}
     table = {name: value for name, value in steps.items() if value is not None and (name, value) != ("form", 1)}
     case_table = {"first": {name: value for name, value in body.items() if value is not None}} | table
     present(surface_view(analysis, case_table, solved, resolution, details), out, json)
@@ -79,12 +79,12 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
     """Return the nominal pressures of --contact; an empty list without that option."""
     if contact is None:
         if hardness is not None:
-            raise InputError("--hardness", hardness, "together with --contact: it is the hardness of that")
+            raise InputError("--hardness", hardness, "only with --contact")
         return []
     try:
         return [float(word) for word in contact.replace(",", " ").split()]
     except ValueError:
-        raise InputError("--contact", contact, "numbers > 0 with blanks between, e.g. 0.01 0.1") from None
+        raise InputError("--contact", contact, "numbers > 0 separated by blanks, e.g. 0.01 0.1") from None
 
 
 def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) -> "ContactOfMap":
@@ -98,7 +98,7 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     """Return the case of --case and its load."""
     if case is None:
         if load is not None:
-            raise InputError("--load", load, "together with --case: it is the load of that")
+            raise InputError("--load", load, "only with --case")
         return None, None
     from stiction.case.read import read_case
     from stiction.contact.contact import Contact
@@ -106,11 +106,11 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
 
     chosen = read_case(case)
     if not isinstance(chosen.subject, Contact):
-        raise InputError("--case", str(case), "a case with [contact]: groups have no surface of their own")
-    at = working_load(chosen, load)
-    if at is None:
-        raise InputError("--load", None, "a load, where no load of the case is compressive")
-    return chosen, at
+        raise InputError("--case", str(case), "a case with [contact], as dimensionless groups have no surface")
+    chosen_load = working_load(chosen, load)
+    if chosen_load is None:
+        raise InputError("--load", None, "a load, as no load of the case is compressive")
+    return chosen, chosen_load
 
 
 def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":

@@ -10,20 +10,21 @@ from stiction.cli.program import app, busy, present
 
 @app.command()
 def sweep(
-    case: Path = argument("CASE.toml", "Case file in which numbers of the contact are several."),
-    out: Path = option("Folder of the store: new, or of this case, to go on.", ..., "--out", parser=folder, metavar="STORE"),
-    workers: int = option("How many processes of this machine share the work.", 1, metavar="N"),
+    case: Path = argument("CASE.toml", "Case file in which numbers are arrays."),
+    out: Path = option(
+        "Folder of the store: a new one, or an unfinished one of the same case.", ..., "--out", parser=folder, metavar="STORE"
+    ),
+    workers: int = option("Number of processes on this machine.", 1, metavar="N"),
     scheduler: str | None = option(
         "Scheduler of a dask.distributed cluster that does the work, e.g. tcp://host:8786.", metavar="ADDRESS"
     ),
     details: Details = False,
     json: Json = False,
 ) -> None:
-    """Solve many contacts, into a labelled store on disk (zarr 3).
+    """Solve many contacts into a labelled store on disk (zarr 3).
 
-    Which contacts, the table [sweep] of the case says: every combination, points of a list, or points that are drawn. It may
-    be interrupted at any time; calling it again goes on where it was. The store is the same, bit for bit, whoever does
-    the work.
+    The table [sweep] of the case selects the contacts: every combination, points of a list, or random points. A sweep can be
+    interrupted; the same command continues it. The store is the same, bit for bit, for any number of workers.
     """
     if not _stderr().is_terminal:
         _stderr().print("Reading the case")  # at once: the first points take longer
@@ -34,7 +35,7 @@ def sweep(
     try:
         store = run_sweep(case, out, workers, scheduler, shown)
     except KeyboardInterrupt:
-        stopped = f"stopped: {shown.done} of {shown.size} points are in {out}; call again to go on"
+        stopped = f"stopped: {shown.done} of {shown.size} points are in {out}; run the command again to continue"
         _stderr().print(stopped, style="bold", highlight=False, markup=False, soft_wrap=True)
         raise
     seconds = monotonic() - begun
@@ -63,7 +64,7 @@ class _Shown:
             TextColumn("left"),
             TimeRemainingColumn(),
         )
-        begun = said = monotonic()
+        begun = printed_at = monotonic()
         with Progress(*columns, console=terminal, transient=True, disable=not terminal.is_terminal) as progress:
             task = progress.add_task("Sweeping", total=size, completed=done, rate="")
             if progress.disable:
@@ -73,8 +74,8 @@ class _Shown:
                 self.computed += points
                 rate = self.computed / (monotonic() - begun)
                 progress.update(task, completed=self.done, rate=f"{self.done:.3g} of {size:.3g} points, {rate:.3g}/s")
-                if progress.disable and monotonic() - said > _EVERY:
-                    said = monotonic()
+                if progress.disable and monotonic() - printed_at > _EVERY:
+                    printed_at = monotonic()
                     self._say(terminal, rate)
                 yield points
 

@@ -4,8 +4,6 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES
 from stiction.solving.choice import LAWS
@@ -140,11 +138,10 @@ def _along(data: "xarray.Dataset") -> str:
     """Return mu at the first and last load."""
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
-    each = (
-        f"mu = {number(float(data[_MU][at]))} ({span(data.isel(load=at), _MU)}) at {show(float(data['load'][at]), 'load', 3)}"
-        for at in (int(np.argmin(data["load"].values)), int(np.argmax(data["load"].values)))
-    )
-    return "; ".join(each)
+    ordered = data.sortby("load")
+    ends = (ordered.isel(load=place) for place in (0, -1))
+    texts = (f"mu = {number(float(end[_MU]))} ({span(end, _MU)}) at {show(float(end['load']), 'load', 3)}" for end in ends)
+    return "; ".join(texts)
 
 
 def _of_measured(data: "xarray.Dataset") -> str:
@@ -153,7 +150,7 @@ def _of_measured(data: "xarray.Dataset") -> str:
         return ""
     count = data.attrs["measured"]
     values = "1 value" if count == 1 else f"{count} values"
-    middle, low, high = (show(one, "interfacial_shear_strength", 2) for one in data.attrs["strength"])
+    middle, low, high = (show(strength_value, "interfacial_shear_strength", 2) for strength_value in data.attrs["strength"])
     strength = f"interface strength {middle} ({low} to {high})"
     if "parameter" not in data.dims and data.attrs["grows_with_pressure"]:
         return f"{values}: {strength} at zero pressure; the pressure coefficient of the state still applies"
@@ -161,8 +158,8 @@ def _of_measured(data: "xarray.Dataset") -> str:
         return f'{values}: {strength}; in the case: interfacial_shear_strength = {{ low = "{low}", high = "{high}" }}'
     names = data["parameter"].values.tolist()
     texts = [] if "interfacial_shear_strength" in names else [strength]
-    for at, name in enumerate(names):
-        middle, low, high = (show(float(data[key][at]), name.rpartition(".")[2], 2) for key in ("value", "low", "high"))
+    for index, name in enumerate(names):
+        middle, low, high = (show(float(data[key][index]), name.rpartition(".")[2], 2) for key in ("value", "low", "high"))
         texts.append(f"{name.replace('_', ' ')} {middle} ({low} to {high})")
     return "; ".join(filter(None, [f"{values}: {', '.join(texts)}", data.attrs["verdict"].replace("_", " ")]))
 

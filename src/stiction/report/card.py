@@ -62,10 +62,8 @@ class Card(NamedTuple):
             return 12.0 + (_WIDTH - 24.0) * (math.log10(max(value, 10.0**first)) - first) / (last - first)
 
         step = -(-(last - first) // 5)
-        ticks = "".join(
-            f'<text x="{x(10.0**at):.1f}" y="34" text-anchor="middle" font-size="10" fill="currentColor">{10.0**at:g}</text>'
-            for at in range(first, last + 1, step)
-        )
+        tick = '<text x="{:.1f}" y="34" text-anchor="middle" font-size="10" fill="currentColor">{:g}</text>'
+        ticks = "".join(tick.format(x(value), value) for value in (10.0**power for power in range(first, last + 1, step)))
         return (
             f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:30em">'
             f'<line x1="12" x2="{_WIDTH - 12}" y1="12" y2="12" stroke="currentColor" stroke-opacity=".3"/>'

@@ -19,8 +19,8 @@ _BARS = 12
 
 def design_figure(data: "xarray.Dataset") -> Figure:
     """Draw the best design of each choice from the lists, and the designs evaluated or the front of two objectives."""
-    said = data.attrs["objectives"].split("\n")
-    objectives = [one.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for one in said]
+    texts = data.attrs["objectives"].split("\n")
+    objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]
     several, two = data.sizes["design"] > 1, len(objectives) == 2
     drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, objectives[0])] if several else []
     drawn.append(lambda axes: _front(axes, data, objectives) if two else _asked(axes, data, objectives[0]))
@@ -30,7 +30,7 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     for axes, draw in zip(panels, drawn, strict=True):
         draw(axes)
     missed = [f"missed: {words}" for words in data.attrs["missed"].split("\n") if words]
-    objective = f"objective: {'; '.join(said).replace('_', ' ')}"
+    objective = f"objective: {'; '.join(texts).replace('_', ' ')}"
     figure.suptitle("\n".join(filter(None, [data.attrs.get("case", ""), objective, *missed])), fontsize=11)
     return figure
 
@@ -39,12 +39,17 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     count = min(data.sizes["design"], _BARS)
     columns = columns_of(data, "design")
     chosen = [name for name in data.attrs["chosen"].split(", ") if data[columns[name]].dtype.kind in "UO"]
-    names = [", ".join(str(data[columns[name]].values[at]) for name in chosen) or str(at + 1) for at in range(count)]
-    values, kept = data[columns[objective]].values[:count], data["kept"].values[:count]
+    names = [", ".join(str(data[columns[name]].values[row]) for name in chosen) or str(row + 1) for row in range(count)]
+    values, feasible = data[columns[objective]].values[:count], data["kept"].values[:count]
     places = np.arange(count)[::-1]
-    axes.barh(places, values, color=[BLUE if one else GREY for one in kept])
+    axes.barh(places, values, color=[BLUE if holds else GREY for holds in feasible])
     along(
-        axes, "x", objective, values, log=False, title="best for each choice" + ("" if kept.all() else "; grey: breaks a limit")
+        axes,
+        "x",
+        objective,
+        values,
+        log=False,
+        title="best for each choice" + ("" if feasible.all() else "; grey: violates a limit"),
     )
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
@@ -52,13 +57,13 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
     if not data.sizes.get("front"):
-        say(axes, "no design keeps the limits")
+        say(axes, "no design meets the limits")
         return
     columns = columns_of(data, "front")
-    x, y = (data[columns[one]].values for one in objectives)
+    x, y = (data[columns[objective]].values for objective in objectives)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
     along(axes, "x", objectives[0], x)
-    along(axes, "y", objectives[1], y, title="none is better in both than any of these")
+    along(axes, "y", objectives[1], y, title="Pareto front: no other design is better in both")
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
@@ -67,10 +72,12 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
     for name, colour, marker in zip(names, (BLUE, ORANGE, GREEN, RED) * 2, "os^Ddv<>", strict=False):
-        one, last = data[columns[name]], name.rpartition(".")[2]
-        low, high, values = one.attrs["searched_from"], one.attrs["searched_to"], one.values
+        variable, last = data[columns[name]], name.rpartition(".")[2]
+        low, high, values = variable.attrs["searched_from"], variable.attrs["searched_to"], variable.values
         text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
-        share = np.log(values / low) / np.log(high / low) if one.attrs["spacing"] == "log" else (values - low) / (high - low)
+        share = (
+            np.log(values / low) / np.log(high / low) if variable.attrs["spacing"] == "log" else (values - low) / (high - low)
+        )
         axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
     along(axes, "x", objective, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
@@ -78,21 +85,23 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw every evaluated design against the chosen number, between the ends of its search."""
     columns = columns_of(data, "asked")
-    name = next((one for one in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[one]].attrs), "")
+    name = next(
+        (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""
+    )
     if not name:
         say(axes, "no number was searched between two ends")
         return
-    number, value, kept = data[columns[name]], data[columns[objective]].values, data["asked_kept"].values
-    for mask, colour, text in ((~kept, GREY, "breaks a limit"), (kept, BLUE, "keeps all limits")):
+    number, value, feasible = data[columns[name]], data[columns[objective]].values, data["asked_kept"].values
+    for mask, colour, text in ((~feasible, GREY, "violates a limit"), (feasible, BLUE, "meets all limits")):
         axes.plot(
             number.values[mask], value[mask], ".", color=colour, markersize=4, alpha=0.5, label=text if mask.any() else None
         )
     best = data.isel(design=0)
     chosen = columns_of(data, "design")
     axes.plot(float(best[chosen[name]]), float(best[chosen[objective]]), "*", color=RED, markersize=14, label="best")
-    for at, end in enumerate(("searched_from", "searched_to")):
-        axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if at else "ends of the search")
-    seen = value[kept & np.isfinite(value)] if kept.any() else value[np.isfinite(value)]
+    for end_number, end in enumerate(("searched_from", "searched_to")):
+        axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if end_number else "ends of the search")
+    seen = value[feasible & np.isfinite(value)] if feasible.any() else value[np.isfinite(value)]
     quantity = name.rpartition(".")[2]
     along(axes, "x", quantity, number.values, title=f"{len(value)} designs evaluated")
     along(axes, "y", objective, seen)

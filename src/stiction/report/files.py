@@ -77,12 +77,12 @@ def _names(data: "xarray.Dataset") -> list[str]:
 def comments_of(data: "xarray.Dataset") -> list[str]:
     """Return the comment lines above the table of a result: model, validity warnings, inputs, and its columns."""
     used = data.attrs
-    said: dict[str, Any] = {
+    comments: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
         "program": used.get("program"),
         "model": model_line(used),
         "grade": grade_line(used),
-        "validity warning": [str(warning) for warning in warnings_of(data)] or "none: within the ranges that are claimed",
+        "validity warning": [str(warning) for warning in warnings_of(data)] or "none: within the claimed ranges",
         "measured error": used.get("measured_error_in_words"),
         "area": used.get("area_by"),
         "not used": used.get("inputs_not_used"),
@@ -91,14 +91,16 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
         "input": used.get("inputs", "").splitlines(),
         "scan": used.get("scans", "").splitlines(),
     }
-    return comment_lines(said, data)
+    return comment_lines(comments, data)
 
 
-def comment_lines(said: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
+def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
     """Return texts, or lists of them, by what they are of, a line each; then what the columns of the table are."""
     columns = [_column_said(data[name]) for name in _names(data)]
-    said = {**said, "column": columns, "read with": 'pandas.read_csv(path, comment="#")'}
-    lines = [(head, text) for head, texts in said.items() for text in (texts if isinstance(texts, list) else [texts]) if text]
+    comments = {**comments, "column": columns, "read with": 'pandas.read_csv(path, comment="#")'}
+    lines = [
+        (head, text) for head, texts in comments.items() for text in (texts if isinstance(texts, list) else [texts]) if text
+    ]
     return [" ".join(f"{head}: {text}".split()) for head, text in lines]
 
 
@@ -191,7 +193,7 @@ def _clear_abandoned(folder: Path) -> None:
     made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
     for beside in folder.parent.iterdir():
         if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():
-            inside = [one.name for one in beside.iterdir()]
-            written = [one.lstat().st_mtime for one in (beside, *beside.rglob("*"))]
+            inside = [path.name for path in beside.iterdir()]
+            written = [path.lstat().st_mtime for path in (beside, *beside.rglob("*"))]
             if inside in ([], ["files"]) and max(written) < time.time() - _ABANDONED:
                 shutil.rmtree(beside, ignore_errors=True)

@@ -53,9 +53,9 @@ def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> Non
     axes.plot([-1.0, 1.0], [0.0, 0.0], color="black", linewidth=4.0, solid_capstyle="butt", label="contact", clip_on=False)
     if used["thickness_over_radius"] <= z[-1]:
         axes.axhline(used["thickness_over_radius"], color=ORANGE, linewidth=1.8, label="interface")
-    said = f"largest: {used['largest']:.3g}, {'at' if used['where'] == 'interface' else 'in'} the {used['where']}"
+    text = f"largest: {used['largest']:.3g}, {'at' if used['where'] == 'interface' else 'in'} the {used['where']}"
     axes.plot(used["largest_x"], used["largest_z"], marker="X", color=RED, markeredgecolor="white", markersize=11,
-              linestyle="none", label=said, clip_on=False)  # fmt: skip
+              linestyle="none", label=text, clip_on=False)  # fmt: skip
     axes.set(xlim=(x[0], x[-1]), ylim=(z[-1], 0.0), aspect="equal", xlabel="$x/a$, along the tangential force",
              ylabel="depth $z/a$")  # fmt: skip
     axes.yaxis.set_major_locator(MultipleLocator(0.5))  # as wide before the panel has its size as after

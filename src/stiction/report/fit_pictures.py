@@ -25,8 +25,8 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     predicted = [name for name in quantities if f"predicted_{name}" in data]
     columns = 3 if predicted else 2
     figure, panels = canvas(5.2 * columns, 4.2 * len(quantities) + 0.5, len(quantities), columns)
-    for at, name in enumerate(quantities):
-        measured, residual, *rest = panels[at * columns : (at + 1) * columns]
+    for row, name in enumerate(quantities):
+        measured, residual, *rest = panels[row * columns : (row + 1) * columns]
         _measured_panel(measured, data, name)
         _residual_panel(residual, data, name)
         for axes in rest:
@@ -43,11 +43,11 @@ def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str,
     """Yield each sample of a quantity: its name, look, loads (or numbers where a load is unknown) and values."""
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))
-    for at, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
+    for number, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
         rows = np.flatnonzero((data["quantity"].values == name) & (data["sample"].values == sample))
         rows = rows[np.argsort(x[rows], kind="stable")]
         if rows.size:
-            yield sample, look_of("", at), x[rows], data.isel(row=rows)
+            yield sample, look_of("", number), x[rows], data.isel(row=rows)
 
 
 def _along_load(axes: Axes, data: "xarray.Dataset") -> None:
@@ -60,8 +60,8 @@ def _along_load(axes: Axes, data: "xarray.Dataset") -> None:
 
 def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     for sample, look, x, rows in _series(data, name):
-        said: dict[str, Any] = {"linestyle": "", "linewidth": 1, "capsize": 2, "label": sample or "measured"}
-        axes.errorbar(x, rows["measured"], rows["error"], **look, **said)
+        bars: dict[str, Any] = {"linestyle": "", "linewidth": 1, "capsize": 2, "label": sample or "measured"}
+        axes.errorbar(x, rows["measured"], rows["error"], **look, **bars)
         axes.plot(x, rows["fitted"], color=look["color"], linewidth=1.6)
     _along_load(axes, data)
     along(
@@ -93,8 +93,12 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     x = data[point].values
     for line, chosen in enumerate(some(len(places), _LINES)):
         place = dict(zip(others, places[chosen], strict=True))
-        said = [f"{one} = {of_value(data, one, at)}" for dim, at in place.items() for one in coordinates_along(data, str(dim))]
-        colour, text = COLOURS[line % len(COLOURS)], ", ".join(said) or "as in the case"
+        texts = [
+            f"{coordinate} = {of_value(data, coordinate, index)}"
+            for dim, index in place.items()
+            for coordinate in coordinates_along(data, str(dim))
+        ]
+        colour, text = COLOURS[line % len(COLOURS)], ", ".join(texts) or "as in the case"
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
         axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
     along_points(axes, data[point])
@@ -107,25 +111,25 @@ def profile_figure(data: "xarray.Dataset") -> Figure:
     columns = min(count, 3)
     rows = -(-count // columns)
     figure, panels = canvas(4.8 * columns, 3.9 * rows + 0.4, rows, columns)
-    for at, axes in enumerate(panels):
-        if at >= count:
+    for number, axes in enumerate(panels):
+        if number >= count:
             axes.set_axis_off()
         else:
-            _profile_panel(axes, data.isel(parameter=at))
+            _profile_panel(axes, data.isel(parameter=number))
     figure.suptitle("Profile of the likelihood: all other free numbers at their best", fontsize=11)
     return figure
 
 
-def _profile_panel(axes: Axes, one: "xarray.Dataset") -> None:
-    name = str(one["parameter"].values)
+def _profile_panel(axes: Axes, parameter: "xarray.Dataset") -> None:
+    name = str(parameter["parameter"].values)
     quantity = name.partition(" (")[0].rpartition(".")[2]
-    value, rise = one["profile_value"].values, one["profile_rise"].values
+    value, rise = parameter["profile_value"].values, parameter["profile_rise"].values
     there = np.isfinite(value)
     axes.plot(value[there], rise[there], color=BLUE, marker=".", markersize=4)
-    axes.axvspan(float(one["low"]), float(one["high"]), color=SKY, alpha=0.3, linewidth=0)
-    axes.axvline(float(one["value"]), color="black", linewidth=1)
+    axes.axvspan(float(parameter["low"]), float(parameter["high"]), color=SKY, alpha=0.3, linewidth=0)
+    axes.axvline(float(parameter["value"]), color="black", linewidth=1)
     axes.set_ylim(-0.3, max(4.5, min(_TOP, 1.05 * np.nanmax(rise))))
-    ends = [show(float(one[end]), quantity, 3) for end in ("low", "high")]
-    opened = "open at an end: " if bool(one["open_low"]) or bool(one["open_high"]) else ""
+    ends = [show(float(parameter[end]), quantity, 3) for end in ("low", "high")]
+    opened = "open at an end: " if bool(parameter["open_low"]) or bool(parameter["open_high"]) else ""
     along(axes, "x", quantity, value[there], title=f"{opened}95 %: {ends[0]} to {ends[1]}", ylabel="rise of $\\chi^2$")
     axes.set_xlabel(f"{name} {axes.get_xlabel().rpartition('$')[2]}".strip())

@@ -89,7 +89,7 @@ def write_report(
     """
     require("report", "matplotlib")
     check_place(Path(path), case)
-    (read,) = progress("Reading the case")(as_case(one, ranges) for one in [case])
+    (read,) = progress("Reading the case")(as_case(source, ranges) for source in [case])
     text, name = "", "case.toml"
     if isinstance(case, str | os.PathLike):
         text, name = text_of_file(Path(case)), Path(case).name
@@ -194,7 +194,7 @@ def report_record(findings: ReportData) -> dict[str, Any]:
         "working_load_unit": unit,
         "friction_coefficient": mu,
         "friction_coefficient_rounded": None if here is None or mu is None else rounded(mu, interval_of(here)),
-        "validity_warnings": [one.as_data() for one in warnings_here(findings)],
+        "validity_warnings": [warning.as_data() for warning in warnings_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
         "sources": [*own, *of_materials],

@@ -14,7 +14,7 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 def letters(text: str) -> str:
     """Return a text with Greek letters in place of their names: "σ/R" for "sigma/R"."""
-    return _WORD.sub(lambda found: _GREEK[found[1]], text).replace("sqrt(", "√(").replace("+-", "±")
+    return _WORD.sub(lambda match: _GREEK[match[1]], text).replace("sqrt(", "√(").replace("+-", "±")
 
 
 def on_page(table: Table, caption: str) -> Table:
@@ -32,5 +32,5 @@ def formula(text: str) -> Markup:
     """Return HTML of a symbol, or of a meaning with formulas; all of it is escaped."""
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
-    shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda found: f"<sup>{found[1] or found[2]}</sup>", shown)
+    shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda match: f"<sup>{match[1] or match[2]}</sup>", shown)
     return Markup(shown)  # what came in was escaped

@@ -70,7 +70,7 @@ def _lines(first: str, second: str) -> Text:
 def material_in_full(name: str) -> Group:
     """Return every number of a preset, with its range and source."""
     preset = material(name)
-    symbols = "".join(f", {one}" for one in symbols_of(preset.name))
+    symbols = "".join(f", {other_symbol}" for other_symbol in symbols_of(preset.name))
     lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]
     for quantity, source in (preset.source if isinstance(preset.source, dict) else {}).items():
         row = QUANTITIES[quantity]
@@ -122,9 +122,9 @@ def interface_in_full(name: str) -> Group:
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):
-        told = f"{median_in_words(number)}, 90 % range {range_of(number)}, grade {number['grade']}"
+        text = f"{median_in_words(number)}, 90 % range {range_of(number)}, grade {number['grade']}"
         lines += [
-            Text(f"{QUANTITIES[number['quantity']].symbol}: {told}"),
+            Text(f"{QUANTITIES[number['quantity']].symbol}: {text}"),
             Padding(Text(number["source"]), (0, 0, 0, 4)),
         ]
     with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""

@@ -94,8 +94,8 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     cutoffs = resolution_study["cutoff"].values * across
     places = _places(cutoffs)
     order = np.argsort(places)
-    for at, (method, values) in enumerate(zip(resolution_study[METHOD].values, drawn * factor, strict=True)):
-        axes.plot(places[order], values[order], label=plain(str(method)), **look_of(str(method), at))
+    for number, (method, values) in enumerate(zip(resolution_study[METHOD].values, drawn * factor, strict=True)):
+        axes.plot(places[order], values[order], label=plain(str(method)), **look_of(str(method), number))
     axes.set(xscale="log", xlabel=f"cutoff: shortest wavelength left [{length}]")
     axes.set_ylabel(f"{name} ${QUANTITIES[quantity].latex}$" + (f" [{unit}]" if unit else ""))
     if np.isfinite(drawn).any():
@@ -103,11 +103,11 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     else:
         say(axes, "no method has a value here")
     finish(axes, legend=False)
-    kept = _apart(places[order])
+    labelled = _apart(places[order])
     names = {place: f"{cutoff:.3g}" if cutoff > 0.0 else "none" for place, cutoff in zip(places, cutoffs, strict=True)}
-    axes.xaxis.set_major_locator(FixedLocator(kept))
+    axes.xaxis.set_major_locator(FixedLocator(labelled))
     axes.xaxis.set_minor_locator(NullLocator())
-    axes.set_xticklabels([names[place] for place in kept])
+    axes.set_xticklabels([names[place] for place in labelled])
 
 
 def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
@@ -134,30 +134,30 @@ def _places(cutoffs: np.ndarray) -> np.ndarray:
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
     """Return those of the ascending places that are at least this part of the axis apart, so that labels have room."""
-    at = np.log(places / places[0])
-    kept = [0]
-    for i in range(1, len(at)):
-        if at[i] - at[kept[-1]] > gap * at[-1]:
-            kept.append(i)
-    return [float(places[i]) for i in kept]
+    logs = np.log(places / places[0])
+    chosen = [0]
+    for i in range(1, len(logs)):
+        if logs[i] - logs[chosen[-1]] > gap * logs[-1]:
+            chosen.append(i)
+    return [float(places[i]) for i in chosen]
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
     """Return a line for each reason why points are missing, with methods and cutoffs."""
     where: dict[str, list[str]] = {}
     for method in resolution_study[METHOD].values:
-        one = resolution_study.sel({METHOD: method})
+        results = resolution_study.sel({METHOD: method})
         reasons: dict[str, list[str]] = {}
-        for cutoff in one["cutoff"].values:
-            point = one.sel({"cutoff": cutoff})
-            reason = str(point["failure"].item()) if "failure" in one else ""
+        for cutoff in results["cutoff"].values:
+            point = results.sel({"cutoff": cutoff})
+            reason = str(point["failure"].item()) if "failure" in results else ""
             missing = [variable for variable in variables if not float(point[variable]) > 0.0]
             if missing:
                 reason = reason or f"{', '.join(missing)}: 0 or none"
                 reasons.setdefault(reason, []).append(show(cutoff, "mean_separation", 3) if cutoff > 0.0 else "none")
         for reason, cutoffs in reasons.items():
-            at = "every cutoff" if len(cutoffs) == resolution_study.sizes["cutoff"] else ", ".join(cutoffs)
-            where.setdefault(reason, []).append(f"{plain(str(method))} at {at}")
+            cutoffs_text = "every cutoff" if len(cutoffs) == resolution_study.sizes["cutoff"] else ", ".join(cutoffs)
+            where.setdefault(reason, []).append(f"{plain(str(method))} at {cutoffs_text}")
     return [f"Not drawn: {'; '.join(points)} ({reason})" for reason, points in where.items()]
 
 
@@ -181,15 +181,15 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"taken: {plain(taken)}", zorder=3)
         band.set_label(METHOD_BAND)
     floor = 0.0 if axes.get_yscale() == "log" else -np.inf
-    for at, method in enumerate(others if axes.collections else (), 1):
-        one, text = np.atleast_1d(table.sel({METHOD: method}).values), plain(method)
-        pressed = one[load > 0.0]
+    for number, method in enumerate(others if axes.collections else (), 1):
+        mu, text = np.atleast_1d(table.sel({METHOD: method}).values), plain(method)
+        pressed = mu[load > 0.0]
         if np.isnan(pressed).any():
             text += "\n(carries no load here)" if np.isnan(pressed).all() else "\n(does not carry every load)"
         elif (pressed <= floor).any():
             text += "\n(0 where it is not drawn)"
-        drawn = np.where((load > 0.0) & (one > floor), one, np.nan)
-        axes.plot(load, drawn, linewidth=1.1, label=text, **(look_of(method, at) | {"markersize": 3.5}))
+        drawn = np.where((load > 0.0) & (mu > floor), mu, np.nan)
+        axes.plot(load, drawn, linewidth=1.1, label=text, **(look_of(method, number) | {"markersize": 3.5}))
     if axes.collections:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, frameon=False)
     return figure

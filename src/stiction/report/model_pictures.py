@@ -29,10 +29,10 @@ def models_figure(
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()
-    groups = [one for one in known if one.possible and one.low > 0.0]
-    groups = [one for one in groups if one.high > max(other.high for other in groups) / _WIDE]
+    groups = [candidate for candidate in known if candidate.possible and candidate.low > 0.0]
+    groups = [candidate for candidate in groups if candidate.high > max(other.high for other in groups) / _WIDE]
     if not groups and prediction is None:
-        say(axes, "no model says anything of friction here")
+        say(axes, "no model gives friction here")
         return figure
     load = float(data.attrs["working_load"])
     named = {group.names[0]: colour for group, colour in zip(groups, _COLOURS, strict=False)}
@@ -46,13 +46,13 @@ def models_figure(
         )
         ends += [low, high]
     for name in (name for group in groups for name in group.names):
-        one = data.sel(model=name)
-        order = np.argsort(one["load"].values)
-        x, y = one["load"].values[order], one[_MU].values[order]
+        candidate = data.sel(model=name)
+        order = np.argsort(candidate["load"].values)
+        x, y = candidate["load"].values[order], candidate[_MU].values[order]
         near = (x > load / _AROUND) & (x < load * _AROUND) & (y > 0.0)
         colour, width = named.get(name, GREY), 2.0 if name in named else 0.8
         axes.plot(x[near], y[near], color=colour, linewidth=width, alpha=1.0 if name in named else 0.5)
-        axes.plot(load, float(one[f"{_MU}_at_load"]), "o", color=colour, markersize=6 if name in named else 3)
+        axes.plot(load, float(candidate[f"{_MU}_at_load"]), "o", color=colour, markersize=6 if name in named else 3)
     for group in groups[: len(named)]:
         fits = "" if group.fits else ", out of range"
         axes.plot([], [], color=named[group.names[0]], marker="o", label=f"{group.title}{fits}")

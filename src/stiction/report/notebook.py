@@ -33,7 +33,7 @@ class Summary:
     def __repr__(self) -> str:
         width = max((len(name) for name, _ in self.rows), default=0)
         return "\n".join(
-            [self.title, *(f"  {name:{width}}  {text}" for name, text in self.rows), *(f"- {one}" for one in self.notes)]
+            [self.title, *(f"  {name:{width}}  {text}" for name, text in self.rows), *(f"- {note}" for note in self.notes)]
         )
 
 
@@ -64,8 +64,8 @@ def summary(result: "xarray.Dataset") -> Summary:
     if "grade" in used:
         rows.append(("grade", f"{used['grade']}: {GRADES.get(used['grade'], '')}"))
     rows += [(name, _range(result[name])) for name in _SHOWN if name in result and result[name].size]
-    notes = [f"validity warning: {one}" for one in warnings_of(result)]
-    notes += [str(one) for one in unused_of(result)]
+    notes = [f"validity warning: {warning}" for warning in warnings_of(result)]
+    notes += [str(warning) for warning in unused_of(result)]
     notes += [used["remarks"]] if used.get("remarks") else []
     return Summary(used.get("case") or used.get("title") or "Result", rows, notes)
 

@@ -37,8 +37,8 @@ def panel_figure(curves: "PanelCurves") -> Figure:
     along = curves.panel.along
     _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
     for value, look in zip(curves.panel.values, _VARYING, strict=False):
-        one = curves.coated.sel({along: value})
-        _friction_line(axes, one, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
+        curve = curves.coated.sel({along: value})
+        _friction_line(axes, curve, label=f"${QUANTITIES[along].latex}$ = {value:g}", **look)
     axes.set_title(_with_letters(curves.caption))
     finish(axes, xscale="log", yscale="log", xlabel=label(curves.bare["load"]), ylabel=MU_LABEL)
     return figure
@@ -47,7 +47,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
 def _with_letters(text: str) -> str:
     """Return the text with the symbols of the groups set as formulas."""
     letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
-    return re.sub(rf"\b({'|'.join(letters)})\b", lambda found: f"${letters[found[0]]}$", text)
+    return re.sub(rf"\b({'|'.join(letters)})\b", lambda match: f"${letters[match[0]]}$", text)
 
 
 def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:

@@ -52,8 +52,8 @@ _LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_WARNINGS = 5  # that are told below a picture
 _MU = "friction_coefficient"
-NOT_PRESSED = "no compressive load here:\nthe surfaces hold themselves together,\nand mu is not defined"
-METHOD_BAND = "spread over methods of\nfinding asperities"
+NOT_PRESSED = "no compressive load here:\nmu is not defined"
+METHOD_BAND = "range over methods of\nfinding asperities"
 MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
 WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
@@ -159,13 +159,13 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
     if not warnings:
         return []
     more = len(warnings) - _MOST_WARNINGS
-    told = [
+    lines = [
         *warnings[:_MOST_WARNINGS],
         *([f"and {more} more validity warnings: outside_validity of the result has them all"] if more > 0 else []),
     ]
     return [
         "outside the range of validity:",
-        *(line for one in told for line in textwrap.wrap(one, width, subsequent_indent="  ")),
+        *(line for text in lines for line in textwrap.wrap(text, width, subsequent_indent="  ")),
     ]
 
 
@@ -226,9 +226,9 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
     known = (load > 0.0) & (band > 0.0).all(axis=0)
     look: dict[str, Any] = {"marker": "_", "markersize": 14} if load.size == 1 else {}
     axes.plot(load[known], band[len(band) // 2, known], color=BLUE, linestyle="--", label="median", **look)
-    for at, text in ((0, "two standard errors of the sampling"), (-1, None)):
-        ends = 2.0 * error[at, known]
-        axes.errorbar(load[known], band[at, known], ends, linestyle="", color=BLUE, elinewidth=0.8, label=text)
+    for place, text in ((0, "two standard errors of the sampling"), (-1, None)):
+        ends = 2.0 * error[place, known]
+        axes.errorbar(load[known], band[place, known], ends, linestyle="", color=BLUE, elinewidth=0.8, label=text)
 
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
@@ -256,9 +256,9 @@ def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.nda
         yield low, high, {"color": SKY, "alpha": 0.25, "label": text}
     if f"{_MU}_quantile" in data:
         shares, band = data["quantile"].values, data[f"{_MU}_quantile"].values.reshape(data.sizes["quantile"], -1)
-        for at, depth in enumerate(np.linspace(0.2, 0.4, len(shares) // 2)):
-            text = f"{shares[at]:.0%} to {shares[-1 - at]:.0%} over uncertain inputs"
-            yield band[at], band[-1 - at], {"color": BLUE, "alpha": depth, "label": text}
+        for number, depth in enumerate(np.linspace(0.2, 0.4, len(shares) // 2)):
+            text = f"{shares[number]:.0%} to {shares[-1 - number]:.0%} over uncertain inputs"
+            yield band[number], band[-1 - number], {"color": BLUE, "alpha": depth, "label": text}
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
@@ -387,11 +387,11 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
     finish(axes)
 
 
-def look_of(method: str, at: int) -> dict[str, Any]:
+def look_of(method: str, number: int) -> dict[str, Any]:
     """Return the colour and mark of a method, the same in all pictures; else those of a place among the lines."""
     known = list(methods())
-    at = known.index(method) if method in known else at
-    return {"color": COLOURS[at % len(COLOURS)], "marker": _MARKERS[at % len(_MARKERS)], "markersize": 5}
+    number = known.index(method) if method in known else number
+    return {"color": COLOURS[number % len(COLOURS)], "marker": _MARKERS[number % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:

@@ -55,8 +55,8 @@ class _Reader:
         while self.place < len(self.tokens) and self.tokens[self.place] != end:
             self._add(self._next())
         self.place += 1
-        found, self.pieces = self.pieces, before
-        return found
+        inner, self.pieces = self.pieces, before
+        return inner
 
     def _next(self) -> str:
         self.place += 1
@@ -107,7 +107,7 @@ class _Reader:
         )
 
     def _after_a_value(self) -> bool:
-        last = next((one for one in reversed(self.pieces) if one.text.strip()), None)
+        last = next((piece for piece in reversed(self.pieces) if piece.text.strip()), None)
         return last is not None and not last.relation and last.text[-1] not in _OPEN + ",;"
 
     def _after_a_function(self) -> bool:
@@ -118,7 +118,7 @@ class _Reader:
         base = self.pieces[-1] if self.pieces else _Piece("")
         if sign == "^" and inner[:1] == "*":
             raised = "*" + inner[1:].translate(_RAISED)
-        elif sign == "^" and not inner.translate({ord(one): "" for one in "0123456789+-n"}):
+        elif sign == "^" and not inner.translate({ord(character): "" for character in "0123456789+-n"}):
             raised = inner.translate(_RAISED)
         else:
             raised = f"{sign}{inner}" if len(inner) == 1 or _NAME.fullmatch(inner) else f"{sign}({inner})"
@@ -136,9 +136,9 @@ class _Reader:
             self.tokens[self.place : self.place + 1] = list(token)
             token = self._next()
         before, self.pieces = self.pieces, []
-        found = [self._piece(token)]
+        argument = [self._piece(token)]
         self.pieces = before
-        return found
+        return argument
 
     def _raw(self) -> str:
         while self.tokens[self.place].isspace():
@@ -187,8 +187,8 @@ def _apart(before: _Piece, piece: _Piece) -> bool:
 def _grouped(pieces: list[_Piece], product: bool = False) -> str:
     """Return an argument in brackets, unless it is one value, or, with `product`, a product."""
     text = _joined(pieces)
-    single = " " not in text and "/" not in text and sum(bool(one.text.strip()) for one in pieces) == 1
-    several = any(one.relation or "/" in one.text or one.text[:1] in ("∑", "∫") for one in pieces)
+    single = " " not in text and "/" not in text and sum(bool(piece.text.strip()) for piece in pieces) == 1
+    several = any(piece.relation or "/" in piece.text or piece.text[:1] in ("∑", "∫") for piece in pieces)
     return text if single or (product and not several) else f"({text})"
 
 
@@ -200,18 +200,18 @@ def formula(tex: str) -> str:
 
 
 def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
-    def displayed(found: re.Match[str]) -> str:
-        return display.format("\n".join(indent + line for line in formula(found[1]).split("\n")))
+    def displayed(match: re.Match[str]) -> str:
+        return display.format("\n".join(indent + line for line in formula(match[1]).split("\n")))
 
     text = re.sub(r"\$\$(.+?)\$\$", displayed, text, flags=re.DOTALL)
-    return re.sub(r"\$(.+?)\$", lambda found: inline.format(formula(found[1])), text, flags=re.DOTALL)
+    return re.sub(r"\$(.+?)\$", lambda match: inline.format(formula(match[1])), text, flags=re.DOTALL)
 
 
 def as_code(text: str) -> str:
     """Return Markdown with its formulas as code, without links into other pages, and keys with their underscores."""
     marked = _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
     parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # every second one is code
-    return "".join(part if at % 2 else part.replace("_", r"\_") for at, part in enumerate(parts))
+    return "".join(part if number % 2 else part.replace("_", r"\_") for number, part in enumerate(parts))
 
 
 def as_text(text: str) -> str:

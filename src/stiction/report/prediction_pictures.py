@@ -67,11 +67,11 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw error bars: the interval, and the share of it that each of the three largest parts of the variance has."""
     here = at_working_load(data)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
-    shares = sorted(data.attrs["shares"].items(), key=lambda one: -one[1])[:3]
+    shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
     names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
-    for at, share in enumerate([1.0, *(share for _, share in shares)]):
+    for row, share in enumerate([1.0, *(share for _, share in shares)]):
         ends = [[mu - mu * (low / mu) ** share**0.5], [mu * (high / mu) ** share**0.5 - mu]]
-        axes.errorbar([mu], [at], xerr=ends, color=BLUE if at else RED, marker="o", capsize=5, linewidth=2.5)
+        axes.errorbar([mu], [row], xerr=ends, color=BLUE if row else RED, marker="o", capsize=5, linewidth=2.5)
     axes.set(ylim=(len(names) - 0.5, -0.5), xscale="log")
     axes.set_yticks(range(len(names)), names, fontsize=8)
     finish(axes, xlabel=MU_LABEL, title="What the interval comes from")
@@ -102,4 +102,4 @@ def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
     axes.set_xscale("log")
     for name in (f"{_MU}_low", _MU, f"{_MU}_high"):
         axes.axvline(float(here[name]), color=RED, linestyle="-" if name == _MU else "--")
-    finish(axes, xlabel=MU_LABEL, ylabel=f"draws of {len(values)}", title=headline(data))
+    finish(axes, xlabel=MU_LABEL, ylabel=f"number of {len(values)} samples", title=headline(data))

@@ -38,13 +38,13 @@ def _printed(key: str, body: str) -> Printed:
     title, year = fields.get("title", ""), fields.get("year", "no year")
     who = [f"{authors} ({year})", title] if authors else [f"{title} ({year})"]
     parts = [*who, place, fields.get("note", "")]
-    return Printed(key, ". ".join(one.rstrip(".") for one in parts if one) + ".", fields.get("doi", ""))
+    return Printed(key, ". ".join(part.rstrip(".") for part in parts if part) + ".", fields.get("doi", ""))
 
 
 def in_letters(text: str) -> str:
     """Return TeX as plain text: letters with their accents, no braces."""
-    text = _ACCENT.sub(lambda found: unicodedata.normalize("NFC", found[2] + _ACCENTS[found[1].strip()]), text)
-    text = re.sub(r"\$_(\d)\$", lambda found: found[1].translate(_LOW), text)
+    text = _ACCENT.sub(lambda match: unicodedata.normalize("NFC", match[2] + _ACCENTS[match[1].strip()]), text)
+    text = re.sub(r"\$_(\d)\$", lambda match: match[1].translate(_LOW), text)
     for tex, letter in _LETTERS.items():
         text = text.replace(tex, letter)
     return re.sub(r"[{}$]", "", text)

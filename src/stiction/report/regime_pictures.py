@@ -80,7 +80,7 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
     rough = contact.roughness
     density = rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation
     psi = np.geomspace(0.1, 100.0, 200)
-    onset = np.array([pressure_of_first_flow(float(one), float(density)) for one in psi])
+    onset = np.array([pressure_of_first_flow(float(value), float(density)) for value in psi])
     axes.fill_between(psi, onset, 10.0, color=RED, alpha=0.12, linewidth=0.0)
     axes.plot(psi, onset, color=GREY)
     axes.text(10.0, 1e-3, "plastic", ha="center", fontsize=9)

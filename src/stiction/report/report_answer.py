@@ -39,7 +39,7 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 def interval_of(here: "xarray.Dataset") -> list[float]:
     """Return the ends of mu of a named model over uncertain inputs, or over methods of finding asperities; else []."""
     if f"{_MU}_quantile" in here:
-        ends = [float(here[f"{_MU}_quantile"].isel(quantile=at)) for at in (0, -1)]
+        ends = [float(here[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
     else:
         ends = [float(here[f"{_MU}_{end}"]) for end in ("low", "high") if f"{_MU}_{end}" in here]
     return [end for end in ends if np.isfinite(end)]
@@ -50,8 +50,8 @@ def question(findings: ReportData) -> str:
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
     if not isinstance(subject, Contact):
-        given = ((name, value) for name, value in subject.groups().items() if name in subject.model_fields_set)
-        groups = ", ".join(f"{QUANTITIES[name].symbol} = {value:g}" for name, value in given)
+        stated = ((name, value) for name, value in subject.groups().items() if name in subject.model_fields_set)
+        groups = ", ".join(f"{QUANTITIES[name].symbol} = {value:g}" for name, value in stated)
         return f"What is the {what} of the contact with {groups}, {_where(findings)}?"
     film = ""
     if (coating := subject.coating) is not None:
@@ -109,18 +109,18 @@ def answer_in_words(findings: ReportData) -> str:
     data, here = findings.data, findings.here
     model = data.attrs["model"]
     if here is None:
-        by = "with all that is known drawn together" if model == RECOMMENDED else f"by the model {model}{_trusted(findings)}"
+        by = "by the prediction" if model == RECOMMENDED else f"by the model {model}{_trusted(findings)}"
         return f"{_along(findings)} {by}."
     if _MU not in here:
         area = value_in_words(here["contact_area"], float(here["contact_area"]))
         text = f"Under {load_in_words(findings)} the bodies touch on {area} by the model {model}{_trusted(findings)}"
-        return f"{text}; it is of contact only, and says nothing of friction."
+        return f"{text}; it is a model of contact only, without friction."
     value = headline(findings).removeprefix("μ ≈ ")
     if value == headline(findings):
         return f"Pressed together with {load_in_words(findings)}, {value}{_trusted(findings)}."
     start = f"Pressed together with {load_in_words(findings)}, the contact has a static friction coefficient of about {value}"
     ends = interval_of(here)
-    band = f"; by what is uncertain of its inputs it is {_alike(ends[0], ends[1])}" if ends else ""
+    band = f"; with its uncertain inputs {_alike(ends[0], ends[1])}" if ends else ""
     return f"{start} by the model {model}{_trusted(findings)}{band}."
 
 
@@ -128,13 +128,13 @@ def _along(findings: ReportData) -> str:
     """Return a sentence for a curve, or for array parameters, without a working load."""
     data = findings.data
     dim = points_dimension(data)
-    ends = list(dict.fromkeys(of_point(data, at) for at in (0, -1))) if dim else []
+    ends = list(dict.fromkeys(of_point(data, end) for end in (0, -1))) if dim else []
     over = f"from {ends[0]} to {ends[1]}" if len(ends) > 1 else f"at {ends[0]}" if ends else "at the point of the case"
     names = [name for each in varied(data) for name in coordinates_along(data, each)]
     several = f", with {' and '.join(_span(data, name) for name in names)}," if names else ""
     text = headline(findings).replace("μ ≈ ", "the static friction coefficient is about ")
     text = text.replace("μ", "the static friction coefficient")
-    why = ", where nothing presses," if "not defined" in text else ""
+    why = ", where no load is compressive," if "not defined" in text else ""
     return f"{text[0].upper()}{text[1:]} {over}{why}{several}"
 
 
@@ -152,8 +152,8 @@ def warnings_here(findings: ReportData) -> list[ValidityWarning]:
 
 def _trusted(findings: ReportData) -> str:
     warnings = warnings_here(findings)
-    if any(one.kind == "impossible" for one in warnings):
-        return ", but what it says cannot be so (see Validity), and this is no answer"
+    if any(warning.kind == "impossible" for warning in warnings):
+        return ", but the result is impossible (see Validity) and is no answer"
     if warnings:
         respects = "one respect" if len(warnings) == 1 else f"{_COUNTED.get(len(warnings), len(warnings))} respects"
         return f", which is used outside its range of validity in {respects}"

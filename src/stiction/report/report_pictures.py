@@ -52,10 +52,10 @@ def inline(figure: "Figure", name: str, words: str) -> str:
 def _drawing(text: str, name: str, words: str) -> str:
     text = _LEFT_OUT.sub("", text)
     used = dict.fromkeys(_REFERENCE.findall(text))
-    short = {old: f"{name}-{at}" for at, old in enumerate(used)}
-    text = _OWN_ID.sub(lambda found: f' id="{short[found[1]]}"' if found[1] in short else "", text)
-    text = re.sub(r'xlink:href="#([^"]*)"', lambda found: f'href="#{short[found[1]]}"', text)
-    text = re.sub(r"url\(#([^)]*)\)", lambda found: f"url(#{short[found[1]]})", text)
+    short = {old: f"{name}-{number}" for number, old in enumerate(used)}
+    text = _OWN_ID.sub(lambda match: f' id="{short[match[1]]}"' if match[1] in short else "", text)
+    text = re.sub(r'xlink:href="#([^"]*)"', lambda match: f'href="#{short[match[1]]}"', text)
+    text = re.sub(r"url\(#([^)]*)\)", lambda match: f"url(#{short[match[1]]})", text)
     for colour, of_page in _COLOURS.items():
         text = text.replace(colour, of_page)
     size = re.search(r'viewBox="([^"]*)"', text)
@@ -101,9 +101,9 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
-        return "Nothing is drawn: nothing presses here."
+        return "Nothing is drawn: no load is compressive."
     first, last = known[np.argmin(x[known])], known[np.argmax(x[known])]
-    ends = [(value_in_words(data[against], x[at]), value_in_words(data[what], y[at])) for at in (first, last)]
+    ends = [(value_in_words(data[against], x[point]), value_in_words(data[what], y[point])) for point in (first, last)]
     return f"At {ends[0][0]} it is {ends[0][1]}, at {ends[1][0]} it is {ends[1][1]}."
 
 
@@ -124,19 +124,19 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
         title = _TITLES[what]
         make = partial(panel_of_curve, data, what, against)
         yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
-    for at, (what, (total, parts)) in enumerate(stacks(data).items()):
+    for number, (what, (total, parts)) in enumerate(stacks(data).items()):
         if pressing < _FEW or _the_one(data, parts):
             continue  # said in words
-        said = ", ".join(part_in_words(name, total) for name in parts)
+        names = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
-        words = f"Shares of the {what}, over the load: {said}" + (", of their sizes: some pull." if tension else ".")
-        yield _picture(partial(share_figure, data, what), f"share{at}", words)
+        words = f"Shares of the {what}, over the load: {names}" + (", of their sizes: some pull." if tension else ".")
+        yield _picture(partial(share_figure, data, what), f"share{number}", words)
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
     """Return the part that is nearly all of its stack at every compressive load; "" where there is none."""
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
-    return next((name for name, one in zip(parts, shares, strict=True) if one.size and np.nanmin(one) > _NEARLY_ALL), "")
+    return next((name for name, share in zip(parts, shares, strict=True) if share.size and np.nanmin(share) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
@@ -145,7 +145,7 @@ def all_of_one(findings: ReportData) -> list[str]:
     if findings.prediction is not None:
         return []
     if not findings.case.is_several and not (np.asarray(data["load"].values) > 0.0).any():
-        return ["Nothing presses at the points of the case, so that nothing is drawn against the load."]
+        return ["No point of the case has a compressive load, so nothing is drawn against the load."]
     for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
         if name := _the_one(data, parts):
             lines.append(f"Shares of the {what}: {part_in_words(name, total)} for more than {_NEARLY_ALL:.1%} at every load.")
@@ -162,8 +162,8 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
     """Yield the models that agree at the working load, with the prediction."""
-    told, data = findings.told, findings.recommended
-    if told is None:
+    data_of_models, data = findings.told, findings.recommended
+    if data_of_models is None:
         return
     from stiction.report.views.comparison import groups_of
 
@@ -171,7 +171,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
     words = (
         "Friction against load by each model that may be right, and the prediction with its interval (numbers: Every model)."
     )
-    yield _picture(lambda: models_figure(told, groups_of(told), here), "models", words, wide=True)
+    yield _picture(lambda: models_figure(data_of_models, groups_of(data_of_models), here), "models", words, wide=True)
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
@@ -188,13 +188,13 @@ def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
 
 def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
     """Yield heights, spectrum and asperities of the scan of one body."""
-    found = findings.analyses[body]
-    surface = replace(found.surface, name="")
+    analysis = findings.analyses[body]
+    surface = replace(analysis.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."
     yield _picture(lambda: map_figure(surface, " "), f"map-{body}", caption, wide=True)
     yield _picture(
-        lambda: spectrum_figure(found.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.", wide=True
+        lambda: spectrum_figure(analysis.spectrum, " "), f"spectrum-{body}", f"Power spectrum of the {body} body.", wide=True
     )
-    if found.asperities:
-        yield _picture(lambda: asperity_figure(found.asperities.values(), surface, " "), f"asperities-{body}",
+    if analysis.asperities:
+        yield _picture(lambda: asperity_figure(analysis.asperities.values(), surface, " "), f"asperities-{body}",
                        f"Asperities that each method finds in the {body} body.", wide=True)  # fmt: skip

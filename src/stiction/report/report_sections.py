@@ -57,11 +57,14 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
     """Return the inputs of a case, a table for each part of the contact."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
-    known = {".".join(one.path[1:]): with_powers(f"{one.distribution.words}: counted") for one in findings.case.uncertain}
+    known = {
+        ".".join(candidate.path[1:]): with_powers(f"{candidate.distribution.words}: counted")
+        for candidate in findings.case.uncertain
+    }
     counted = findings.prediction is not None and "ranges" not in findings.case.uncertainty.model_fields_set
     grouped: dict[str, list[list[str]]] = {part: [] for part in _PARTS}
     for dotted, text in subject.listed():
-        part = next((one for one in _PARTS if one and dotted.startswith(f"{one}.")), "")
+        part = next((candidate for candidate in _PARTS if candidate and dotted.startswith(f"{candidate}.")), "")
         name = dotted.removeprefix(f"{part}.")
         if name == "name":
             continue
@@ -79,7 +82,8 @@ def groups_of_groups(findings: ReportData) -> list[Table]:
     if not isinstance(subject, Contact):
         return []
     rows = [
-        [QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(one)] for name, one in subject.all_groups().items()
+        [QUANTITIES[name].meaning, QUANTITIES[name].symbol, group_in_words(value)]
+        for name, value in subject.all_groups().items()
     ]
     columns = [Column("group"), Column("symbol"), *numbers("value")]
     return [Table(columns, rows, "Dimensionless groups that follow", stacked=True)]
@@ -124,7 +128,7 @@ def _source(findings: ReportData, dotted: str, here: tuple[str, ...], places: fr
         return f"measured in scans, by {by}"
     if dotted.startswith("interface.") and here[:2] in places:
         return "the case" if dotted == "interface.name" else "the state of the interface (stiction interfaces)"
-    return "the case" if here in places or not places else "what holds where a case says nothing"
+    return "the case" if here in places or not places else "default of the program"
 
 
 def _title(subject: Any, part: str) -> str:
@@ -158,9 +162,9 @@ def card(findings: ReportData, name: str) -> Markup:
     if findings.recommended is None:
         return Markup("")
     named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
-    found = card_of(findings.recommended, named)
-    found = found._replace(next_step=found.next_step.replace("CASE.toml", name))
-    return Markup(found.html(why=False))  # which escapes what came in
+    answer = card_of(findings.recommended, named)
+    answer = answer._replace(next_step=answer.next_step.replace("CASE.toml", name))
+    return Markup(answer.html(why=False))  # which escapes what came in
 
 
 def main_inputs(findings: ReportData) -> Table | None:
@@ -168,10 +172,10 @@ def main_inputs(findings: ReportData) -> Table | None:
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return None
-    said = dict(subject.listed())
+    texts = dict(subject.listed())
 
     def in_short(start: str, *names: str) -> str:
-        known = ((QUANTITIES[name], said.get(f"{start}{name}")) for name in names)
+        known = ((QUANTITIES[name], texts.get(f"{start}{name}")) for name in names)
         return ", ".join(f"{row.symbol} = {text}" for row, text in known if text)
 
     def body(start: str, name: str) -> str:
@@ -182,13 +186,13 @@ def main_inputs(findings: ReportData) -> Table | None:
     if (film := subject.coating) is not None:
         rows.append(("film", f"{body('coating.material', film.material.name)}, {in_short('coating.', 'thickness')}"))
     else:
-        rows.append(("nominal area", said["nominal_area"]))
+        rows.append(("nominal area", texts["nominal_area"]))
     sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
-    rows.append(("roughness", ", ".join(filter(None, [sizes, said.get("roughness.kind")]))))
+    rows.append(("roughness", ", ".join(filter(None, [sizes, texts.get("roughness.kind")]))))
     rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
     rows.append(("load", load_in_words(findings) if findings.load is not None else "the points of the case"))
     cells = [
-        (name, letters(with_powers(_LONG.sub(lambda found: f"{float(found[0]):.3g}", text))).replace("e+", "e"))
+        (name, letters(with_powers(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text))).replace("e+", "e"))
         for name, text in rows
     ]
     return Table([Column("input"), Column("stated")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
@@ -202,7 +206,7 @@ def validity_line(findings: ReportData) -> str:
         return f"{letters(known)} No friction was measured on a contact with measured roughness."
     warnings = warnings_of(findings.data)
     if not warnings:
-        return "All along the curve the model is within the range that its authors claim."
+        return "The whole curve is within the range that the authors of the model claim."
     more = f", and in {len(warnings) - 1} more respects" if len(warnings) > 1 else ""
     return letters(f"Outside its range of validity: {warnings[0].in_brief}{more} (see Validity).")
 
@@ -214,13 +218,17 @@ def here_table(findings: ReportData) -> Table | None:
         return None
     names = [name for name in _RESULTS if name in here]
     every, rows = warnings_here(findings), []
-    for at, name in enumerate(names):
-        mine: Any = [_warning_in_words(one) for one in every if one.quantity == name or (at == 0 and one.quantity not in names)]
+    for row_number, name in enumerate(names):
+        mine: Any = [
+            _warning_in_words(warning)
+            for warning in every
+            if warning.quantity == name or (row_number == 0 and warning.quantity not in names)
+        ]
         row = QUANTITIES[name]
-        if at == 0 and not every:
-            mine = "none: within the ranges that are claimed"
+        if row_number == 0 and not every:
+            mine = "none: within the claimed ranges"
         rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
-    caption = "Results to four digits, as computed, so that they can be compared; the answer has the digits that count"
+    caption = "Results to four digits; the answer has the significant ones"
     columns = [Column("quantity"), Column("symbol"), *numbers("value"), Column("validity warnings")]
     return Table(columns, rows, caption, stacked=True)
 
@@ -249,9 +257,9 @@ def compared(findings: ReportData) -> Table | None:
     """Return a row for every model at the working load."""
     if findings.told is None:
         return None
-    rows = [[letters(cell) for cell in group_row(one)] for one in groups_of(findings.told, every=True)]
+    rows = [[letters(cell) for cell in group_row(group)] for group in groups_of(findings.told, every=True)]
     columns = [Column("model"), *numbers(*GROUP_HEADS[1:3]), Column(GROUP_HEADS[3])]
-    return Table(columns, rows, "Every model at the working load, those first which the contact fits", stacked=True)
+    return Table(columns, rows, "Every model at the working load, applicable ones first", stacked=True)
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
@@ -271,11 +279,9 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
             for name, share in used["shares"].items()
         ]
     if "uncertain_inputs" not in used:
-        return ["No input of the case is uncertain, so that nothing is known of what their errors do to μ."]
+        return ["No input of the case is uncertain, so the effect of input errors on μ is unknown."]
     lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
-    lines.append(
-        "What follows ± is one standard deviation, a factor is one of the logarithm, and between two ends all is alike."
-    )
+    lines.append("A number after ± is one standard deviation, a factor is one of the logarithm, and a range is uniform.")
     if "uncertainty" in used:
         lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
     shares: dict[str, float] = json.loads(used.get("validity_warnings_of_points", "{}"))
@@ -284,19 +290,19 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
 
 def _unknown(some: "list[Uncertain]") -> str:
     """Return what numbers that vary together are, where they stand, and their distribution."""
-    names = dict.fromkeys(QUANTITIES[one.quantity].meaning for one in some)
-    places = ", ".join(one.where for one in some)
+    names = dict.fromkeys(QUANTITIES[uncertain.quantity].meaning for uncertain in some)
+    places = ", ".join(uncertain.where for uncertain in some)
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
 
 
 def validity_table(findings: ReportData) -> Table | None:
     """Return every validity warning of the curve: quantity, value, claimed range, and what it means."""
-    found = warnings_of(findings.data)
-    if not found:
+    warnings = warnings_of(findings.data)
+    if not warnings:
         return None
-    rows = [[letters(cell) for cell in _validity_row(one)] for one in found]
-    heads = ["quantity", "it is", "claimed is", "at", "why, and what that means"]
-    return Table([*map(Column, heads)], rows, "Where the result leaves what the authors of its laws claim", stacked=True)
+    rows = [[letters(cell) for cell in _validity_row(warning)] for warning in warnings]
+    heads = ["quantity", "value", "claimed range", "where", "reason and meaning"]
+    return Table([*map(Column, heads)], rows, "Where the result is outside the ranges of its laws", stacked=True)
 
 
 def _validity_row(warning: ValidityWarning) -> list[str]:
@@ -307,16 +313,16 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
     ends = " to ".join(dict.fromkeys((f"{warning.least:.3g}", f"{warning.most:.3g}")))
     low, high = (f"{end:g}{unit}" if np.isfinite(end) else "" for end in (warning.low, warning.high))
     claimed = f"{low} to {high}" if low and high else f"{low} or more" if low else f"{high} or less"
-    at = f"{warning.outside} of {warning.points} points" if warning.points > 1 else "the point"
-    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, at, f"{warning.why} ({KINDS_OF_WARNING[warning.kind]})"]
+    where = f"{warning.outside} of {warning.points} points" if warning.points > 1 else "the point"
+    return [f"{row.meaning} ({row.symbol})", ends + unit, claimed, where, f"{warning.why} ({KINDS_OF_WARNING[warning.kind]})"]
 
 
 def notes(findings: ReportData) -> list[str]:
     """Return further notes on the result: measured errors, unused inputs, the meaning of mu."""
-    warnings = [f"Input warning: {one}" for one in findings.input_warnings]
+    warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
-    return [*warnings, *(letters(f"{one.rstrip('.')}.") for one in run_notes(findings.data))]
+    return [*warnings, *(letters(f"{note.rstrip('.')}.") for note in run_notes(findings.data))]
 
 
 def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
@@ -324,14 +330,14 @@ def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
     from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
     parts = []
-    for body, found in findings.analyses.items():
-        table = on_page(asperity_table(found), f"Asperities of the {body} body by every method")
+    for body, analysis in findings.analyses.items():
+        table = on_page(asperity_table(analysis), f"Asperities of the {body} body by every method")
         parts.append(
             (
                 f"{body.capitalize()} body",
-                surface_summary(found).rows,
+                surface_summary(analysis).rows,
                 table,
-                [line for part in surface_notes(found) for _, line in part.rows],
+                [line for part in surface_notes(analysis) for _, line in part.rows],
             )
         )
     return parts
@@ -358,8 +364,8 @@ def measured_table(findings: ReportData) -> Table | None:
         return None
     from stiction.report.views.surface import roughness_table
 
-    found = roughness_table(findings.case.measured, findings.data)
-    return on_page(found, "The roughness of both bodies together by every method; the one taken is bold")
+    table = roughness_table(findings.case.measured, findings.data)
+    return on_page(table, "The roughness of both bodies together by every method; the one taken is bold")
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
@@ -368,8 +374,10 @@ def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())
     known = bibliography()
-    said = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
-    of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", said)) if key in known and key not in own]
-    told = findings.told
-    others = [] if told is None else [key for key in told.attrs["sources"].split() if key not in (*own, *of_materials)]
+    texts = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
+    of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", texts)) if key in known and key not in own]
+    comparison = findings.told
+    others = (
+        [] if comparison is None else [key for key in comparison.attrs["sources"].split() if key not in (*own, *of_materials)]
+    )
     return list(own), of_materials, others

@@ -1,4 +1,4 @@
-"""The picture of sensitivity: inputs by their Sobol indices, by Morris, over load, and all numbers by their elasticities."""
+"""The picture of sensitivity: Sobol indices, effects of Morris, indices over load, and logarithmic sensitivities."""
 
 from typing import TYPE_CHECKING
 
@@ -29,10 +29,10 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
     if "friction_coefficient_share" in data:
         figure, (shares, slopes) = canvas(11.0, 4.8, 1, 2)
         _shares(shares, data)
-        _elasticities(slopes, data)
+        _log_sensitivities(slopes, data)
     elif "input" not in data.dims:
         figure, (slopes,) = canvas(7.5, 5.6)
-        _elasticities(slopes, data)
+        _log_sensitivities(slopes, data)
     else:
         figure, dim = Figure(figsize=(13.5, 9.4), layout="constrained"), points_dimension(data)
         several = dim is not None and data.sizes[dim] > 1
@@ -42,7 +42,7 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
         if several:
             _over_load(panels["over load"], data, name, str(dim))
         _screening(panels["screening"], data, name)
-        _elasticities(panels["slopes"], data)
+        _log_sensitivities(panels["slopes"], data)
     figure.suptitle(heading(data, data.attrs.get("case", "")), fontsize=11)
     return figure
 
@@ -61,19 +61,19 @@ def _symbol(name: str) -> str:
 
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     """Draw total and first indices of one result with their intervals, and the total indices of others as marks."""
-    one = at_working_load(data)
-    order = ranked(one, name, "total_order", "input")[:_SHOWN]
+    results = at_working_load(data)
+    order = ranked(results, name, "total_order", "input")[:_SHOWN]
     y = np.arange(len(order))[::-1]
     for kind, shift, colour in (("total", 0.2, BLUE), ("first", -0.2, ORANGE)):
-        value, low, high = (one[f"{name}_{kind}_order{end}"].values[order] for end in ("", "_low", "_high"))
+        value, low, high = (results[f"{name}_{kind}_order{end}"].values[order] for end in ("", "_low", "_high"))
         error = np.nan_to_num(np.abs([value - low, high - value]))
         look = {"elinewidth": 1.0, "capsize": 2.0}
         axes.barh(y + shift, np.nan_to_num(value), height=0.38, xerr=error, color=colour, error_kw=look,
                   label=f"{kind} index of ln {_symbol(name)}")  # fmt: skip
     for other, mark in zip(results_of(data, "total_order")[1:], "so^", strict=False):
-        axes.plot(one[f"{other}_total_order"].values[order], y + 0.2, mark, color="black", mfc="none", markersize=5,
+        axes.plot(results[f"{other}_total_order"].values[order], y + 0.2, mark, color="black", mfc="none", markersize=5,
                   label=f"total, {head_of(other)}")  # fmt: skip
-    axes.set_yticks(y, [str(one["input"].values[at]) for at in order], fontsize=9)
+    axes.set_yticks(y, [str(results["input"].values[place]) for place in order], fontsize=9)
     axes.set(xlabel=f"share of the variance, 95 % intervals; {of_point(data, working_place(data))}")
     axes.set_xlim(left=0.0)
     finish(axes, title="which input should be measured better?")
@@ -91,17 +91,18 @@ def _over_load(axes: Axes, data: "xarray.Dataset", name: str, dim: str) -> None:
 
 
 def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    one = at_working_load(data)
-    size, deviation, error = (one[f"{name}_effect{end}"].values for end in ("", "_deviation", "_error"))
+    results = at_working_load(data)
+    size, deviation, error = (results[f"{name}_effect{end}"].values for end in ("", "_deviation", "_error"))
     if not np.isfinite(size).any():
         say(axes, "not known")
         return
     axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
-    for at in ranked(one, name, "effect", "input")[:_SHOWN]:
-        if size[at] > _NAMED * np.nanmax(size):  # the names of what hardly matters would lie on one another
-            left = size[at] > 0.6 * np.nanmax(size)
-            axes.annotate(str(one["input"].values[at]), (size[at], deviation[at]), fontsize=8, xytext=(-4 if left else 4, 4),
-                          textcoords="offset points", ha="right" if left else "left")  # fmt: skip
+    for place in ranked(results, name, "effect", "input")[:_SHOWN]:
+        if size[place] > _NAMED * np.nanmax(size):  # the names of what hardly matters would lie on one another
+            left = size[place] > 0.6 * np.nanmax(size)
+            side = {"xytext": (-4, 4), "ha": "right"} if left else {"xytext": (4, 4), "ha": "left"}
+            name = str(results["input"].values[place])
+            axes.annotate(name, (size[place], deviation[place]), fontsize=8, textcoords="offset points", **side)
     axes.set_xlim(0.0, 1.1 * max(float(np.nanmax(size)), 1e-9))
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     axes.set(xlabel=f"mean size of its effect on ln {_symbol(name)}, from end to end", ylabel="deviation: it depends on others")
@@ -109,18 +110,20 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     finish(axes, title="effects of Morris")
 
 
-def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
-    one, names = at_working_load(data), results_of(data, "log_sensitivity")
+def _log_sensitivities(axes: Axes, data: "xarray.Dataset") -> None:
+    results, names = at_working_load(data), results_of(data, "log_sensitivity")
     if not names:
         say(axes, "not known")
         return
-    order = ranked(one, names[0], "log_sensitivity", "number")
-    order = np.array([at for at in order if any(abs(_known(one, name, at)) > 1e-4 for name in names)][:_SHOWN], dtype=int)
+    order = ranked(results, names[0], "log_sensitivity", "number")
+    order = np.array(
+        [number for number in order if any(abs(_known(results, name, number)) > 1e-4 for name in names)][:_SHOWN], dtype=int
+    )
     y, height = np.arange(len(order))[::-1], 0.8 / len(names)
-    for at, (name, colour) in enumerate(zip(names, COLOURS, strict=False)):
-        values = [_known(one, name, place) for place in order]
-        axes.barh(y + 0.4 - (at + 0.5) * height, values, height=height, color=colour, label=head_of(name))
-    axes.set_yticks(y, [str(one["number"].values[at]) for at in order], fontsize=9)
+    for number, (name, colour) in enumerate(zip(names, COLOURS, strict=False)):
+        values = [_known(results, name, place) for place in order]
+        axes.barh(y + 0.4 - (number + 0.5) * height, values, height=height, color=colour, label=head_of(name))
+    axes.set_yticks(y, [str(results["number"].values[number]) for number in order], fontsize=9)
     axes.axvline(0.0, color="black", linewidth=0.8)
     axes.xaxis.set_major_locator(MaxNLocator(_TICKS))
     heads = "the result" if len(names) > 1 else head_of(names[0])
@@ -128,5 +131,5 @@ def _elasticities(axes: Axes, data: "xarray.Dataset") -> None:
     axes.grid(False, axis="y")
 
 
-def _known(one: "xarray.Dataset", name: str, at: int) -> float:
-    return float(np.nan_to_num(one[f"{name}_log_sensitivity"].values[at]))
+def _known(results: "xarray.Dataset", name: str, place: int) -> float:
+    return float(np.nan_to_num(results[f"{name}_log_sensitivity"].values[place]))

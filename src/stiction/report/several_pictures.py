@@ -51,7 +51,7 @@ def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         figure = _maps(data, dims)
     elif len(dims) == 2:
         by, against = sorted(dims, key=lambda dim: data.sizes[dim])
-        places = [{points: int(at)} for at in some(data.sizes[points], _PANELS)] if points else [{}]
+        places = [{points: int(point)} for point in some(data.sizes[points], _PANELS)] if points else [{}]
         figure, panels = canvas(5.2 * len(places) + 0.5, 4.8, 1, len(places), sharey=True)
         for axes, place in zip(panels, places, strict=True):
             _lines(axes, data.isel(place), against, by)
@@ -71,7 +71,7 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
     """Draw a line for each of some places along `by`; a single line with its interval, if it has one."""
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
-    places = [{by: int(at)} for at in some(data.sizes[by], _LINES)] if by else [{}]
+    places = [{by: int(index)} for index in some(data.sizes[by], _LINES)] if by else [{}]
     for number, place in enumerate(places):
         y = data[name].isel(place).values
         drawn = np.isfinite(y) & (y > 0.0)
@@ -99,13 +99,13 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
 def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
     """Return what a place along dimensions is: a load, or the values of what varies."""
     points, texts = points_dimension(data), []
-    for dim, at in place.items():
+    for dim, index in place.items():
         names = coordinates_along(data, dim)
-        values = [of_value(data, name, at) for name in names] if dim != points else [of_point(data, at)]
+        values = [of_value(data, name, index) for name in names] if dim != points else [of_point(data, index)]
         texts += (
             values
             if dim == points or len(place) == 1
-            else [f"{one} = {value}" for one, value in zip(names, values, strict=True)]
+            else [f"{coordinate} = {value}" for coordinate, value in zip(names, values, strict=True)]
         )
     return "\n".join(texts) if len(place) > 1 else ", ".join(texts)
 
@@ -118,13 +118,13 @@ def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
     """
     points = points_dimension(data)
     count = data.sizes[points] if points else 1
-    places = [{points: int(at)} if points else {} for at in some(count, _MAPS)]
+    places = [{points: int(index)} if points else {} for index in some(count, _MAPS)]
     columns = min(len(places), 3)
     if len(dims) > 2:
         dims = sorted(dims, key=lambda dim: -data.sizes[dim])
         fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in dims[4:]} | ({points: (count - 1) // 2} if points else {})
         outer = {dim: some(data.sizes[dim], _MULTIPLES) for dim in reversed(dims[2:4])}
-        places = [fixed | dict(zip(outer, map(int, at), strict=True)) for at in product(*outer.values())]
+        places = [fixed | dict(zip(outer, map(int, index), strict=True)) for index in product(*outer.values())]
         columns = len(outer[dims[2]])
     rows = -(-len(places) // columns)
     figure, panels = canvas(4.0 * columns + 1.6, 3.6 * rows + 0.9, rows, columns)
@@ -202,10 +202,10 @@ def _is_log(values: np.ndarray) -> bool:
 def _edges(values: np.ndarray) -> np.ndarray:
     """Return the borders (n + 1,) of cells around values (n,): halfway between them, on a logarithmic axis by ratio."""
     log = _is_log(values)
-    at = np.log(values) if log else values
-    if at.size == 1:
-        half = abs(at[0]) * 0.1 or 0.5
-        return np.array([at[0] - half, at[0] + half])
-    middle = (at[1:] + at[:-1]) / 2.0
-    edges = np.concatenate([[2.0 * at[0] - middle[0]], middle, [2.0 * at[-1] - middle[-1]]])
+    centres = np.log(values) if log else values
+    if centres.size == 1:
+        half = abs(centres[0]) * 0.1 or 0.5
+        return np.array([centres[0] - half, centres[0] + half])
+    middle = (centres[1:] + centres[:-1]) / 2.0
+    edges = np.concatenate([[2.0 * centres[0] - middle[0]], middle, [2.0 * centres[-1] - middle[-1]]])
     return np.exp(edges) if log else edges

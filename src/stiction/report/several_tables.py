@@ -34,22 +34,22 @@ def varied(data: "xarray.Dataset") -> list[str]:
 
 def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
     """Return the quantities that vary along a dimension."""
-    return [str(name) for name, one in data.coords.items() if one.dims == (dim,)]
+    return [str(name) for name, coordinate in data.coords.items() if coordinate.dims == (dim,)]
 
 
-def of_value(data: "xarray.Dataset", name: str, at: int) -> str:
+def of_value(data: "xarray.Dataset", name: str, index: int) -> str:
     """Return one value of a varied quantity as text: "200 nm"."""
     quantity = name.rpartition(".")[2]
-    value = data[name].values[at]
+    value = data[name].values[index]
     return shown(float(value), quantity) if quantity in QUANTITIES else f"{value:g}"
 
 
-def of_point(data: "xarray.Dataset", at: int) -> str:
+def of_point(data: "xarray.Dataset", index: int) -> str:
     """Return a load or a separation as text: "P = 1 N", "d/sigma = 2"."""
     dim = points_dimension(data)
     if dim is None:
         return "at the point"
-    variable, value = data[dim], float(data[dim].values[at])
+    variable, value = data[dim], float(data[dim].values[index])
     symbol = variable.attrs.get("symbol", dim)
     return f"{symbol} = {with_unit(variable, value)}"
 
@@ -70,17 +70,19 @@ def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
     picked = [some(data.sizes[dim], most) for dim in dims]
-    heads = [_head(one) for dim in dims for one in coordinates_along(data, dim)]
-    heads += [f"{_HEADS[name]} at\n{of_point(data, at)}" for at in columns]
+    heads = [_head(item) for dim in dims for item in coordinates_along(data, dim)]
+    heads += [f"{_HEADS[name]} at\n{of_point(data, index)}" for index in columns]
     order = [*dims, *([points] if points else [])]
     values = data[name].transpose(*order).values
     ends = [data[f"{name}_{end}"].transpose(*order).values for end in ("low", "high")] if with_ends else []
     rows = []
-    for places in np.ndindex(*(len(one) for one in picked)):
-        row = [int(one[at]) for one, at in zip(picked, places, strict=True)]
-        cells = [of_value(data, one, at) for dim, at in zip(dims, row, strict=True) for one in coordinates_along(data, dim)]
-        found, *interval = (np.atleast_1d(table[tuple(row)])[columns] for table in (values, *ends))
-        texts = [shown(float(one), name, 2 if with_ends else 4) for one in found]
+    for places in np.ndindex(*(len(item) for item in picked)):
+        row = [int(item[index]) for item, index in zip(picked, places, strict=True)]
+        cells = [
+            of_value(data, item, index) for dim, index in zip(dims, row, strict=True) for item in coordinates_along(data, dim)
+        ]
+        results, *interval = (np.atleast_1d(table[tuple(row)])[columns] for table in (values, *ends))
+        texts = [shown(float(item), name, 2 if with_ends else 4) for item in results]
         if with_ends:
             spans = (f" ({number(float(low))} to {number(float(high))})" for low, high in zip(*interval, strict=True))
             texts = [text + span for text, span in zip(texts, spans, strict=True)]

@@ -18,7 +18,7 @@ _HATCHES = ("", "//", "..", "\\\\", "xx")
 
 def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
     """Return what can be drawn as shares: words -> the total and its parts, by their names and units in the result."""
-    found: dict[str, tuple[str, list[str]]] = {}
+    stacked: dict[str, tuple[str, list[str]]] = {}
     for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
                                ("load", "load", "load")):  # fmt: skip
         if total not in curve:
@@ -30,8 +30,8 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
         states = [name for name in parts if name not in bodies]
         for kind, names in (("by state", states), ("film and substrate", bodies)):
             if len(names) > 1:
-                found[f"{words}, {kind}"] = (total, names)
-    return found
+                stacked[f"{words}, {kind}"] = (total, names)
+    return stacked
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
@@ -56,17 +56,17 @@ def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
     drawn = order[(load[order] > 0.0) & np.isfinite(shares[:, order]).all(axis=0)]
     axes.set(xlabel=label(curve["load"]), ylabel=f"share of {what.partition(',')[0]}")
     if drawn.size < 2:
-        say(axes, "fewer than two loads press here")
+        say(axes, "fewer than two compressive loads")
         return figure
     edges = np.vstack([np.zeros(drawn.size), np.cumsum(shares[:, drawn], axis=0)])
-    for at, name in enumerate(parts):
+    for number, name in enumerate(parts):
         look: dict[str, Any] = {
-            "facecolor": _COLOURS[at % 5],
-            "hatch": _HATCHES[at % 5],
+            "facecolor": _COLOURS[number % 5],
+            "hatch": _HATCHES[number % 5],
             "edgecolor": "white",
             "linewidth": 0.0,
         }
-        axes.fill_between(load[drawn], edges[at], edges[at + 1], label=part_in_words(name, total), **look)
+        axes.fill_between(load[drawn], edges[number], edges[number + 1], label=part_in_words(name, total), **look)
     finish(axes, legend=False, xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
     figure.legend(loc="outside upper center", ncols=min(len(parts), 3), fontsize=9, frameon=False)
     return figure

@@ -22,8 +22,8 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """
     lost = "energy_loss" in data
     figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)
-    points = [one for one in data["tangential_force"].dims if one != "displacement"]
-    rows = [data.isel({points[0]: at}) for at in range(data.sizes[points[0]])] if points else [data]
+    points = [dim for dim in data["tangential_force"].dims if dim != "displacement"]
+    rows = [data.isel({points[0]: number}) for number in range(data.sizes[points[0]])] if points else [data]
     _forces(panels[0], rows)
     if lost:
         _losses(panels[1], rows)
@@ -42,8 +42,8 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
     if not pressed:
         say(axes, NOT_PRESSED)
         return
-    for at, row in enumerate(pressed):
-        colour, load = COLOURS[at % len(COLOURS)], float(row["load"])
+    for number, row in enumerate(pressed):
+        colour, load = COLOURS[number % len(COLOURS)], float(row["load"])
         axes.plot(row["displacement"], row["tangential_force"] / load, color=colour, label=_named(row))
         axes.axhline(float(row["friction_coefficient"]), color=colour, linestyle=":", linewidth=1.0)
         share = 0.99 if "energy_loss" in row else 1.0  # of the force that it tends to
@@ -57,10 +57,10 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
 def _losses(axes: Axes, rows: list["xarray.Dataset"]) -> None:
     moved = rows[0]["displacement"].values > 0.0
     largest = np.zeros(1)
-    for at, row in enumerate(rows):
+    for number, row in enumerate(rows):
         lost = row["energy_loss"].values[moved]
         largest = np.concatenate([largest, lost])
-        axes.plot(row["displacement"].values[moved], lost, color=COLOURS[at % len(COLOURS)], label=_named(row))
+        axes.plot(row["displacement"].values[moved], lost, color=COLOURS[number % len(COLOURS)], label=_named(row))
     along(axes, "y", "energy_loss", largest[largest > 0.0])
     along(axes, "x", "displacement", rows[0]["displacement"].values[moved])
     axes.set_xlabel(f"amplitude: {axes.get_xlabel()}")

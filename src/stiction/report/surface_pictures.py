@@ -31,11 +31,11 @@ _ENOUGH = 10**6
 # ---- heights
 
 
-def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = None) -> Figure:
+def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | None = None) -> Figure:
     """Draw the heights in colours, or a profile as a line, with a histogram; missing points are grey and hatched.
 
     Colours and histogram leave out a thousandth of the heights at either end, and spikes. title: by default the name of the
-    surface. found: asperities of this surface, marked where the method gives places.
+    surface. asperities: of this surface, marked where the method gives places.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -56,29 +56,29 @@ def map_figure(surface: HeightMap, title: str = "", found: Asperities | None = N
         outside = beyond[bool(valid.min() < ends[0]), bool(valid.max() > ends[1])]
         figure.colorbar(image, ax=picture, extend=outside, label=f"height [{unit}]")
     _histogram(bars, _some(valid) * factor, (ends[0] * factor, ends[1] * factor), unit)
-    said = []
+    notes = []
     if surface.missing:
         share = 100.0 * surface.missing / surface.heights.size
-        said.append(f"grey: {surface.missing} points missing ({share:.2g} %)")
-    if found is not None:
-        said.append(_draw_places(picture, surface, found, factor))
-    picture.set_title("; ".join(said), fontsize=9, color=GREY)
+        notes.append(f"grey: {surface.missing} points missing ({share:.2g} %)")
+    if asperities is not None:
+        notes.append(_draw_places(picture, surface, asperities, factor))
+    picture.set_title("; ".join(notes), fontsize=9, color=GREY)
     return figure
 
 
-def _draw_places(axes: Axes, surface: HeightMap, found: Asperities, factor: float) -> str:
+def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor: float) -> str:
     """Draw a mark at every asperity, smaller where they are many; return what the marks are."""
-    if not len(found.places):
-        return f"{plain(found.method)}: averages only, no places"
+    if not len(asperities.places):
+        return f"{plain(asperities.method)}: averages only, no places"
     across, _ = prefix("scan_size", surface.size[1] if surface.is_profile else max(surface.size))
-    row, column = found.places.T
+    row, column = asperities.places.T
     if surface.is_profile:
         x, y = column * surface.pitch[1] * across, surface.heights[row, column] * factor
     else:
-        x, y = ((at + 0.5) * pitch * across for at, pitch in zip((column, row), surface.pitch[::-1], strict=True))
+        x, y = ((index + 0.5) * pitch * across for index, pitch in zip((column, row), surface.pitch[::-1], strict=True))
     size = min(max(3000.0 / len(row), 2.0), 30.0)
     axes.scatter(x, y, s=size, c="white", edgecolors="black", linewidths=0.4 if size < 6.0 else 0.8, zorder=3)
-    return f"{len(row)} {plain(found.method)}"
+    return f"{len(row)} {plain(asperities.method)}"
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
@@ -166,13 +166,13 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
     figure, (axes,) = canvas(8.2, 5.6)
     first = next(iter(named.values()))
-    if not any((one.density > 0.0).any() for one in named.values()):
+    if not any((drawn.density > 0.0).any() for drawn in named.values()):
         say(axes, "no waves: all heights are alike")
         return figure
     factor, unit = prefix("scan_size", float(first.wavelength.max()))
     power = 3 if first.is_profile else 4
-    for at, (name, one) in enumerate(named.items()):
-        _spectrum_line(axes, one, factor, power, name, look_of("", at))
+    for number, (name, drawn) in enumerate(named.items()):
+        _spectrum_line(axes, drawn, factor, power, name, look_of("", number))
     if first.longest > first.shortest:
         band = [2.0 * math.pi / (length * factor) for length in (first.longest, first.shortest)]
         ends = " to ".join(show(length, "mean_separation", 3) for length in (first.longest, first.shortest))
@@ -185,11 +185,14 @@ def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], tit
     return figure
 
 
-def _spectrum_line(axes: Axes, one: BinnedSpectrum, factor: float, power: int, name: str, look: dict[str, Any]) -> None:
-    q, density = one.wavevector / factor, one.density * factor**power
+def _spectrum_line(axes: Axes, spectrum: BinnedSpectrum, factor: float, power: int, name: str, look: dict[str, Any]) -> None:
+    q, density = spectrum.wavevector / factor, spectrum.density * factor**power
     drawn = density > 0.0
     axes.plot(q[drawn], density[drawn], color=look["color"], linewidth=0.8, alpha=0.45)
-    for part, inside, text in ((drawn & ~one.reliable, "white", "not reliable"), (drawn & one.reliable, None, "reliable")):
+    for part, inside, text in (
+        (drawn & ~spectrum.reliable, "white", "not reliable"),
+        (drawn & spectrum.reliable, None, "reliable"),
+    ):
         text = f"{name}, {text}" if name else f"average of a bin, {text}"
         axes.plot(q[part], density[part], linestyle="", mfc=inside, label=text if part.any() else None, **look)
 
@@ -215,13 +218,13 @@ def _round_lengths(low: float, high: float) -> list[float]:
 # ---- asperities
 
 
-def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
+def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
     """Draw how the asperity heights of one surface are distributed by several methods, with sigma, R and N of each.
 
     A method with averages only is drawn as a dashed Gaussian. surface: the map of the asperities; the heights of all its points
     are grey.
     """
-    sets = list(found)
+    sets = list(asperity_sets)
     figure = Figure(figsize=(11, 5.2), layout="constrained")
     figure.suptitle(title or (surface.name if surface else ""), fontsize=11)
     axes = figure.subplots()
@@ -230,13 +233,13 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
         return figure
     ends = _ends(sets)
     factor, unit = prefix("scan_size", ends[1] - ends[0])
-    per_area = unit_for("asperity_density", max(one.density for one in sets))
+    per_area = unit_for("asperity_density", max(asperities.density for asperities in sets))
     if surface is not None and surface.missing < surface.heights.size:
         heights = surface.heights[~np.isnan(surface.heights)]
         edges, share = _shares((_some(heights) - heights.mean()) * factor, (ends[0] * factor, ends[1] * factor), _BINS)
         axes.stairs(share, edges, fill=True, color="#dddddd", label=f"all {heights.size} points")
-    for at, one in enumerate(sets):
-        _height_line(axes, one, factor, look_of(one.method, at)["color"], _summed_up(one, *per_area))
+    for number, asperities in enumerate(sets):
+        _height_line(axes, asperities, factor, look_of(asperities.method, number)["color"], _summed_up(asperities, *per_area))
     axes.set(xlabel=f"height over the mean plane [{unit}]", ylabel=f"share of the asperities [1/{unit}]")
     finish(axes, legend=False, xlim=(ends[0] * factor, ends[1] * factor), ylim=(0.0, None))
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=9, labelspacing=0.9, frameon=False)
@@ -245,29 +248,32 @@ def asperity_figure(found: Iterable[Asperities], surface: HeightMap | None = Non
 
 def _ends(sets: list[Asperities]) -> tuple[float, float]:
     """Return the heights [m] that limit the picture: of single asperities, or else of the averages."""
-    each = [_limits(one.heights) for one in sets if one.count and one.deviation > 0.0]
-    each = each or [(one.mean_height - 4.0 * one.deviation, one.mean_height + 4.0 * one.deviation) for one in sets]
+    each = [_limits(asperities.heights) for asperities in sets if asperities.count and asperities.deviation > 0.0]
+    each = each or [
+        (asperities.mean_height - 4.0 * asperities.deviation, asperities.mean_height + 4.0 * asperities.deviation)
+        for asperities in sets
+    ]
     low, high = min(low for low, _ in each), max(high for _, high in each)
     room = 0.1 * (high - low) or 1e-9
     return low - room, high + room
 
 
-def _summed_up(one: Asperities, factor: float, unit: str) -> str:
+def _summed_up(asperities: Asperities, factor: float, unit: str) -> str:
     """Return lines of a legend: the method, how many asperities it found, and its sigma, R and N."""
-    count = f": {one.count}" if one.count else ", averages only"
-    sigma, radius = show(one.deviation, "asperity_height_deviation", 3), show(one.radius, "asperity_radius", 3)
-    density = f"{one.density * factor:.3g}{unit.removeprefix('1')}"
-    return f"{plain(one.method)}{count}\n$\\sigma$ = {sigma}, $R$ = {radius},\n$N$ = {density}"
+    count = f": {asperities.count}" if asperities.count else ", averages only"
+    sigma, radius = show(asperities.deviation, "asperity_height_deviation", 3), show(asperities.radius, "asperity_radius", 3)
+    density = f"{asperities.density * factor:.3g}{unit.removeprefix('1')}"
+    return f"{plain(asperities.method)}{count}\n$\\sigma$ = {sigma}, $R$ = {radius},\n$N$ = {density}"
 
 
-def _height_line(axes: Axes, one: Asperities, factor: float, colour: str, text: str) -> None:
+def _height_line(axes: Axes, asperities: Asperities, factor: float, colour: str, text: str) -> None:
     look: dict[str, Any] = {"color": colour, "label": text, "linewidth": 1.6}
-    mean, deviation = one.mean_height * factor, one.deviation * factor
-    if one.count and one.deviation > 0.0:
-        low, high = _limits(one.heights)
-        edges, share = _shares(one.heights * factor, (low * factor, high * factor), _BINS // 2)
+    mean, deviation = asperities.mean_height * factor, asperities.deviation * factor
+    if asperities.count and asperities.deviation > 0.0:
+        low, high = _limits(asperities.heights)
+        edges, share = _shares(asperities.heights * factor, (low * factor, high * factor), _BINS // 2)
         axes.stairs(share, edges, **look)
-    elif one.deviation > 0.0:
+    elif asperities.deviation > 0.0:
         z = np.linspace(mean - 4.0 * deviation, mean + 4.0 * deviation, 200)
         axes.plot(z, _bell(z, mean, deviation), linestyle="--", **look)
     else:

@@ -65,8 +65,8 @@ class Table:
     def few(self, most: int) -> "Table":
         """Return at most so many of the rows: evenly spaced ones with both ends, or of ranked ones the first."""
         chosen = range(min(len(self.rows), most)) if self.ranked else some(len(self.rows), most)
-        looks = [self.looks[at] for at in chosen] if self.looks else ()
-        return replace(self, rows=[self.rows[at] for at in chosen], looks=looks)
+        looks = [self.looks[row] for row in chosen] if self.looks else ()
+        return replace(self, rows=[self.rows[row] for row in chosen], looks=looks)
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Any]:
         names = [row[0] for row in self.rows]
@@ -92,23 +92,23 @@ class Table:
         headed = any(self.heads)
         box = SIMPLE_HEAD if self.ruled else None
         table = Printed(box=box, header_style="bold", pad_edge=False, padding=(0, self.gap, 0, 0), show_header=headed)
-        for at, column in enumerate(self.columns):
-            whole, fixed = self.whole and not at, self.whole and at and not column.wrap
-            cells = [column.head, *(str(row[at]) for row in self.rows)]
+        for number, column in enumerate(self.columns):
+            unbroken, fixed = self.whole and not number, self.whole and number and not column.wrap
+            cells = [column.head, *(str(row[number]) for row in self.rows)]
             table.add_column(
-                Text(column.head if at else head),
+                Text(column.head if number else head),
                 justify="right" if column.right else "left",
-                no_wrap=whole or not column.wrap,
+                no_wrap=unbroken or not column.wrap,
                 overflow="fold" if self.ruled or column.most else "ellipsis",
-                max_width=None if whole else column.most,
+                max_width=None if unbroken else column.most,
                 min_width=max(cell_len(line) for cell in cells for line in cell.splitlines() or [""]) if fixed else None,
-                style="" if headed or at else "bold",
+                style="" if headed or number else "bold",
             )
-        for at, (name, row) in enumerate(zip(names, self.rows, strict=True)):
+        for number, (name, row) in enumerate(zip(names, self.rows, strict=True)):
             texts = [cell if isinstance(cell, Text) else Text(cell) for cell in (name, *row[1:])]
             if name == _MARK:
                 texts[1:] = [Text.assemble("\n", text) for text in texts[1:]]
-            table.add_row(*texts, style=self.looks[at] if self.looks else None)
+            table.add_row(*texts, style=self.looks[number] if self.looks else None)
         return table
 
 

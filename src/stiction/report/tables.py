@@ -108,8 +108,8 @@ def _material(material: Any) -> str:
 
 def _numbers(part: Any) -> str:
     """Return the numbers of a part of a contact with symbols and units: "E = 210 GPa, nu = 0.3"."""
-    given = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
-    return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in given if value is not None)
+    stated = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
+    return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in stated if value is not None)
 
 
 def _number(value: Any, name: str) -> str:
@@ -123,7 +123,7 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     """Yield title, model, friction at the middle load with its interval, and how far the contact fits the model."""
     if case.title:
         yield Text(case.title, style="bold")
-    warnings = [str(one) for one in warnings_of(data)]
+    warnings = [str(warning) for warning in warnings_of(data)]
     more = f"; and {len(warnings) - 1} more" if len(warnings) > 1 else ""
     rows = [("model", f"{model_line(data.attrs)}; grade {data.attrs['grade']}")]
     if not case.is_several:
@@ -143,8 +143,10 @@ _OF_MATERIALS = (
 
 def _groups(subject: Any) -> str:
     """Return the groups by name, or by their formula: "elastic adhesion index = 40, N R sigma = 0.04"."""
-    said = (one for one in subject.all_groups().items() if not (isinstance(subject, Contact) and one[0] in _OF_MATERIALS))
-    return ", ".join(f"{_group(name)} = {group_in_words(value)}" for name, value in said)
+    groups = (
+        group for group in subject.all_groups().items() if not (isinstance(subject, Contact) and group[0] in _OF_MATERIALS)
+    )
+    return ", ".join(f"{_group(name)} = {group_in_words(value)}" for name, value in groups)
 
 
 def _group(name: str) -> str:
@@ -185,14 +187,14 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     if "friction_coefficient" not in data:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
-        notes.append("mu is not defined (-) where the net load is not compressive: there the surfaces hold themselves together")
+        notes.append("mu is not defined (-) where the net load is not compressive")
     if used.get("area_by"):
         notes.append(f"contact area: {used['area_by']}")
     if used.get("change_by_junctions"):
         notes.append(used["change_by_junctions"])
     if used.get("measured_error_in_words"):
         notes.append(f"measured error: {used['measured_error_in_words']}")
-    notes += [one.say("--") for one in unused_of(data)]
+    notes += [unused.say("--") for unused in unused_of(data)]
     notes += _measured(json.loads(used.get("measured_film_error", "[]")))
     notes += [used["remarks"]] if used.get("remarks") else []
     for kind in _NOTED:

@@ -45,9 +45,9 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """Hold a picture; told: its description for a reader who does not see it; draw: makes the figure."""
+    """Hold a picture; description: its text for a reader who does not see it; draw: makes the figure."""
 
-    told: str
+    description: str
     draw: "Callable[[], Figure]"
 
     def write(self, path: Path) -> None:
@@ -55,7 +55,7 @@ class Picture(NamedTuple):
         write_picture(self.draw(), path)
 
 
-def picture(told: str, place: str, *arguments: Any) -> Picture:
+def picture(description: str, place: str, *arguments: Any) -> Picture:
     """Return a picture that a function of this package draws from these arguments.
 
     place: "module.function", imported when it is drawn, as matplotlib may be absent.
@@ -66,15 +66,15 @@ def picture(told: str, place: str, *arguments: Any) -> Picture:
         figure: Figure = getattr(import_module(f"stiction.report.{module}"), name)(*arguments)
         return figure
 
-    return Picture(told, draw)
+    return Picture(description, draw)
 
 
 def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> dict[str, Picture]:
     """Return the maps of adhesion and plasticity with the contact as a dot, by file name; a film without adhesion has none."""
     if not isinstance(subject, Contact) or (subject.coating is not None and not subject.work_of_adhesion):
         return {}
-    told = "the contact on maps of adhesion and of plasticity"
-    return {"regimes.png": picture(told, "regime_pictures.regime_figure", subject, data, title)}
+    description = "the contact on maps of adhesion and of plasticity"
+    return {"regimes.png": picture(description, "regime_pictures.regime_figure", subject, data, title)}
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class View:
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)
-        return files | {name: one.write for name, one in self.pictures.items()}
+        return files | {name: drawn.write for name, drawn in self.pictures.items()}
 
     def write(self, folder: Path) -> list[str]:
         """Write tables, dataset and pictures into a folder; return their names."""

@@ -34,7 +34,7 @@ class Shown(NamedTuple):
     @classmethod
     def of(cls, view: View, narrow: bool) -> "Shown":
         """Draw a view for a narrow page or a wide one."""
-        drawings = [drawing_of(picture.draw(), picture.told, narrow) for picture in view.pictures.values()]
+        drawings = [drawing_of(picture.draw(), picture.description, narrow) for picture in view.pictures.values()]
         return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:

@@ -101,7 +101,7 @@ def map_picture(found: Analysis, method: str, narrow: bool) -> str:
     """Draw the map with the asperities of a method, "" for none."""
     named = methods().get(method)
     told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
-    return drawing_of(map_figure(found.surface, found=found.asperities.get(method)), told, narrow)
+    return drawing_of(map_figure(found.surface, asperities=found.asperities.get(method)), told, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:

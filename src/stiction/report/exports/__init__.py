@@ -13,4 +13,4 @@ UNITS = {
 
 def export_formats() -> list[str]:
     """Return the names of the formats, those of the files in this folder."""
-    return [one.name for one in pkgutil.iter_modules(__path__)]
+    return [module.name for module in pkgutil.iter_modules(__path__)]

@@ -24,6 +24,6 @@ def content(table: "xarray.Dataset") -> str:
     stiffness = force / table["elastic_slip"].values
     units = {name: table[name].attrs["units"] for name in ("load", "elastic_slip")}
     columns = {"load": load, "sigma_0": stiffness, "static_force": force}
-    found = {"comments": table.attrs["comments"], "force_unit": units["load"], "length_unit": units["elastic_slip"]}
-    found |= {name: [float(f"{value:.9g}") for value in values] for name, values in columns.items()}
-    return json.dumps(found, indent=2) + "\n"
+    constants = {"comments": table.attrs["comments"], "force_unit": units["load"], "length_unit": units["elastic_slip"]}
+    constants |= {name: [float(f"{value:.9g}") for value in values] for name, values in columns.items()}
+    return json.dumps(constants, indent=2) + "\n"

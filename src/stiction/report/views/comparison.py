@@ -51,40 +51,40 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
     """Return a comparison for JSON: attributes, and a list of models with their results."""
     units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
     rows = []
-    for at, name in enumerate(data["model"].values):
-        one = data.isel(model=at)
+    for index, name in enumerate(data["model"].values):
+        result = data.isel(model=index)
         row = {
             "model": str(name),
-            "grade": str(one["grade"].item()),
-            "status": str(one["status"].item()),
-            "outside_validity": [warning.short for warning in read_warnings(one["validity_warnings"].item())],
-            "validity_warnings": json.loads(one["validity_warnings"].item()),
-            "measured_error": json.loads(one["measured_error"].item()),
-            "measured_film_error": json.loads(one["measured_film_error"].item()),
-            "why_not": one["why_not"].item() or None,
-            "family": one["family_of_curve"].item() or None,
-            "plastic_junctions_resist": one["plastic_junctions_resist"].item() or None,
+            "grade": str(result["grade"].item()),
+            "status": str(result["status"].item()),
+            "outside_validity": [warning.short for warning in read_warnings(result["validity_warnings"].item())],
+            "validity_warnings": json.loads(result["validity_warnings"].item()),
+            "measured_error": json.loads(result["measured_error"].item()),
+            "measured_film_error": json.loads(result["measured_film_error"].item()),
+            "why_not": result["why_not"].item() or None,
+            "family": result["family_of_curve"].item() or None,
+            "plastic_junctions_resist": result["plastic_junctions_resist"].item() or None,
             "command": run_command(data, str(name), exact=True),
         }
-        row |= {key: one[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
-        row |= _over_methods(one)
-        rows.append(row | {"curve": {key: one[key].values for key in RESULTS}})
+        row |= {key: result[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
+        row |= _over_methods(result)
+        rows.append(row | {"curve": {key: result[key].values for key in RESULTS}})
     left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
     attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
     attributes["criteria"] = data.attrs["criteria"].splitlines()
     return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
 
 
-def _over_methods(one: "xarray.Dataset") -> dict[str, Any]:
+def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
     """Return the friction of one model for every method of finding asperities, at the working load."""
     name = "friction_coefficient_at_load"
-    if f"{name}_by_method" not in one:
+    if f"{name}_by_method" not in result:
         return {}
-    each = one[f"{name}_by_method"]
+    each = result[f"{name}_by_method"]
     return {
         "friction_coefficient_by_method": dict(zip(each["asperity_method"].values.tolist(), each.values.tolist(), strict=True)),
-        "friction_coefficient_low": one[f"{name}_low"].item(),
-        "friction_coefficient_high": one[f"{name}_high"].item(),
+        "friction_coefficient_low": result[f"{name}_low"].item(),
+        "friction_coefficient_high": result[f"{name}_high"].item(),
     }
 
 
@@ -148,38 +148,35 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
 
     every: each model by itself.
     """
-    models = [data.isel(model=at) for at in range(data.sizes["model"])]
-    alone = [_group([one]) for one in models if np.isfinite(one[_MU].item())]
-    alone.sort(key=lambda one: (not one.fits, not one.possible, one.family == FAMILIES[False], one.low))
+    models = [data.isel(model=index) for index in range(data.sizes["model"])]
+    alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]
+    alone.sort(key=lambda group: (not group.fits, not group.possible, group.family == FAMILIES[False], group.low))
     if every:
         return alone
-    by_name = {str(one["model"].item()): one for one in models}
-    found: list[list[Group]] = []
-    for one in alone:
-        last = found[-1][0] if found else None
-        alike = last is not None and last.kind == one.kind
-        if last is not None and alike and one.high <= _ALIKE * max(last.low, 1e-300):
-            found[-1].append(one)
+    by_name = {str(model["model"].item()): model for model in models}
+    agreeing: list[list[Group]] = []
+    for group in alone:
+        last = agreeing[-1][0] if agreeing else None
+        alike = last is not None and last.kind == group.kind
+        if last is not None and alike and group.high <= _ALIKE * max(last.low, 1e-300):
+            agreeing[-1].append(group)
         else:
-            found.append([one])
-    return [_group([by_name[one.names[0]] for one in some]) for some in found]
+            agreeing.append([group])
+    return [_group([by_name[group.names[0]] for group in some]) for some in agreeing]
 
 
 def _group(models: "list[xarray.Dataset]") -> Group:
-    mu = [float(one[_MU].item()) for one in models]
-    ends = [end for one, value in zip(models, mu, strict=True) for end in _ends(one, value)]
-    errors = [float(one["measured_area_error"].item()) for one in models]
-    names = [str(one["model"].item()) for one in models]
-    known = [one for one in errors if math.isfinite(one)]
-    first = models[0]
-    return Group(
-        first["family_of_curve"].item(), names, mu[0], mu[-1], known, min(ends), max(ends), str(first["status"].item())
-    )
+    mu, errors = ([float(model[name]) for model in models] for name in (_MU, "measured_area_error"))
+    ends = [end for model, value in zip(models, mu, strict=True) for end in _ends(model, value)]
+    names = [str(model["model"].item()) for model in models]
+    known = [error for error in errors if math.isfinite(error)]
+    family, status = (str(models[0][name].item()) for name in ("family_of_curve", "status"))
+    return Group(family, names, mu[0], mu[-1], known, min(ends), max(ends), status)
 
 
-def _ends(one: "xarray.Dataset", mu: float) -> list[float]:
+def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
     """Return mu, over 1 plus its error on solved surfaces at the ends of 90 %."""
-    errors = json.loads(one["measured_error"].item()) or {}
+    errors = json.loads(result["measured_error"].item()) or {}
     ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
     return [mu if end[0] is None else mu / (1.0 + end[0]) for end in ends]
 
@@ -220,8 +217,8 @@ def _table(groups: list[Group]) -> Table:
 def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
     """Return how many models the rows leave out, "" for none."""
     counts = [
-        (sum(len(one.names) for one in groups if one.possible and one not in shown), "more models not shown"),
-        (sum(len(one.names) for one in groups if not one.possible and one not in shown), "cannot be right here"),
+        (sum(len(group.names) for group in groups if group.possible and group not in shown), "more models not shown"),
+        (sum(len(group.names) for group in groups if not group.possible and group not in shown), "cannot be right here"),
         (silent, "give an area but no friction: state the interface"),
     ]
     return "; ".join(f"{count} {text}" for count, text in counts if count)
@@ -256,13 +253,13 @@ def comparison_view(
         elif (refusal := refusal_of(case)) is not None:
             above.append(facts([("no prediction", str(refusal))]))
         if not groups:
-            above.append(Text("no model says anything of friction at a load above 0 here"))
+            above.append(Text("no model gives friction at a load above 0 here"))
         yield from above
         room = None if every else MOST_LINES - sum(map(lines_of, above))
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
         if every:
             yield from notes(data.attrs["criteria"].splitlines(), "")
-            yield from notes(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(f"not applicable: {line}" for line in data.attrs["left_out"].splitlines())
             if measured is not None:
                 from stiction.report.views.surface import roughness_notes, roughness_table
 
@@ -279,6 +276,6 @@ def comparison_view(
     pictures = {}
     if "working_load" in data.attrs:
         files["compare_at_load.csv"] = partial(write_csv, at_working_load(data))
-        told = "friction at the working load by groups of models that agree"
-        pictures["compare.png"] = picture(told, "model_pictures.models_figure", data, groups, prediction, case.title)
+        description = "friction at the working load by groups of models that agree"
+        pictures["compare.png"] = picture(description, "model_pictures.models_figure", data, groups, prediction, case.title)
     return View("compare", None, parts, record, files, pictures, is_brief=True)

@@ -19,15 +19,15 @@ _ROWS, _COLUMNS = 12, 6
 def dataset_view(name: str, data: "xarray.Dataset") -> View:
     """Return what a dataset shows: single values, and a table and a CSV file for the variables of each dimension."""
     ordered = [*data.coords, *data.data_vars]
-    columns = {str(along): [one for one in ordered if data[one].dims == (along,)] for along in data.dims}
+    columns = {str(along): [variable for variable in ordered if data[variable].dims == (along,)] for along in data.dims}
 
     def parts() -> Iterator[Any]:
         if "case" in data.attrs:
             yield Text(data.attrs["case"], style="bold")
-        yield facts([(str(one), _cell(data[one])) for one in data.data_vars if not data[one].dims])
+        yield facts([(str(variable), _cell(data[variable])) for variable in data.data_vars if not data[variable].dims])
         for along, names in columns.items():
             shown = names[:_COLUMNS]
-            rows = [[_cell(data[one][at]) for one in shown] for at in some(data.sizes[along], _ROWS)]
+            rows = [[_cell(data[variable][row]) for variable in shown] for row in some(data.sizes[along], _ROWS)]
             yield Table(numbers(*map(str, shown), wrap=True), rows)
             if len(names) > _COLUMNS:
                 yield Text(f"{len(names) - _COLUMNS} more columns are in {name}_{along}.csv (--out)", style="dim")

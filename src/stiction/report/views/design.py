@@ -34,7 +34,7 @@ def design_table(data: "xarray.Dataset", along: str) -> Table:
     """Return a row for each design, at most about twelve."""
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("broken", "violated")]
-    rows = [[_cell(name, data[columns[name]].values[at]) for name in shown_columns] for at in range(data.sizes[along])]
+    rows = [[_cell(name, data[columns[name]].values[row]) for name in shown_columns] for row in range(data.sizes[along])]
     return Table(numbers(*map(_head, shown_columns), wrap=True), rows, ranked=along == "design").few(_ROWS)
 
 
@@ -49,7 +49,7 @@ def _head(name: str) -> str:
 
 def _cell(name: str, value: Any) -> str:
     if name == "kept":
-        return "kept" if value else "broken"
+        return "met" if value else "violated"
     if name.endswith("_off_target"):
         percent = 100.0 * float(value)
         return f"{percent:+.3g} %" if abs(percent) >= 0.005 else "0 %"
@@ -66,47 +66,47 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
     if used["limits"]:
         yield Text("limits: " + "; ".join(used["limits"].split("\n")))
     if used["uncertain"]:
-        yield Text(f"of what is uncertain ({used['uncertain']}) objectives and limits hold for 95 %")
+        yield Text(f"uncertain inputs ({used['uncertain']}): objectives and limits hold for 95 % of the samples")
     for words in filter(None, used["missed"].split("\n")):
         yield Text(f"objective missed: {words}; widen the ranges or choose another number", style="bold yellow")
     if used["verdict"]:
         yield Text(used["verdict"], style="bold yellow")
-    for at in range(min(data.sizes["design"], _ROWS)):
-        for words in filter(None, data["violated"].values[at].split("\n")):
-            yield Text(f"broken{_which(data, at)}: {words}", style="yellow")
+    for row in range(min(data.sizes["design"], _ROWS)):
+        for words in filter(None, data["violated"].values[row].split("\n")):
+            yield Text(f"violated{_which(data, row)}: {words}", style="yellow")
     if used["stopped"]:
         yield Text("stopped before the end: the best so far", style="bold")
 
 
-def _which(data: "xarray.Dataset", at: int) -> str:
+def _which(data: "xarray.Dataset", row: int) -> str:
     """Return which design this is, by what it takes from lists, where there are several."""
     taken = [
-        data[name].values[at]
+        data[name].values[row]
         for name in data.data_vars
         if name != "violated" and data[name].dims == ("design",) and data[name].dtype.kind in "UO"
     ]
-    return f" ({', '.join(map(str, taken)) or f'design {at + 1}'})" if data.sizes["design"] > 1 else ""
+    return f" ({', '.join(map(str, taken)) or f'design {row + 1}'})" if data.sizes["design"] > 1 else ""
 
 
-def design_view(found: "Designing", folder: Path | None = None) -> View:
+def design_view(design: "Designing", folder: Path | None = None) -> View:
     """Return what a design shows. folder: where its files go, from which the designed case names other files."""
-    data = found.data()
+    data = design.data()
 
     def parts() -> Iterator[Any]:
         if "case" in data.attrs:
             yield Text(data.attrs["case"], style="bold")
-        yield from (f"model {data.attrs['model']}; {data.attrs['asked']} designs asked", "")
+        yield from (f"model {data.attrs['model']}; {data.attrs['asked']} designs evaluated", "")
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
         yield from (design_table(data, "design"), "", *design_notes(data))
         if data.sizes.get("front"):
-            yield from ("", "none is better in both objectives than any of these", design_table(data, "front"))
+            yield from ("", "Pareto front: no other design is better in both objectives", design_table(data, "front"))
 
     files: dict[str, Any] = {}
     for along in ("design", *(["front"] if data.sizes.get("front") else [])):
         columns = {name: head for head, name in columns_of(data, along).items()}
         files[f"{along}.csv"] = partial(write_csv, data[list(columns)].rename(columns).drop_vars(along, errors="ignore"))
     if folder is not None:
-        files["designed.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
+        files["designed.toml"] = lambda path: path.write_text(design.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
     pictures = {"design.png": picture("designs by how near they come to the objective", "design_pictures.design_figure", data)}
     return View("design", data, parts, lambda: record(data.drop_dims("asked"), {}), files, pictures, tuple(missed))

@@ -58,8 +58,9 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
         "claims.csv": lambda path: write_rows(path, *claim_rows(claims)),
     }
     pictures = {
-        f"{one.panel.name}.png": picture(f"figure {one.panel.name[3:]}", "paper_pictures.panel_figure", one) for one in panels
+        f"{curves.panel.name}.png": picture(f"figure {curves.panel.name[3:]}", "paper_pictures.panel_figure", curves)
+        for curves in panels
     }
     pictures["claims.png"] = picture("where each claim holds", "paper_pictures.claims_figure", claims, here)
-    found = {"theta": theta, "lambda": lam, "variant": variant, "claims": rows}
-    return View("figures", None, parts, lambda: found, files, pictures)
+    content = {"theta": theta, "lambda": lam, "variant": variant, "claims": rows}
+    return View("figures", None, parts, lambda: content, files, pictures)

@@ -24,12 +24,12 @@ if TYPE_CHECKING:
 def parameter_table(data: "xarray.Dataset") -> Table:
     """Return a row for each free number: its best value, and its interval."""
     rows = []
-    for at, name in enumerate(data["parameter"].values.tolist()):
-        one, quantity = data.isel(parameter=at), name.partition(" (")[0].rpartition(".")[2]
+    for number, name in enumerate(data["parameter"].values.tolist()):
+        row, quantity = data.isel(parameter=number), name.partition(" (")[0].rpartition(".")[2]
         value, low, high, least, most = (
-            show(float(one[key]), quantity, 4) for key in ("value", "low", "high", "least", "most")
+            show(float(row[key]), quantity, 4) for key in ("value", "low", "high", "least", "most")
         )
-        ends = [f"{end} (open)" if bool(one[f"open_{side}"]) else end for end, side in ((low, "low"), (high, "high"))]
+        ends = [f"{end} (open)" if bool(row[f"open_{side}"]) else end for end, side in ((low, "low"), (high, "high"))]
         rows.append([name, value, *ends, f"{least} to {most}"])
     return Table([Column("free", wrap=True), *numbers("best", "95 % from", "to", "searched")], rows, ranked=True)
 
@@ -52,13 +52,13 @@ def evidence_table(data: "xarray.Dataset") -> Table:
     """Return the models ranked by how well the data support them."""
     left = "chi_square" if "chi_square" in data else "scatter"
     rows: list[list[Any]] = []
-    for at, name in enumerate(data["model"].values.tolist()):
-        one = data.isel(model=at)
-        if str(one["why_not"].values):
-            rows.append([name, Text(str(one["why_not"].values), style="dim"), "", "", ""])
+    for number, name in enumerate(data["model"].values.tolist()):
+        result = data.isel(model=number)
+        if str(result["why_not"].values):
+            rows.append([name, Text(str(result["why_not"].values), style="dim"), "", "", ""])
             continue
-        cells = [f"{float(one[key]):.4g}" for key in (left, "aicc")]
-        rows.append([name, *cells, f"{float(one['weight']):.2g}", f"{float(one['left_out']):.3g}"])
+        cells = [f"{float(result[key]):.4g}" for key in (left, "aicc")]
+        rows.append([name, *cells, f"{float(result['weight']):.2g}", f"{float(result['left_out']):.3g}"])
     heads = left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]
     return Table([Column("model", wrap=True), *numbers(*heads, wrap=True)], rows, whole=True, ranked=True)
 
@@ -84,15 +84,15 @@ def prediction_names(data: "xarray.Dataset") -> list[str]:
 _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
-def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
+def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
     """Return what a fit shows.
 
     found: a fit, or the path of the case, the case, its prediction and whether to show details. folder: where its files go,
     from which the fitted case names other files.
     """
-    if isinstance(found, tuple):
-        return _prediction_view(found, folder)
-    data, title = found.data(), found.plan.title
+    if isinstance(fit, tuple):
+        return _prediction_view(fit, folder)
+    data, title = fit.data(), fit.plan.title
 
     def parts() -> Iterator[Any]:
         if title:
@@ -106,7 +106,7 @@ def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> 
         "residuals.csv": lambda path: write_rows(path, *row_rows(data)),
     }
     if folder is not None:
-        files["fitted.toml"] = lambda path: path.write_text(found.case_text(folder), encoding="utf-8")
+        files["fitted.toml"] = lambda path: path.write_text(fit.case_text(folder), encoding="utf-8")
     if names := prediction_names(data):
         files["predictions.csv"] = lambda path: write_csv(data[names].drop_vars(_OTHERS, errors="ignore"), path)
     pictures = {
@@ -116,9 +116,9 @@ def fit_view(found: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> 
     return View("fit", data, parts, lambda: record(data, {}), files, pictures)
 
 
-def _prediction_view(found: tuple[Any, ...], out: Path | None) -> View:
+def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
     """Return what a prediction with measured friction shows."""
-    path, case, data, details = found
+    path, case, data, details = fit
     view = prediction_view(case, data, str(path), details)
     if out is not None and "parameter" in data.dims:
         fitted = {"fitted.toml": lambda file: file.write_text(fitted_case(path, case, data, out), encoding="utf-8")}

@@ -40,10 +40,10 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
     def found() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
-        told = (
+        parameters = (
             {"parameters": data[["value", "low", "high"]].to_dataframe().to_dict("index")} if "parameter" in data.dims else {}
         )
-        return {"answer": answer_record(data), "curve": curve} | told
+        return {"answer": answer_record(data), "curve": curve} | parameters
 
     if case.is_several:
         return _several_view(case, data, details)
@@ -69,7 +69,7 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
         if case.title:
             yield Text(case.title, style="bold")
         refused = f"; {data.attrs['refused']} refused" if data.attrs["refused"] else ""
-        yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} draws of each contact{refused}"
+        yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} samples of each contact{refused}"
         yield several_table(data, details)
 
     files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}
@@ -83,9 +83,9 @@ def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
     contact: Any = case.subject
-    rows = [(("warning", "")[at > 0], text) for at, text in enumerate(data.attrs["warnings"])]
+    rows = [(("warning", "")[number > 0], text) for number, text in enumerate(data.attrs["warnings"])]
     rows += [("models", _models(data))]
-    rows += [("draws", f"{data.sizes['sample']}; {data.attrs['excluded']:.1%} of them are impossible and excluded")]
+    rows += [("samples", f"{data.sizes['sample']}; {data.attrs['excluded']:.1%} are impossible and excluded")]
     rows += [("inputs", "\n".join(_inputs(contact)))]
     if contact.interface is not None:
         rows += [("interface", "\n".join([contact.interface.name, *contact.interface.notes()]))]
@@ -103,9 +103,9 @@ def _models(data: "xarray.Dataset") -> str:
 def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
     """Return what the table of a prediction has to say before its first row."""
     used = data.attrs
-    told = {"warning": used.get("warnings"), "not used": used.get("inputs_not_used"), "input": _inputs(case.subject)}
+    notes = {"warning": used.get("warnings"), "not used": used.get("inputs_not_used"), "input": _inputs(case.subject)}
     models = _models(data) if "models" in used else ""
-    return comment_lines({"title": case.title, "model": models and f"{models}, combined by prediction"} | told, data)
+    return comment_lines({"title": case.title, "model": models and f"{models}, combined by prediction"} | notes, data)
 
 
 def plain(data: "xarray.Dataset") -> "xarray.Dataset":

@@ -36,12 +36,12 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
     heads = numbers("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror")
     rows = []
     # Where numbers are several, of each the first: the files have them all.
-    whole = data.isel({one: 0 for one in several})
-    for at in some(data.sizes[dim] if dim else 1, _ROWS):
-        one = whole.isel({dim: int(at)}) if dim else whole
-        band, error = one[f"{name}_quantile"].values, one[f"{name}_quantile_error"].values
+    first = data.isel({point: 0 for point in several})
+    for index in some(data.sizes[dim] if dim else 1, _ROWS):
+        point = first.isel({dim: int(index)}) if dim else first
+        band, error = point[f"{name}_quantile"].values, point[f"{name}_quantile_error"].values
         worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan
-        rows.append([of_point(data, int(at)), *(short(value) for value in (float(one[name]), *band)), short(worst, 2)])
+        rows.append([of_point(data, int(index)), *(short(value) for value in (float(point[name]), *band)), short(worst, 2)])
     return Table(heads, rows, whole=True)
 
 
@@ -59,14 +59,14 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
     if "uncertainty" in used:
         yield draws_in_words(used)
     if used.get("impossible_draws"):
-        yield f"impossible, and excluded from the band: {used['impossible_draws']:.2g} of the draws"
+        yield f"excluded from the band as impossible: {used['impossible_draws']:.2g} of the samples"
     for text, share in json.loads(used.get("validity_warnings_of_points", "{}")).items():
         yield in_draws(share, with_meaning(text))
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
     """Return the number of samples and their seed, from the attributes of a result."""
-    return f"random draws of what is uncertain: {used['uncertainty'].replace(' points', '')}"
+    return f"random samples of the uncertain inputs: {used['uncertainty'].replace(' points', '')}"
 
 
 def with_meaning(warning: str) -> str:
@@ -77,7 +77,7 @@ def with_meaning(warning: str) -> str:
 
 def in_draws(share: float, text: str) -> str:
     """Return in which share of the samples a text holds."""
-    return f"in {share:.1%} of the random draws, each a possible set of the uncertain inputs: {text}"
+    return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
 _FEW = 5  # rows of a short answer
@@ -130,8 +130,8 @@ def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
     if not case.is_several:
         pictures |= regime_picture(case.subject, data, case.title)
     if "friction_coefficient_by_method" in data and not case.is_several:
-        told = "friction by every way of finding asperities"
-        pictures["band.png"] = picture(told, "method_pictures.method_spread_figure", data, case.title)
+        description = "friction by every way of finding asperities"
+        pictures["band.png"] = picture(description, "method_pictures.method_spread_figure", data, case.title)
     if "friction_coefficient_quantile" in data and not case.is_several:
         drawn = "pictures.uncertainty_figure"
         pictures["uncertainty.png"] = picture("friction with its band", drawn, data, case.title)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-_LEAST = 5e-5  # an elasticity that is less is none
+_LEAST = 5e-5  # a logarithmic sensitivity below this is shown as 0
 _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", "pull_off_force": "pull-off"}
 
 
@@ -51,19 +51,19 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
     return data.isel({dim: working_place(data)}) if dim else data
 
 
-def ranked(one: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
+def ranked(results: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
     """Return the places along a dimension in descending order of size; NaN last."""
-    size = np.abs(one[f"{name}_{end}"].values)
+    size = np.abs(results[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
 
 def indices_table(data: "xarray.Dataset") -> Table:
     """Return Sobol indices and Morris effects of the first result, and total indices of the others, ranked."""
-    one, (first, *others) = at_working_load(data), results_of(data, "total_order")
+    results, (first, *others) = at_working_load(data), results_of(data, "total_order")
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
     rows = []
-    for at in ranked(one, first, "total_order", "input"):
-        row = one.isel(input=int(at))
+    for place in ranked(results, first, "total_order", "input"):
+        row = results.isel(input=int(place))
         low, high = (float(row[f"{first}_total_order_{end}"]) for end in ("low", "high"))
         cells = [_share(row, f"{first}_total_order"), f"{max(low, 0.0):.2f} to {high:.2f}" if np.isfinite(low) else "-"]
         cells += [_share(row, f"{first}_first_order"), _share(row, f"{first}_effect")]
@@ -76,12 +76,13 @@ def _share(row: "xarray.Dataset", name: str) -> str:
     return f"{value:.2f}".replace("-0.00", "0.00") if np.isfinite(value) else "-"
 
 
-def elasticities_table(data: "xarray.Dataset") -> Table:
+def log_sensitivities_table(data: "xarray.Dataset") -> Table:
     """Return d ln y/d ln x of every number of the contact at the working load, ranked by friction."""
-    one, names = at_working_load(data), results_of(data, "log_sensitivity")
-    order: Any = ranked(one, names[0], "log_sensitivity", "number") if names else []
+    results, names = at_working_load(data), results_of(data, "log_sensitivity")
+    order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
-        [str(one["number"].values[at]), *(_signed(float(one[f"{name}_log_sensitivity"][at])) for name in names)] for at in order
+        [str(results["number"].values[place]), *(_signed(float(results[f"{name}_log_sensitivity"][place])) for name in names)]
+        for place in order
     ]
     return Table(
         [Column("input raised by 1 %"), *numbers(*(f"{_HEADS[name]} changes by [%]" for name in names))], rows, ranked=True
@@ -99,7 +100,7 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
-    yield elasticities_table(data)
+    yield log_sensitivities_table(data)
 
 
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
@@ -109,24 +110,26 @@ def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
         for line in used["uncertain_inputs"].splitlines():
             yield Text(f"uncertain: {line}", style="dim")
         if used["methods"]:
-            yield Text(f"methods of finding asperities, each as likely: {', '.join(used['methods'].split())}", style="dim")
+            yield Text(f"methods of finding asperities, equally likely: {', '.join(used['methods'].split())}", style="dim")
         models = ", ".join(f"{name} {weight:.0%}" for name, weight in json.loads(used["models"]).items())
         yield Text(f"models: {models}", style="dim")
         yield Text(draws_in_words(used), style="dim")
         for text, share in json.loads(used["validity_warnings_of_points"]).items():
             if text in WHY_NOT:
-                yield Text(f"left out: {in_draws(share, text)}", style="bold yellow")
-        yield Text("total, first: share of the variance of the logarithm; effect: its change from end to end", style="dim")
+                yield Text(f"excluded: {in_draws(share, text)}", style="bold yellow")
+        yield Text(
+            "total, first: share of the variance of the logarithm; effect: its change over the range of the input", style="dim"
+        )
     else:
-        yield Text('nothing is uncertain: give numbers errors, "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
-    yield Text(f"elasticities: by {model_line(used)}, at the nominal numbers", style="dim")
+        yield Text('no input is uncertain: state errors, e.g. "0.5 +/- 0.1 GPa", or use --ranges', style="bold")
+    yield Text(f"logarithmic sensitivities: by {model_line(used)}, at nominal inputs", style="dim")
     for warning in warnings_of(data):
         yield Text(f"validity warning: {warning}", style="bold yellow")
 
 
 _SHARE = "friction_coefficient_share"
 # Table -> dimension of its rows.
-_TABLES = {"sensitivity.csv": "input", "elasticities.csv": "number"}
+_TABLES = {"sensitivity.csv": "input", "log_sensitivities.csv": "number"}
 
 
 def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None = None) -> View:
@@ -138,7 +141,7 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             return
         if "input" in data.dims:
             yield from (indices_table(data), "")
-        yield from (elasticities_table(data), "", *sensitivity_notes(data))
+        yield from (log_sensitivities_table(data), "", *sensitivity_notes(data))
 
     def found() -> dict[str, Any]:
         if _SHARE not in data:
@@ -146,10 +149,10 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         slopes = dict(
             zip(data["number"].values.tolist(), data["friction_coefficient_log_sensitivity"].values.tolist(), strict=True)
         )
-        return {"answer": answer_record(data), "elasticities": slopes}
+        return {"answer": answer_record(data), "log_sensitivities": slopes}
 
     files = {
-        name: partial(write_csv, data[[one for one in data.data_vars if dim in data[one].dims]])
+        name: partial(write_csv, data[[variable for variable in data.data_vars if dim in data[variable].dims]])
         for name, dim in _TABLES.items()
         if dim in data.dims
     }

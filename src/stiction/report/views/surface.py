@@ -31,17 +31,17 @@ if TYPE_CHECKING:
 
 def surface_summary(analysis: Analysis) -> Table:
     """Return the scan, its statistics and its spectral moments."""
-    surface, found, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
+    surface, measured, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size") for length in surface.size)
     dy, dx = (shown(length, "scan_size") for length in surface.pitch)
     along = surface.is_profile
-    lengths = {name: shown(getattr(found, name), "scan_size") for name in ("Sq", "Sa", "Sz")}
-    slopes = [f"{found.slope_x:.4g} along x"]
-    curvatures = [f"{found.curvature_x:.4g} 1/m along x"]
+    lengths = {name: shown(getattr(measured, name), "scan_size") for name in ("Sq", "Sa", "Sz")}
+    slopes = [f"{measured.slope_x:.4g} along x"]
+    curvatures = [f"{measured.curvature_x:.4g} 1/m along x"]
     if not along:
-        slopes += [f"{found.slope_y:.4g} along y", f"{found.slope:.4g} of the gradient (Sdq)"]
-        curvatures += [f"{found.curvature_y:.4g} 1/m along y", f"{found.curvature:.4g} 1/m of half the Laplacian"]
+        slopes += [f"{measured.slope_y:.4g} along y", f"{measured.slope:.4g} of the gradient (Sdq)"]
+        curvatures += [f"{measured.curvature_y:.4g} 1/m along y", f"{measured.curvature:.4g} 1/m of half the Laplacian"]
     ends = [shown(length, "scan_size") for length in (spectrum.shortest, spectrum.longest)]
     there = spectrum.shortest < spectrum.longest
     reliable = f"wavelengths {ends[0]} to {ends[1]}" if there else "no wavelength: too few points"
@@ -53,7 +53,7 @@ def surface_summary(analysis: Analysis) -> Table:
             ("missing", _missing(surface)),
             ("done", "\n".join(surface.history)),
             ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
-            ("", f"skewness Ssk = {round(found.Ssk, 4) + 0.0:g}, kurtosis Sku = {found.Sku:.4g} (3 of a Gaussian)"),
+            ("", f"skewness Ssk = {round(measured.Ssk, 4) + 0.0:g}, kurtosis Sku = {measured.Sku:.4g} (3 of a Gaussian)"),
             *([] if along else _areal_rows(surface)),
             ("rms slope", ", ".join(slopes)),
             ("rms curvature", ", ".join(curvatures)),
@@ -66,11 +66,11 @@ def surface_summary(analysis: Analysis) -> Table:
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
     """Return further parameters of ISO 25178-2, with their names."""
-    found = asdict(areal_parameters(surface))
+    parameters = asdict(areal_parameters(surface))
     ratios = {"Sdr", "Str", "Smr1", "Smr2"}
     texts = {
         name: "not within the map" if value is None else short(value) if name in ratios else shown(value, "scan_size")
-        for name, value in found.items()
+        for name, value in parameters.items()
     }
     rows = [("ISO 25178-2", ("Sp", "Sv", "Sdr")), ("", ("Sal", "Str")), ("", ("Sk", "Spk", "Svk", "Smr1", "Smr2"))]
     return [(head, ", ".join(f"{name} = {texts[name]}" for name in names)) for head, names in rows]
@@ -78,21 +78,19 @@ def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
 
 def surface_in_short(analysis: Analysis) -> Table:
     """Return the scan, its heights, with the kind of surface, and its asperities in a line each."""
-    surface, found = analysis.surface, analysis.statistics
+    surface, of_heights = analysis.surface, analysis.statistics
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size", 3) for length in surface.size)
     size = f"{x}, {columns} points" if surface.is_profile else f"{x} x {y}, {columns} x {rows} points"
-    slope = found.slope_x if surface.is_profile else found.slope
+    slope = of_heights.slope_x if surface.is_profile else of_heights.slope
     missing = f", {_missing(surface)} missing" if surface.missing else ""
     spikes = f"{analysis.spikes} points stand out: mask them with --spikes {SUSPICIOUS:g}" if analysis.spikes else ""
     kind = analysis.kind or "not found"
-    heights = (
-        f"Sq {shown(found.Sq, 'scan_size', 3)}, skewness {round(found.Ssk, 2) + 0.0:g}, rms slope {slope:.2g}; kind: {kind}"
-    )
+    heights = f"Sq {shown(of_heights.Sq, 'scan_size', 3)}, skewness {round(of_heights.Ssk, 2) + 0.0:g}, rms slope {slope:.2g}"
     return facts(
         [
             ("Scan", f"{size}{missing}"),
-            ("Heights", heights),
+            ("Heights", f"{heights}; kind: {kind}"),
             ("Spikes", spikes),
             ("Asperities", _in_short(analysis)),
         ]
@@ -103,7 +101,7 @@ def _in_short(analysis: Analysis) -> str:
     each = analysis.asperities
     if not each:
         return "none found: see --details"
-    radii = [one.radius for one in each.values()]
+    radii = [found_asperities.radius for found_asperities in each.values()]
     ends = [shown(end, "asperity_radius", 2) for end in (min(radii), max(radii))]
     return f"by {analysis.standing}; R = {ends[0]} to {ends[1]} over {len(each)} methods"
 
@@ -126,12 +124,12 @@ def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
     """
     if not analysis.standing:
         return {}
-    one, heights = analysis.asperities[analysis.standing], analysis.heights[analysis.standing]
+    chosen, heights = analysis.asperities[analysis.standing], analysis.heights[analysis.standing]
     parameters = {name: float(f"{value:.3g}") for name, value in heights.parameters.items() if heights.name == "weibull"}
     return {
-        "asperity_height_deviation": show(one.deviation, "asperity_height_deviation", 3).replace("µ", "u"),
-        "asperity_radius": show(one.radius, "asperity_radius", 3).replace("µ", "u"),
-        "asperity_density": f"{one.density:.3g} 1/m^2",
+        "asperity_height_deviation": show(chosen.deviation, "asperity_height_deviation", 3).replace("µ", "u"),
+        "asperity_radius": show(chosen.radius, "asperity_radius", 3).replace("µ", "u"),
+        "asperity_density": f"{chosen.density:.3g} 1/m^2",
         **({"kind": analysis.kind} if analysis.kind else {}),
         **({"height_distribution": "weibull", "height_parameters": parameters} if parameters and not analysis.kind else {}),
     }
@@ -145,21 +143,21 @@ def _missing(surface: HeightMap) -> str:
     return f"{surface.missing} points ({surface.missing / surface.heights.size:.2%})" if surface.missing else "none"
 
 
-def _moments(one: ProfileMoments) -> str:
-    found = one.equivalent or one.isotropic
+def _moments(profile: ProfileMoments) -> str:
+    moments = profile.equivalent or profile.isotropic
     return (
-        f"m0 = {found.m0:.4g} m², m2 = {found.m2:.4g}, m4 = {found.m4:.4g} 1/m², Nayak's alpha = {found.alpha:.4g} by "
-        f"{one.method}, cutoff {shown(one.cutoff, 'scan_size')}"
+        f"m0 = {moments.m0:.4g} m², m2 = {moments.m2:.4g}, m4 = {moments.m4:.4g} 1/m², Nayak's alpha = {moments.alpha:.4g} by "
+        f"{profile.method}, cutoff {shown(profile.cutoff, 'scan_size')}"
     )
 
 
 def asperity_table(analysis: Analysis) -> Table:
     """Return sigma, R, N by every method."""
     rows = []
-    for method, one in analysis.asperities.items():
-        cells = _cells(one.deviation, one.radius, one.density)
-        count = str(one.count) if one.count else "-"
-        rows.append([method, *cells, count, analysis.heights[method].name, short(one.skewness, 3)])
+    for method, result in analysis.asperities.items():
+        cells = _cells(result.deviation, result.radius, result.density)
+        count = str(result.count) if result.count else "-"
+        rows.append([method, *cells, count, analysis.heights[method].name, short(result.skewness, 3)])
     return _table(rows, "found", "heights", "skewness")
 
 
@@ -172,7 +170,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
             f"They set Sq, Sz and the threshold of persistent summits; --spikes {SUSPICIOUS:g} masks them"
         )
     lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
-    lines += [f"{method}: {one.note}; {analysis.heights[method].reason}" for method, one in analysis.asperities.items()]
+    lines += [f"{method}: {result.note}; {analysis.heights[method].reason}" for method, result in analysis.asperities.items()]
     lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
     return notes(lines)
 
@@ -182,10 +180,14 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
     friction = None if data is None else data.get("friction_coefficient_by_method")
     loads = _ends(data) if friction is not None and data is not None else []
     rows = []
-    for method, one in measured.by_method.items():
-        cells = _cells(one.asperity_height_deviation, one.asperity_radius, one.asperity_density)
-        mu = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[at for at, _ in loads]].tolist()
-        rows.append([method, *cells, one.height_distribution, *(short(one, 3) for one in mu)])
+    for method, item in measured.by_method.items():
+        cells = _cells(item.asperity_height_deviation, item.asperity_radius, item.asperity_density)
+        mu = (
+            []
+            if friction is None
+            else friction.sel(asperity_method=method).values.ravel()[[index for index, _ in loads]].tolist()
+        )
+        rows.append([method, *cells, item.height_distribution, *(short(item, 3) for item in mu)])
     table = _table(rows, "heights", *(f"mu at\n{shown(load, 'load', 3)}" for _, load in loads))
     return replace(table, looks=["bold" if method == measured.method else "" for method in measured.by_method])
 
@@ -193,9 +195,9 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 def roughness_notes(measured: "Measured") -> list[Table]:
     """Return what was done to the scans, which methods found nothing, and what the band is."""
     count = measured.counts[measured.method]
-    found = f" ({count} asperities)" if count else ""
+    counted = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
-    lines = [f"taken: {measured.method}{found}{band}"]
+    lines = [f"taken: {measured.method}{counted}{band}"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return notes(lines)
@@ -220,7 +222,7 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
 def contact_table(contact: "ContactOfMap") -> Table:
     """Return the contact of a map: a row for each nominal pressure."""
     heads = (re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns)
-    rows = [[short(one, 3) for one in row] for row in zip(*contact.columns.values(), strict=True)]
+    rows = [[short(value, 3) for value in row] for row in zip(*contact.columns.values(), strict=True)]
     return Table(numbers(*heads, wrap=True), rows)
 
 
@@ -234,7 +236,7 @@ def contact_notes(contact: "ContactOfMap") -> list[Text]:
     )
     lines = [
         Text(solved, style="dim"),
-        *(Text(f"validity warning: {one}", style="bold yellow") for one in contact.all_warnings()),
+        *(Text(f"validity warning: {warning}", style="bold yellow") for warning in contact.all_warnings()),
     ]
     return lines
 
@@ -255,7 +257,7 @@ def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
     if not pressed.size:
         return []
     order = pressed[np.argsort(loads[pressed])]
-    return [(int(at), float(loads[at])) for at in dict.fromkeys((order[0], order[-1]))]
+    return [(int(index), float(loads[index])) for index in dict.fromkeys((order[0], order[-1]))]
 
 
 def surface_view(
@@ -316,5 +318,9 @@ def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
     """Write the pressure maps over E* h', one for each solved nominal pressure."""
     import numpy as np
 
-    maps = [one.pressure / solved.gradient for one in solved.curve.contacts if one is not None and one.pressure is not None]
+    maps = [
+        solution.pressure / solved.gradient
+        for solution in solved.curve.contacts
+        if solution is not None and solution.pressure is not None
+    ]
     np.save(path, np.array(maps))

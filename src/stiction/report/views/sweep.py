@@ -51,7 +51,7 @@ def _friction(store: "Store") -> Iterator[str]:
     wide = ""
     if len(known) == len(names):
         low, high = number(np.nanmin(known[names[1]])), number(np.nanmax(known[names[2]]))
-        wide = f", intervals from {low} to {high}, {store.group.attrs['draws']} draws of each contact"
+        wide = f", intervals from {low} to {high}, {store.group.attrs['draws']} samples of each contact"
     yield f"mu = {ends}{wide}"
 
 

@@ -47,10 +47,10 @@ def validation_table(data: "xarray.Dataset") -> Table:
         errors["in_errors"] = "in errors"
     rows = []
     for name in data["model"].values:
-        one = data.sel(model=name)
-        cells = [short(float(one[key]), 3) for key in errors]
-        outside = Text(str(one["outside"].values), style="dim")
-        rows.append([str(name), str(one["grade"].values), str(int(one["answered"])), *cells, outside])
+        result = data.sel(model=name)
+        cells = [short(float(result[key]), 3) for key in errors]
+        outside = Text(str(result["outside"].values), style="dim")
+        rows.append([str(name), str(result["grade"].values), str(int(result["answered"])), *cells, outside])
     heads = numbers("values", *errors.values(), wrap=True)
     columns = [Column("model"), Column("grade", wrap=True), *heads, Column("outside of", wrap=True)]
     return Table(columns, rows, ruled=True, gap=1, whole=True)
@@ -59,13 +59,13 @@ def validation_table(data: "xarray.Dataset") -> Table:
 def prediction_table(data: "xarray.Dataset") -> Table | None:
     """Return a row for each measured friction: the prediction, and whether its intervals hold the measured value."""
     rows = []
-    for at in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
-        one = data.isel(row=at)
-        ends = {float(q): float(value) for q, value in zip(data["quantile"].values, one["prediction"].values, strict=True)}
-        measured = span((float(one["measured_low"]), float(one["measured_high"])))
+    for index in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
+        result = data.isel(row=index)
+        ends = {float(q): float(value) for q, value in zip(data["quantile"].values, result["prediction"].values, strict=True)}
+        measured = span((float(result["measured_low"]), float(result["measured_high"])))
         intervals = [f"{ends[first]:.2g} to {ends[last]:.2g}" for first, last in ((0.25, 0.75), (0.05, 0.95))]
-        words = [f"{text}, {one[f'within_{share}'].item()}" for text, share in zip(intervals, (50, 90), strict=True)]
-        rows.append([shown(float(one["load"]), "load", 3), measured, f"{ends[0.5]:.2g}", *words])
+        words = [f"{text}, {result[f'within_{share}'].item()}" for text, share in zip(intervals, (50, 90), strict=True)]
+        rows.append([shown(float(result["load"]), "load", 3), measured, f"{ends[0.5]:.2g}", *words])
     columns = [Column("load"), *numbers("measured", "predicted"), *(Column(head) for head in ("50% interval", "90% interval"))]
     return Table(columns, rows, ruled=True) if rows else None
 
@@ -90,24 +90,24 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
     return {**data.attrs, "rows": rows | {"prediction": prediction}, "models": models}
 
 
-def validation_view(found: "Mapping[str, xarray.Dataset]") -> View:
+def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
     """Return what models against the measured series of these names show."""
 
     def parts() -> Iterator[Any]:
-        for data in found.values():
+        for data in series.values():
             yield from origin_lines(data)
             if (predicted := prediction_table(data)) is not None:
                 yield predicted
             yield validation_table(data)
-            yield from notes(f"left out: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(f"not applicable: {line}" for line in data.attrs["left_out"].splitlines())
 
     def record() -> dict[str, Any]:
-        return {name: validation_record(data) for name, data in found.items()}
+        return {name: validation_record(data) for name, data in series.items()}
 
-    files = {f"{name}.csv": partial(_write_rows, data) for name, data in found.items()}
+    files = {f"{name}.csv": partial(_write_rows, data) for name, data in series.items()}
     pictures = {
         f"{name}.png": picture("measured friction and its prediction", "prediction_pictures.validation_figure", data)
-        for name, data in found.items()
+        for name, data in series.items()
         if np.isfinite(data["prediction"]).any()
     }
     return View("validation", None, parts, record, files, pictures)
