@@ -167,13 +167,6 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
-def writing(text: str = "Writing the results") -> Iterator[None]:
-    """Show the same line while results are written, and delay Ctrl-C until they are."""
-    with busy(text), uninterrupted():
-        yield
-
-
-@contextmanager
 def telling_how_far() -> Iterator[Callable[[str], None]]:
     """Yield a function that shows progress: in a line on the terminal, else as a line printed every ten seconds."""
     with _line("") as line:
@@ -275,7 +268,7 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
     """
     names = []
     if out is not None:
-        with writing():
+        with busy("Writing the results"), uninterrupted():  # what took long is not lost at its end
             names = view.write(out)
     if json:
         print_json(view.record())

@@ -9,11 +9,7 @@ from stiction.cli.program import app, bar, busy, present, solving
 from stiction.quantities.errors import InputError
 
 if TYPE_CHECKING:
-    import xarray
-
     from stiction.case.read import Case
-    from stiction.studies.scans.map_contact import ContactOfMap
-    from stiction.surfaces.heightmap import HeightMap
 
 
 @app.command()
@@ -64,8 +60,17 @@ def surface(
         made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
         scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
-    solved = _contact(scan, pressures, hardness) if pressures else None
-    resolution = _resolution(analysis.surface, chosen, chosen_load) if out is not None else None
+    solved = resolution = None
+    if pressures:
+        with solving():
+            from stiction.studies.scans.map_contact import contact_of_map
+
+            solved = contact_of_map(scan, pressures, hardness)
+    if out is not None:
+        from stiction.studies.scans.resolution import resolution_study
+
+        contact_at = {"contact": chosen.subject, "load": chosen_load, "choice": chosen.choice} if chosen else {}
+        resolution = resolution_study(analysis.surface, progress=bar("Studying the resolution"), **contact_at)
     from stiction.report.views.surface import surface_view
 
     steps = {"form": form, "spikes": spikes, "fill": fill, "shortest": shortest, "longest": longest}
@@ -87,13 +92,6 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
         raise InputError("--contact", contact, "numbers > 0 separated by blanks, e.g. 0.01 0.1") from None
 
 
-def _contact(scan: "HeightMap", pressures: list[float], hardness: float | None) -> "ContactOfMap":
-    with solving():
-        from stiction.studies.scans.map_contact import contact_of_map
-
-        return contact_of_map(scan, pressures, hardness)
-
-
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     """Return the case of --case and its load."""
     if case is None:
@@ -111,10 +109,3 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
     if chosen_load is None:
         raise InputError("--load", None, "a load, as no load of the case is compressive")
     return chosen, chosen_load
-
-
-def _resolution(scan: "HeightMap", case: "Case | None", load: Any) -> "xarray.Dataset":
-    from stiction.studies.scans.resolution import resolution_study
-
-    contact = None if case is None else {"contact": case.subject, "load": load, "choice": case.choice}
-    return resolution_study(scan, progress=bar("Studying the resolution"), **(contact or {}))

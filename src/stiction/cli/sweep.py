@@ -5,7 +5,7 @@ from pathlib import Path
 from time import monotonic
 
 from stiction.cli.options import Details, Json, argument, folder, option
-from stiction.cli.program import app, busy, present
+from stiction.cli.program import app, busy, present, telling_how_far
 
 
 @app.command()
@@ -45,46 +45,23 @@ def sweep(
 
 
 class _Shown:
-    """Show progress, rate and remaining time of a sweep: a bar on a terminal, else a line every ten seconds."""
+    """Show progress, rate and remaining time of a sweep: in a line on a terminal, else in a line every ten seconds."""
 
     def __init__(self) -> None:
         self.done = self.size = self.computed = 0
 
     def __call__(self, done: int, size: int, steps: Iterable[int]) -> Iterator[int]:
-        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
         self.done, self.size = done, size
-        terminal, texts = _stderr(), [TextColumn(f"{{task.{name}}}") for name in ("description", "fields[rate]")]
-        columns = (
-            texts[0],
-            BarColumn(),
-            TaskProgressColumn(),
-            texts[1],
-            TimeElapsedColumn(),
-            TextColumn("left"),
-            TimeRemainingColumn(),
-        )
-        begun = printed_at = monotonic()
-        with Progress(*columns, console=terminal, transient=True, disable=not terminal.is_terminal) as progress:
-            task = progress.add_task("Sweeping", total=size, completed=done, rate="")
-            if progress.disable:
-                self._say(terminal, 0.0)
+        begun = monotonic()
+        with telling_how_far() as tell:
+            tell(f"{done} of {size} points")
             for points in steps:
                 self.done += points
                 self.computed += points
                 rate = self.computed / (monotonic() - begun)
-                progress.update(task, completed=self.done, rate=f"{self.done:.3g} of {size:.3g} points, {rate:.3g}/s")
-                if progress.disable and monotonic() - printed_at > _EVERY:
-                    printed_at = monotonic()
-                    self._say(terminal, rate)
+                left = (size - self.done) / rate
+                tell(f"{self.done} of {size} points ({self.done / size:.0%}), {rate:.3g} points/s, {left:.0f} s left")
                 yield points
-
-    def _say(self, terminal, rate: float) -> None:
-        left = f", {rate:.3g} points/s, {(self.size - self.done) / rate:.0f} s left" if rate else ""
-        terminal.print(f"{self.done} of {self.size} points{left}", highlight=False, soft_wrap=True)
-
-
-_EVERY = 10.0  # seconds between lines
 
 
 def _stderr():

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator, NullLocator
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -105,9 +104,8 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     finish(axes, legend=False)
     labelled = _apart(places[order])
     names = {place: f"{cutoff:.3g}" if cutoff > 0.0 else "none" for place, cutoff in zip(places, cutoffs, strict=True)}
-    axes.xaxis.set_major_locator(FixedLocator(labelled))
-    axes.xaxis.set_minor_locator(NullLocator())
-    axes.set_xticklabels([names[place] for place in labelled])
+    axes.set_xticks(labelled, [names[place] for place in labelled])
+    axes.set_xticks([], minor=True)
 
 
 def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:

@@ -292,7 +292,8 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
         if np.any(x > 0.0):
             axes.set_xscale("log")
     else:
-        _prefixed(axes, data[against])
+        if data[against].attrs.get("units", "1") != "1":
+            along(axes, "x", against, x, log=False)
         axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
     if sizes and data[what].attrs.get("units", "1") != "1":
         along(axes, "y", what, np.array(sizes))
@@ -335,16 +336,6 @@ class InUnit(Formatter):
             lead = f"{value / 10.0**power:.3g}\\cdot "
             return f"${lead.removeprefix(_ONE)}10^{{{power}}}$"
         return f"{value:.6g}"
-
-
-def _prefixed(axes: Axes, variable: "xarray.DataArray") -> None:
-    """Label the ticks of the x axis in a unit with a fitting prefix; the data stay in SI."""
-    largest = float(np.max(np.abs(variable.values), initial=0.0))
-    if variable.attrs.get("units", "1") == "1" or largest == 0.0:
-        return
-    factor, unit = prefix(str(variable.name), largest)
-    axes.xaxis.set_major_formatter(InUnit(factor))
-    axes.set_xlabel(label(variable).replace(f"[{variable.attrs['units']}]", f"[{unit}]"))
 
 
 def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more: Any) -> tuple[Figure, list[Axes]]:

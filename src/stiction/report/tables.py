@@ -67,6 +67,8 @@ def rows_shown(data: "xarray.Dataset") -> str:
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
     """Return the unit for the head, and the cells."""
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
+    if values.dtype.kind in "OU":
+        return "", [value or "-" for value in values.tolist()]
     unit = variable.attrs.get("units", "1")
     sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
     if unit != "1" and sizes.size and name != "mean_separation" and sizes.max() > _WIDE * sizes.min():

@@ -47,25 +47,22 @@ def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
     return f"{load!r} {unit}" if exact else show(load, "load", _DIGITS).replace("µ", "u")  # which every keyboard has
 
 
+# Key of a row -> text of the comparison, null where it is empty.
+_TEXTS = {"why_not": "why_not", "family": "family_of_curve", "plastic_junctions_resist": "plastic_junctions_resist"}
+
+
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
     """Return a comparison for JSON: attributes, and a list of models with their results."""
     units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
     rows = []
     for index, name in enumerate(data["model"].values):
         result = data.isel(model=index)
-        row = {
-            "model": str(name),
-            "grade": str(result["grade"].item()),
-            "status": str(result["status"].item()),
-            "outside_validity": [warning.short for warning in read_warnings(result["validity_warnings"].item())],
-            "validity_warnings": json.loads(result["validity_warnings"].item()),
-            "measured_error": json.loads(result["measured_error"].item()),
-            "measured_film_error": json.loads(result["measured_film_error"].item()),
-            "why_not": result["why_not"].item() or None,
-            "family": result["family_of_curve"].item() or None,
-            "plastic_junctions_resist": result["plastic_junctions_resist"].item() or None,
-            "command": run_command(data, str(name), exact=True),
-        }
+        row: dict[str, Any] = {"model": str(name)}
+        row |= {key: str(result[key].item()) for key in ("grade", "status")}
+        row["outside_validity"] = [warning.short for warning in read_warnings(result["validity_warnings"].item())]
+        row |= {key: json.loads(result[key].item()) for key in ("validity_warnings", "measured_error", "measured_film_error")}
+        row |= {key: result[column].item() or None for key, column in _TEXTS.items()}
+        row["command"] = run_command(data, str(name), exact=True)
         row |= {key: result[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
         row |= _over_methods(result)
         rows.append(row | {"curve": {key: result[key].values for key in RESULTS}})

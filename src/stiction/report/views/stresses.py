@@ -3,12 +3,11 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from rich.text import Text
 
 from stiction.report.files import comments_of, record, write_csv, write_netcdf
-from stiction.report.table import Table, notes, numbers, some, with_unit
-from stiction.report.tables import in_brief, outside_validity, run_summary
+from stiction.report.table import notes
+from stiction.report.tables import curve_table, in_brief, outside_validity, run_summary
 from stiction.report.view import View, picture
 from stiction.studies.stresses.film_section import film_section
 from stiction.studies.stresses.film_stress import middle_point
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 
-_ROWS = 12
 # What the columns are.
 MEANINGS = (
     "a/t: contact radius of the mean touching asperity over the thickness of a film",
@@ -28,39 +26,23 @@ MEANINGS = (
 )
 _HEADS = {
     "mean_separation": "separation", "load": "load", "friction_coefficient": "mu", "contact_over_thickness": "a/t",
-    "stress_over_yield": "stress\n/ Y", "yields_first": "where", "interface_tension": "tension\n/ Y_w",
-    "interface_shear": "shear\n/ k_w",
+    "stress_over_yield": "stress / Y", "yields_first": "where", "interface_tension": "tension / Y_w",
+    "interface_shear": "shear / k_w",
 }  # fmt: skip
-
-
-def film_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """Return about twelve points of a result of `film_stresses`, or all."""
-    count = max(data["load"].size, 1)
-    chosen = some(count, count if all_rows else _ROWS)
-    names = [name for name in _HEADS if name in data]
-    columns = [np.broadcast_to(np.ravel(data[name].values), count)[chosen] for name in names]
-    rows = [[_cell(value, data[name]) for value, name in zip(row, names, strict=True)] for row in zip(*columns, strict=True)]
-    return Table(numbers(*(_HEADS[name] for name in names)), rows)
-
-
-def _cell(value: Any, variable: "xarray.DataArray") -> str:
-    if variable.dtype.kind in "OU":
-        return str(value) or "-"
-    return with_unit(variable, value)
 
 
 def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
     """Return what the stresses in the film of a case show. with_section: also those under the asperity, in files."""
 
     def parts() -> Iterator[Any]:
-        yield from (run_summary(case, data), "", film_table(data, all_rows), "")
+        yield from (run_summary(case, data), "", curve_table(data, all_rows, _HEADS), "")
         yield from notes(MEANINGS)
         if data.attrs.get("remarks"):
             yield Text(data.attrs["remarks"], style="yellow")
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), film_table(data), *notes(MEANINGS))
+        yield from (*in_brief(case, data), curve_table(data, heads=_HEADS), *notes(MEANINGS))
 
     files: dict[str, Any] = {"film.csv": lambda path: write_csv(data, path, comments_of(data))}
     pictures = {}

@@ -1,9 +1,9 @@
 """Which of the inputs should be measured better: of friction, area, load and pull-off.
 
 Sobol indices with 95 % intervals and Morris effects over what is uncertain, the ways of finding asperities and the models;
-logarithmic sensitivities d ln mu/d ln x for every number of the contact. With --out: sensitivity.csv,
-log_sensitivities.csv, sensitivity.nc (netCDF4) and sensitivity.png. Numbers are uncertain as "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or {samples} in the
-case, or with --ranges, within the ranges of their materials.
+logarithmic sensitivities d ln mu/d ln x for every number of the contact. With --out: sensitivity.csv, log_sensitivities.csv,
+sensitivity.nc (netCDF4) and sensitivity.png. Numbers are uncertain as "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or
+{samples} in the case, or with --ranges, within the ranges of their materials.
 """
 
 from pathlib import Path
