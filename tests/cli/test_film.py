@@ -53,7 +53,7 @@ def case(tmp_path):
 
 def test_table_files_and_picture(case, tmp_path):
     shown = run(case, "--details", "--out", str(tmp_path / "out")).stdout
-    assert "100 mN" in shown and "5 N" in shown and "interface" in shown and "layered" in shown
+    assert "[N]" in shown and "tension" in shown and "interface" in shown and "layered" in shown
     assert sorted(one.name for one in (tmp_path / "out").iterdir()) == ["film.csv", "film.nc", "film.png", "section.nc"]
     section, data = (xarray.open_dataset(tmp_path / "out" / name, engine="h5netcdf") for name in ("section.nc", "film.nc"))
     middle = data.isel(load=1)

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, along, canvas, say
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, look_of, say, scale_friction
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
 
@@ -43,14 +43,8 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     values, feasible = data[columns[objective]].values[:count], data["kept"].values[:count]
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if holds else GREY for holds in feasible])
-    along(
-        axes,
-        "x",
-        objective,
-        values,
-        log=False,
-        title="best for each choice" + ("" if feasible.all() else "; grey: violates a limit"),
-    )
+    title = "best for each choice" + ("" if feasible.all() else "; grey: violates a limit")
+    along(axes, "x", objective, values, log=False, title=title)
     axes.set_yticks(places, names)
     axes.grid(False, axis="y")
 
@@ -71,14 +65,13 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     columns = columns_of(data, "front")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
-    for name, colour, marker in zip(names, (BLUE, ORANGE, GREEN, RED) * 2, "os^Ddv<>", strict=False):
+    for number, name in enumerate(names):
         variable, last = data[columns[name]], name.rpartition(".")[2]
         low, high, values = variable.attrs["searched_from"], variable.attrs["searched_to"], variable.values
         text = f"{last.replace('_', ' ')}: {shown(low, last, 3)} to {shown(high, last, 3)}"
-        share = (
-            np.log(values / low) / np.log(high / low) if variable.attrs["spacing"] == "log" else (values - low) / (high - low)
-        )
-        axes.plot(x, share, color=colour, marker=marker, markersize=4, linewidth=0.8, label=text)
+        if variable.attrs["spacing"] == "log":
+            low, high, values = np.log(low), np.log(high), np.log(values)
+        axes.plot(x, (values - low) / (high - low), linewidth=0.8, label=text, **look_of("", number))
     along(axes, "x", objective, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
 
 
@@ -106,6 +99,4 @@ def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     along(axes, "x", quantity, number.values, title=f"{len(value)} designs evaluated")
     along(axes, "y", objective, seen)
     if seen.size and seen.min() > 0.0:
-        axes.set_ylim(0.7 * seen.min(), 1.4 * seen.max()) if axes.get_yscale() == "log" else axes.set_ylim(
-            0.0, 1.2 * seen.max()
-        )
+        scale_friction(axes, seen)

@@ -96,18 +96,16 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
 
 def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
     """Return texts, or lists of them, by what they are of, a line each; then what the columns of the table are."""
-    columns = [_column_said(data[name]) for name in _names(data)]
+    columns = []
+    for name in _names(data):
+        variable, unit = data[name], unit_of(data[name])
+        meaning = variable.attrs.get("comment") or variable.attrs.get("long_name") or "as given"
+        columns.append(f"{name}: {meaning}" + (f" [{unit}]" if unit else ""))
     comments = {**comments, "column": columns, "read with": 'pandas.read_csv(path, comment="#")'}
     lines = [
         (head, text) for head, texts in comments.items() for text in (texts if isinstance(texts, list) else [texts]) if text
     ]
     return [" ".join(f"{head}: {text}".split()) for head, text in lines]
-
-
-def _column_said(variable: "xarray.DataArray") -> str:
-    unit = unit_of(variable)
-    meaning = variable.attrs.get("comment") or variable.attrs.get("long_name") or "as given"
-    return f"{variable.name}: {meaning}" + (f" [{unit}]" if unit else "")
 
 
 def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:

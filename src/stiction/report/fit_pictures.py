@@ -64,14 +64,8 @@ def _measured_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         axes.errorbar(x, rows["measured"], rows["error"], **look, **bars)
         axes.plot(x, rows["fitted"], color=look["color"], linewidth=1.6)
     _along_load(axes, data)
-    along(
-        axes,
-        "y",
-        name,
-        data["measured"].values[data["quantity"].values == name],
-        log=False,
-        title="points: measured, standard error; lines: fitted",
-    )
+    measured = data["measured"].values[data["quantity"].values == name]
+    along(axes, "y", name, measured, log=False, title="points: measured, standard error; lines: fitted")
 
 
 def _residual_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:

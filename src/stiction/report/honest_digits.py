@@ -23,15 +23,10 @@ def rounded(value: float, ends: list[float]) -> str:
     text = f"{value:.{digits}g}"
     if "e" in text and 1e-4 <= abs(value) < 1e5:  # 1e+01 of a number of one digit
         text = f"{float(text):.0f}"
-    return text if "e" in text else _padded(text, digits)
+    missing = digits - len(text.replace(".", "").lstrip("-0"))  # zeros at the end that are digits: 0.30
+    return text if "e" in text or missing <= 0 else text + ("" if "." in text else ".") + "0" * missing
 
 
 def _place(value: float) -> int:
     """Return the power of ten of the leading digit."""
     return int(f"{abs(value):e}".partition("e")[2])
-
-
-def _padded(text: str, digits: int) -> str:
-    """Return a text with the zeros at its end that are significant digits: 0.30."""
-    shown = len(text.replace(".", "").lstrip("-0"))
-    return text if shown >= digits else text + ("" if "." in text else ".") + "0" * (digits - shown)

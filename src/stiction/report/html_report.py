@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from functools import partial
 from importlib import resources
 from pathlib import Path
@@ -155,24 +155,12 @@ def _as_link(text: str) -> str:
 
 def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, list]]:
     """Yield the name of each section and its pictures."""
-    from stiction.report.report_pictures import (
-        pictures_of_answer,
-        pictures_of_comparison,
-        pictures_of_curve,
-        pictures_of_scan,
-        pictures_of_uncertainty,
-    )
+    from stiction.report.report_pictures import SECTIONS, pictures_of_scan
 
-    sections: dict[str, Callable[[], Iterable]] = {
-        "answer": lambda: pictures_of_answer(findings),
-        "curve": lambda: pictures_of_curve(findings),
-        "comparison": lambda: pictures_of_comparison(findings),
-        "uncertainty": lambda: pictures_of_uncertainty(findings),
-    }
-    for body in findings.analyses:
-        sections[f"{body.capitalize()} body"] = partial(pictures_of_scan, findings, body)
-    for name in progress("Drawing")(list(sections)):
-        yield name, list(sections[name]())
+    bodies = [f"{body.capitalize()} body" for body in findings.analyses]
+    for name in progress("Drawing")([*SECTIONS, *bodies]):
+        draw = SECTIONS.get(name) or partial(pictures_of_scan, body=name.partition(" ")[0].lower())
+        yield name, list(draw(findings))
 
 
 def report_record(findings: ReportData) -> dict[str, Any]:

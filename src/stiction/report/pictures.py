@@ -289,8 +289,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     if tension:
         axes.plot([], [], ":", color=GREY, label="dotted: tension, its size")
     if against == "load":
-        if np.any(x > 0.0):
-            axes.set_xscale("log")
+        axes.set_xscale("log" if np.any(x > 0.0) else "linear")
     else:
         if data[against].attrs.get("units", "1") != "1":
             along(axes, "x", against, x, log=False)

@@ -81,7 +81,7 @@ class _Reader:
             above, below = self._argument(), self._argument()
             return _Piece(f"{_grouped(above, product=True)}/{_grouped(below)}", word=True, fraction=True)
         if name == "sqrt":
-            return _Piece(f"√{_grouped(self._argument())}", word=self._after_a_function())
+            return _Piece(f"√{_grouped(self._argument())}", word=bool(self.pieces) and self.pieces[-1].function)
         if name in ("left", "right", "bigl", "bigr"):
             sign = self._next()
             return _Piece("" if sign == "." else _SIGNS.get(sign[1:], sign[1:]) if sign[0] == "\\" else sign)
@@ -109,9 +109,6 @@ class _Reader:
     def _after_a_value(self) -> bool:
         last = next((piece for piece in reversed(self.pieces) if piece.text.strip()), None)
         return last is not None and not last.relation and last.text[-1] not in _OPEN + ",;"
-
-    def _after_a_function(self) -> bool:
-        return bool(self.pieces) and self.pieces[-1].function
 
     def _script(self, sign: str) -> None:
         inner = _joined(self._argument())

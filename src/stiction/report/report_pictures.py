@@ -198,3 +198,12 @@ def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
     if analysis.asperities:
         yield _picture(lambda: asperity_figure(analysis.asperities.values(), surface, " "), f"asperities-{body}",
                        f"Asperities that each method finds in the {body} body.", wide=True)  # fmt: skip
+
+
+# Section of the report -> its pictures.
+SECTIONS = {
+    "answer": pictures_of_answer,
+    "curve": pictures_of_curve,
+    "comparison": pictures_of_comparison,
+    "uncertainty": pictures_of_uncertainty,
+}

@@ -1,11 +1,10 @@
 """What the command line prints where numbers of a case are several: a row for each combination, mu at some of the points."""
 
+from itertools import product
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from stiction.quantities.table import QUANTITIES
-from stiction.report.answer import number
+from stiction.report.answer import span
 from stiction.report.table import Table, numbers, shown, some, with_unit
 
 if TYPE_CHECKING:
@@ -63,28 +62,21 @@ def _head(name: str) -> str:
 
 def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """Return about nine combinations of array parameters, or all, with a column for at most four points."""
-    name, dims = shown_quantity(data), varied(data)
-    points = points_dimension(data)
-    with_ends = f"{name}_low" in data
-    columns = some(data.sizes[points], 2 if with_ends else _POINTS) if points else np.array([0])
+    name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
+    intervals = f"{name}_low" in data
+    columns = some(data.sizes[points], 2 if intervals else _POINTS).tolist() if points else [0]
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
-    picked = [some(data.sizes[dim], most) for dim in dims]
-    heads = [_head(item) for dim in dims for item in coordinates_along(data, dim)]
-    heads += [f"{_HEADS[name]} at\n{of_point(data, index)}" for index in columns]
-    order = [*dims, *([points] if points else [])]
-    values = data[name].transpose(*order).values
-    ends = [data[f"{name}_{end}"].transpose(*order).values for end in ("low", "high")] if with_ends else []
+    heads = [_head(coordinate) for dim in dims for coordinate in coordinates_along(data, dim)]
+    heads += [f"{_HEADS[name]} at\n{of_point(data, column)}" for column in columns]
+    results = data[[name, f"{name}_low", f"{name}_high"] if intervals else [name]]
     rows = []
-    for places in np.ndindex(*(len(item) for item in picked)):
-        row = [int(item[index]) for item, index in zip(picked, places, strict=True)]
-        cells = [
-            of_value(data, item, index) for dim, index in zip(dims, row, strict=True) for item in coordinates_along(data, dim)
-        ]
-        results, *interval = (np.atleast_1d(table[tuple(row)])[columns] for table in (values, *ends))
-        texts = [shown(float(item), name, 2 if with_ends else 4) for item in results]
-        if with_ends:
-            spans = (f" ({number(float(low))} to {number(float(high))})" for low, high in zip(*interval, strict=True))
-            texts = [text + span for text, span in zip(texts, spans, strict=True)]
-        rows.append([*cells, *texts])
+    for indices in product(*(some(data.sizes[dim], most).tolist() for dim in dims)):
+        place = dict(zip(dims, indices, strict=True))
+        cells = [of_value(data, name, index) for dim, index in place.items() for name in coordinates_along(data, dim)]
+        for column in columns:
+            cell = results.isel(place | ({points: column} if points else {}))
+            text = shown(float(cell[name]), name, 2 if intervals else 4)
+            cells.append(f"{text} ({span(cell, name)})" if intervals else text)
+        rows.append(cells)
     return Table(numbers(*heads), rows)

@@ -58,15 +58,9 @@ def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
     if drawn.size < 2:
         say(axes, "fewer than two compressive loads")
         return figure
-    edges = np.vstack([np.zeros(drawn.size), np.cumsum(shares[:, drawn], axis=0)])
-    for number, name in enumerate(parts):
-        look: dict[str, Any] = {
-            "facecolor": _COLOURS[number % 5],
-            "hatch": _HATCHES[number % 5],
-            "edgecolor": "white",
-            "linewidth": 0.0,
-        }
-        axes.fill_between(load[drawn], edges[number], edges[number + 1], label=part_in_words(name, total), **look)
+    names = [part_in_words(name, total) for name in parts]
+    look: dict[str, Any] = {"colors": _COLOURS, "hatch": _HATCHES, "edgecolor": "white", "linewidth": 0.0}
+    axes.stackplot(load[drawn], shares[:, drawn], labels=names, **look)
     finish(axes, legend=False, xscale="log", ylim=(0.0, 1.0), xlim=(load[drawn][0], load[drawn][-1]))
     figure.legend(loc="outside upper center", ncols=min(len(parts), 3), fontsize=9, frameon=False)
     return figure

@@ -51,7 +51,7 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
     columns = [_column(data[name], name, chosen) for name in names]
     units = any(unit for unit, _ in columns)
     texts = [
-        f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units else heads[name]
+        f"{heads[name]}\n" + (f"[{unit}]" if unit else "") if units and "\n" not in heads[name] else heads[name]
         for name, (unit, _) in zip(names, columns, strict=True)
     ]
     return Table(numbers(*texts), list(zip(*(cells for _, cells in columns), strict=True)))

@@ -26,8 +26,8 @@ MEANINGS = (
 )
 _HEADS = {
     "mean_separation": "separation", "load": "load", "friction_coefficient": "mu", "contact_over_thickness": "a/t",
-    "stress_over_yield": "stress / Y", "yields_first": "where", "interface_tension": "tension / Y_w",
-    "interface_shear": "shear / k_w",
+    "stress_over_yield": "stress\n/ Y", "yields_first": "where", "interface_tension": "tension\n/ Y_w",
+    "interface_shear": "shear\n/ k_w",
 }  # fmt: skip
 
 

@@ -182,12 +182,8 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
     rows = []
     for method, item in measured.by_method.items():
         cells = _cells(item.asperity_height_deviation, item.asperity_radius, item.asperity_density)
-        mu = (
-            []
-            if friction is None
-            else friction.sel(asperity_method=method).values.ravel()[[index for index, _ in loads]].tolist()
-        )
-        rows.append([method, *cells, item.height_distribution, *(short(item, 3) for item in mu)])
+        mu: Any = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[index for index, _ in loads]]
+        rows.append([method, *cells, item.height_distribution, *(short(value, 3) for value in mu)])
     table = _table(rows, "heights", *(f"mu at\n{shown(load, 'load', 3)}" for _, load in loads))
     return replace(table, looks=["bold" if method == measured.method else "" for method in measured.by_method])
 
@@ -196,8 +192,8 @@ def roughness_notes(measured: "Measured") -> list[Table]:
     """Return what was done to the scans, which methods found nothing, and what the band is."""
     count = measured.counts[measured.method]
     counted = f" ({count} asperities)" if count else ""
-    band = "; a band of mu is the spread over all methods" if len(measured.by_method) > 1 else ""
-    lines = [f"taken: {measured.method}{counted}{band}"]
+    band = "; a band of mu is the range over all methods" if len(measured.by_method) > 1 else ""
+    lines = [f"method: {measured.method}{counted}{band}"]
     lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return notes(lines)

@@ -47,7 +47,7 @@ def _friction(store: "Store") -> Iterator[str]:
         return
     if store.plan.sweep.statistics or names[0] not in known or not np.isfinite(known[names[0]]).any():
         return
-    ends = f"{number(np.nanmin(known[names[0]]))} to {number(np.nanmax(known[names[0]]))}"
+    ends = " to ".join(dict.fromkeys((number(np.nanmin(known[names[0]])), number(np.nanmax(known[names[0]])))))
     wide = ""
     if len(known) == len(names):
         low, high = number(np.nanmin(known[names[1]])), number(np.nanmax(known[names[2]]))

@@ -1,8 +1,6 @@
 """Models against measured series: tables, sentences and files."""
 
 from collections.abc import Iterator, Mapping
-from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -104,14 +102,10 @@ def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
     def record() -> dict[str, Any]:
         return {name: validation_record(data) for name, data in series.items()}
 
-    files = {f"{name}.csv": partial(_write_rows, data) for name, data in series.items()}
+    files = {f"{name}.csv": lambda path, data=data: write_rows(path, *row_rows(data)) for name, data in series.items()}
     pictures = {
         f"{name}.png": picture("measured friction and its prediction", "prediction_pictures.validation_figure", data)
         for name, data in series.items()
         if np.isfinite(data["prediction"]).any()
     }
     return View("validation", None, parts, record, files, pictures)
-
-
-def _write_rows(data: "xarray.Dataset", path: Path) -> None:
-    write_rows(path, *row_rows(data))
