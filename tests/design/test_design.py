@@ -332,7 +332,7 @@ def test_broken_limits_are_named_with_their_values():
             "sqrt(sigma/R) is not 0 to 0.3",
         }
     notes = "\n".join(map(str, design_notes(rough)))
-    assert notes.count("N R sigma is not 0.001 to 1") == 2 and "broken (silver): " in notes and "broken (gold): " in notes
+    assert notes.count("N R sigma is not 0.001 to 1") == 2 and "violated (silver): " in notes and "violated (gold): " in notes
 
 
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():

@@ -113,7 +113,7 @@ interfacial_shear_strength = { low = "20 MPa", high = "1 GPa" }
 """
     lines, out = run("design", more=more, case=case)
     strength = 0.05 * 2.0 / area(2.0)
-    printed = next(line for line in lines if line[-1:] == ["kept"])
+    printed = next(line for line in lines if line[-1:] == ["met"])
     assert printed[1] == "MPa" and float(printed[0]) == pytest.approx(1e-6 * strength, rel=5.1e-4)
     assert float(printed[2]) == pytest.approx(0.05, rel=5.1e-4)
     (row,) = table(out / "design.csv")

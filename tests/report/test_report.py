@@ -187,7 +187,7 @@ def test_what_is_uncertain_is_in_the_answer(reported):
     ends = alone["friction_coefficient_quantile"].values[[0, -1], 0]
     # From 0.08 to 0.32 half the width is 0.12: two places after the point.
     assert record["friction_coefficient_rounded"] == f"{record['friction_coefficient']:.2f}"
-    assert f"by what is uncertain of its inputs it is {ends[0]:.2g} to {ends[1]:.2g}" in page.text
+    assert f"with its uncertain inputs {ends[0]:.2g} to {ends[1]:.2g}" in page.text
 
 
 def test_the_same_case_gives_the_same_page(tmp_path):
@@ -247,7 +247,7 @@ def test_a_case_that_does_not_press_says_so(tmp_path):
     )
     record = write_report(small(tmp_path, text), tmp_path / "report.html")
     page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
-    assert record["friction_coefficient"] is None and "nothing presses" in record["answer_in_words"]
+    assert record["friction_coefficient"] is None and "no load is compressive" in record["answer_in_words"]
     assert "μ is not defined" in page.text and "Models are not compared: nothing presses" in page.text
 
 

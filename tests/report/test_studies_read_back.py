@@ -94,14 +94,15 @@ def test_film(tmp_path, sums):
     case = sums(film)
     case.write_text(case.read_text(encoding="utf-8").replace("200 MPa", "1 kPa"), encoding="utf-8")
     lines, out, found = shown(tmp_path, ["film", case])
+    units = next(line for line in lines if line[:1] == ["[nm]"])
     for at, (height, row) in enumerate(zip((3.0, 2.0), table(out / "film.csv"), strict=True)):
         number, load, real, _ = touching(height)
         radius = math.sqrt(real / (math.pi * number)) / 0.4e-6
         stress = stress_on_the_axis() * 1.5 * load / real / YIELD
-        printed = next(line for line in lines if line[:2] == [f"{1e9 * height * SIGMA:g}", "nm"])
-        value = float(printed[2]) * {"N": 1.0, "mN": 1e-3}[printed[3]]
+        printed = next(line for line in lines if line[:1] == [f"{1e9 * height * SIGMA:g}"])
+        value = float(printed[1]) * {"[N]": 1.0, "[mN]": 1e-3}[units[1]]
         assert value == pytest.approx(load, rel=SHOWN)
-        assert [float(word) for word in printed[4:7]] == pytest.approx([1e3 * real / load, radius, stress], rel=2e-3)
+        assert [float(word) for word in printed[2:5]] == pytest.approx([1e3 * real / load, radius, stress], rel=2e-3)
         names = ("load [N]", "contact_area [m^2]", "contact_over_thickness", "stress_over_yield")
         np.testing.assert_allclose([float(row[name]) for name in names], [load, real, radius, stress], rtol=1e-3)
         given = [np.ravel(found["variables"][name.split()[0]]["values"])[at] for name in names]
