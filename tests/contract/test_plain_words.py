@@ -14,7 +14,7 @@ MARKS = (
     r"\bknows?\b",
 )
 # Largest share of docstrings with a mark; a room joins when its texts are done.
-ROOMS = ("cli", "contact", "laws", "records", "report", "solvers", "surfaces", "web")
+ROOMS = ("cli", "contact", "laws", "records", "report", "solvers", "solving", "studies", "surfaces", "web")
 FINISHED = dict.fromkeys(ROOMS, 0.03)
 
 

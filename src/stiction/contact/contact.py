@@ -19,10 +19,11 @@ from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
-from stiction.surfaces.measured import Rough
+from stiction.surfaces.rough_input import Rough
 
 # Equilibrium distance of two surfaces for the Tabor parameter: an atomic spacing, a customary round value, from memory.
 EQUILIBRIUM_DISTANCE = 0.3e-9
+_STATE: Any = Field(None, description="the name of a state, see `stiction interfaces`, or a table of its numbers")
 
 
 class Contact(Subject):
@@ -78,10 +79,7 @@ class Contact(Subject):
     hardness_to_yield: OptionalNumber = None
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
-    interface: OptionalState = Field(
-        default=None,  # type: ignore[arg-type]
-        description="the name of a state, see `stiction interfaces`, or a table of its numbers",
-    )
+    interface: OptionalState = _STATE
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
     strength_variation: OptionalNumber = None

@@ -35,11 +35,12 @@ class Candidate:
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Return every rough-surface model, and other asperity laws under Greenwood & Williamson's sum.
+    """Return every rough-surface model, and other asperity laws under GW's sum.
 
-    Laws of junctions that grow are asked of a bare contact without a pressure coefficient, under one that flows. On a coated
-    contact models have their own film law, or the one that suits all, and film laws that solve film and body as one; and every
-    other film law stands by itself. What solves the map of a contact does so at every point, or at some where there are many.
+    Laws of growing junctions are applied to a bare contact without a pressure coefficient, under a law that flows. On a coated
+    contact each model takes its own film law or "sequential", and every other film law stands alone. A solution of the map
+    takes
+    every point, or a sample of a large map.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
@@ -70,7 +71,7 @@ def candidates(subject: Subject) -> list[Candidate]:
 
 
 def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
-    """The solution of a map as a comparison can afford it."""
+    """Return the solution of a map at a cost that a comparison can afford."""
     points = 0 if subject.measured is None else subject.measured.solvable.points
     if points <= _POINTS:
         return Candidate(model.key, Choice(model.key))
@@ -85,7 +86,10 @@ def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
 
 
 def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
-    """With a film law that solves film and body as one: its friction is that of the model, or its like on them."""
+    """Return a candidate with a film law that solves film and body as one.
+
+    It keeps the tangential law of the model, or takes the equivalent for layered bodies.
+    """
     tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
     like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
     choice = replace(candidate.choice, film=film.key, tangential=like or candidate.choice.tangential)
@@ -93,7 +97,10 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 
 
 def _alone(film: FilmLaw) -> Candidate:
-    """A film law with the asperity law of its source, under the model whose friction it has, if it has one."""
+    """Return a film law with the asperity law of its source.
+
+    The model is the one with the friction of the film law, if there is one.
+    """
     model = next(
         (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
     )
@@ -101,8 +108,11 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """What a name stands for: the key of a rough-surface model, or any name that a comparison shows for this contact, None for
-    the default model; with laws and options in place of its own. Raises InputError for a name that neither knows."""
+    """Return the choice that a name stands for, with other laws and options.
+
+    The name is the key of a rough-surface model or a name that a comparison shows for this contact; None is the default model.
+    Raises InputError for an unknown name.
+    """
     if name is None:
         return Choice.of(None, given)
     if not isinstance(name, str):
@@ -122,9 +132,9 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:
-    """The choice with that law of the interface which uses most of what is known of it, "none" where nothing is.
+    """Return the choice with the interface law that uses most of the stated strength.
 
-    As it is where its model has a tangential law of its own, or one was named.
+    It is "none" where no strength is stated, and unchanged where the model has or the choice names a tangential law.
     """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice

@@ -48,9 +48,11 @@ class LawKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class Choice:
-    """What is to answer: a model (None: the default one), and in place of what it takes by itself another asperity law,
-    tangential law ("none" for contact only) or film law; keys of the registry. options: options of any of these, by name; None
-    for a default. beside: laws that go beside the model, by keyword ("none": without, whatever the contact states)."""
+    """Name a model with its laws and options, as keys of the registry.
+
+    model: None for the default one; asperity, tangential ("none" for contact only), film: laws that replace its own;
+    options: by name, None for a default; beside: added laws by keyword, "none" to leave out one that the contact states.
+    """
 
     model: str | None = None
     asperity: str | None = None
@@ -66,7 +68,7 @@ class Choice:
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
-        """The choice of a model and of what is given by name: laws, and options, which are all that is no name of a law."""
+        """Return the choice of a model from names and values: laws, all others options."""
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
         beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}
@@ -93,11 +95,11 @@ class Choice:
         return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
-        """The same with those laws and options that are not None."""
+        """Return the choice with those laws and options that are not None."""
         changed = {name: value for name, value in {**laws, **options}.items() if value is not None}
         words = {**self.laws(), **self.options, **changed}
         return Choice.of(words.pop("model"), words)
 
     def arguments(self) -> dict[str, Any]:
-        """The keywords of `solve`."""
+        """Return the keywords of `solve`."""
         return self.laws() | dict(self.options)

@@ -51,14 +51,17 @@ class Chosen:
 
     @property
     def yielded(self) -> str:
-        """What junctions that have yielded resist, of registry.YIELDED; "" for contact only, or a law that does not say."""
+        """Return what yielded junctions resist, one of registry.YIELDED.
+
+        "" for contact only, or where the law does not state it.
+        """
         if self.tangential is None:
             return ""
         taken = [one.yielded for one in self.tangential.parts(self.options) if isinstance(one, TangentialLaw)]
         return (taken or [self.tangential.yielded])[0]
 
     def with_option(self, name: str, value: str) -> "Chosen":
-        """The same with another value of an option."""
+        """Return the same laws with another value of an option."""
         return replace(self, options={**self.options, name: value})
 
     def without(self, keyword: str, **changes: Any) -> "Chosen":
@@ -66,7 +69,7 @@ class Chosen:
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
     def records(self) -> list[Record]:
-        """The records of all that answers, each with the parts that its options bring into it."""
+        """Return the records of all laws in use, with the parts that their options add."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
         laws = [one for one in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if one is not None]
         return [record for one in laws for record in (one, *one.parts(self.options))]
@@ -105,9 +108,9 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return the laws beside model, tangential law and film, by keyword: those that are named, and those of what is stated.
+    """Return the added laws by keyword: the named ones, and defaults for what is stated.
 
-    Raises InputError for a key that is not known, and for a law that does not suit the others.
+    Raises InputError for an unknown key, and for a law that does not suit the others.
     """
     found: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():
@@ -125,7 +128,7 @@ def _additions(
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
-    """Raises InputError where the law that is taken for yielded junctions cannot go with the film."""
+    """Raise InputError where the law for yielded junctions cannot go with the film."""
     if film is None or options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
         return
     for law in () if tangential is None else tangential.parts(options):
@@ -134,7 +137,10 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """The film law that was chosen for a contact without a film. Raises InputError for a key that is not known."""
+    """Return the film law that was chosen for a contact without a film.
+
+    Raises InputError for an unknown key.
+    """
     return () if coated or choice.film is None else (f"film {find(choice.film, FilmLaw).key}",)
 
 

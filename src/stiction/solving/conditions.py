@@ -31,12 +31,12 @@ def _any(problem: Problem) -> bool:
 
 
 def _by_numbers(problem: Problem) -> bool:
-    """The contact of a map does not depend on the asperities that are found in it: its own record says what it needs."""
+    """Return whether the contact depends on asperity numbers, as a map does not."""
     return problem.record.of_map is None
 
 
 def _of_asperities(problem: Problem) -> bool:
-    """Theories that hold up to full contact know that contacts act on each other."""
+    """Return whether the theory leaves out the interaction of contacts."""
     return not problem.record.up_to_full_contact
 
 
@@ -45,7 +45,7 @@ def _does_not_adhere(problem: Problem) -> bool:
 
 
 def leaves_out_liquid(problem: Problem) -> bool:
-    """Return whether the contact has a liquid that its model does not know."""
+    """Return whether the contact has a liquid that its model leaves out."""
     return (
         problem.groups.meniscus_index is not None
         and "meniscus" not in problem.chosen.additions
@@ -62,14 +62,19 @@ def _shears_the_interface(problem: Problem) -> bool:
 
 
 def _does_not_grow(problem: Problem) -> bool:
-    """Whether the area stays as the load leaves it; how a film grows under shear no law knows."""
+    """Return whether friction assumes the area under load alone.
+
+    No law covers the growth of film contacts under shear.
+    """
     grows = problem.chosen.yielded != "interface" or problem.options.get("shear") == "junction_growth"
     return not grows and not problem.groups.has_film
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Film and body are solved as one, and yield as the asperity law says, which never does: it claims a range of
-    the plasticity index, and that is of the bodies without their film."""
+    """Return whether film and body are one elastic solid under a law of limited plasticity.
+
+    The asperity law claims a range of the plasticity index, counted without the film.
+    """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
         return False
@@ -115,7 +120,10 @@ def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> 
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
-    """The validity warning, if there is one, that normalised loads asked for are lost in rounding; arrays of one shape."""
+    """Return a validity warning if loads were lost in round-off.
+
+    Arrays of normalised loads, of one shape.
+    """
     lost = lost_in_rounding(carried, asked)
     if not lost.any():
         return []
@@ -151,8 +159,11 @@ def excludes(rule: Validity) -> bool:
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
-    """For each of `rules_of` a problem of n contacts, at which of m points it is left: arrays (n, m), or (n, 1) where that is
-    the same at all points of a contact. results: normalised, the contacts' dimensions first."""
+    """Return for each of `rules_of` where it is violated.
+
+    Arrays (n, m) over contacts and points, or (n, 1) where points do not matter. results: normalised, the contacts' dimensions
+    first.
+    """
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
     for rule in rules_of(problem):
@@ -174,8 +185,10 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 
 
 def _of_groups(problem: Problem) -> dict[str, Any]:
-    """The groups of the contacts (n, 1), and what follows from them; None for what is not known. They are there already: to ask
-    the contact for each would compute them all again each time."""
+    """Return the groups of the contacts (n, 1), and derived ones; None if unknown.
+
+    They are taken from the problem: the contact would compute all of them at each access.
+    """
     groups = problem.groups
     names = [
         *type(groups).model_fields,
@@ -189,7 +202,7 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
 
 
 def _rules_for(problem: Problem) -> list[Validity]:
-    """The rules that apply, and the ranges that the records claim."""
+    """Return the rules that apply, and the ranges that the records claim."""
     rules = [rule for rule, applies in RULES if applies(problem)]
     if _hardens(problem):  # it may bear more than its hardness: then that is only an assumption that fails
         hardness = "nominal_pressure_over_hardness"
@@ -198,14 +211,20 @@ def _rules_for(problem: Problem) -> list[Validity]:
 
 
 def _hardens(problem: Problem) -> bool:
-    """Whether the metal hardens, and a law that answers knows it: one that does not lets nothing bear more than H."""
+    """Return whether the metal hardens under a law that includes it.
+
+    A law without hardening never lets spots bear more than H.
+    """
     hardening = problem.groups.hardening
     known = any("hardening" in (*record.needs, *record.takes) for record in problem.records())
     return known and hardening is not None and bool(np.all(np.asarray(hardening) > 0.0))
 
 
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Of validity warnings of one quantity of which a worse one says all, the worse only: above 1 is above 0.1, too."""
+    """Drop validity warnings that a stronger one on the same quantity implies.
+
+    Above 1 is above 0.1, too.
+    """
     warnings = list(warnings)
     worst = {one.quantity for one in warnings if one.kind == "impossible"}
     return [one for one in warnings if one.kind == "impossible" or one.quantity not in worst]

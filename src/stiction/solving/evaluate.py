@@ -126,14 +126,17 @@ def evaluate(
 
 
 def _array(value, name: str, allowed: str) -> np.ndarray:
-    """The value as an array of floats; InputError also for what has a unit, which NumPy would drop without a word."""
+    """Return the value as an array of floats.
+
+    Raises InputError also for a value with a unit, which NumPy would drop silently.
+    """
     if has_unit(value):
         raise InputError(name, str(value), f"{allowed}, without a unit")
     return floats(value, name, allowed)
 
 
 def _checked(name: str, value) -> np.ndarray:
-    """The value as an array of floats within the bounds of its quantity."""
+    """Return the value as an array of floats within the bounds of its quantity."""
     quantity = QUANTITIES[name]
     array = _array(value, name, quantity.allowed)
     if array.size == 0:

@@ -28,8 +28,12 @@ _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
-    """A load that a contact nowhere carries. law and at: which; low and high: what it does carry, normalised; without
-    adhesion low is 0, and not carried."""
+    """Report a load that a contact carries at no separation.
+
+    law, at: indices of contact and load; low, high: ends of the loads that are carried, normalised; without adhesion low is
+    0, which
+    is not carried.
+    """
 
     def __init__(self, law: int, at: int, low: float, high: float):
         super().__init__(law, at, low, high)
@@ -38,11 +42,12 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True)
 class Inversion:
-    """What n contacts carry, at m loads, per asperity and normalised.
+    """Hold the separations at which n contacts carry m loads, per asperity, normalised.
 
-    h (n, m): separations; residual (n, m): what is left of the load, over the load, or over the largest tension where the load
-    is nothing beside it; evaluations: at most. tension (n,): the largest that is carried, on the branch of the problem, 0 where
-    there is none; where (n,): the separation at which, else not a number.
+    h (n, m): separations; residual (n, m): load error over the load, or over the largest tension where the load is negligible;
+    evaluations: the most that a root took. tension (n,): the largest one on the branch of the problem, 0 if there is none;
+    where
+    (n,): its separation, NaN if there is none.
     """
 
     h: np.ndarray
@@ -71,19 +76,23 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
-    """The separations at which each law carries each load (n, m), per asperity and normalised.
+    """Find the separations at which each contact carries each load (n, m).
 
-    Of several, the first that is met when the surfaces approach from their largest tension (from afar, if there is none):
-    that is the stable branch under a given load. Where the way of approach is plain, a root is begun from its nodes and ended
+    Several separations may carry a load. The first one after the largest tension (or from afar without tension) is
+    returned: it is
+    the stable branch under a given load. Where the approach is smooth, the root starts from nodes of the approach and is
+    finished
     with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method.
-    Raises Unreachable for a load that is nowhere carried; with refuse=False its separation is not a number.
+    Raises Unreachable for a load that is not carried; with refuse=False its separation is NaN.
     """
     return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """The same, and the normalised results (n, m) there: of a load that is not carried, those at no separation, 0. Where the
-    sums of the engine had the last word they are the results, and are not taken again."""
+    """Return the separations, and the normalised results (n, m) there.
+
+    Results at a load that is not carried are those at separation 0. Sums that the engine took last are reused.
+    """
     parts, tables = [], []
     for found, sums, some in _by_blocks(problem, targets, refuse):
         h = np.where(np.isnan(found.h), 0.0, found.h)
@@ -93,8 +102,10 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 
 
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
-    """For some laws at a time, what is found, the sums (regimes, n, m, 5) that were taken there, not numbers where they were
-    not, and the problem."""
+    """Yield for blocks of contacts: inversion, sums (regimes, n, m, 5), and the problem.
+
+    Sums are NaN where none were taken.
+    """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
         try:
@@ -161,9 +172,10 @@ def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
 
 
 def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
-    """Separations (k,) nearer to where the engine's load is the target than `h`, by Newton's method with a slope that is known,
-    and what is left of the load there: not a number unless it is enough. The sums (regimes, k, 5) there, and how often they
-    were taken."""
+    """Refine separations (k,) by Newton's method with a known slope.
+
+    Returns separations, the load error there (NaN unless small enough), the sums (regimes, k, 5) and the number of evaluations.
+    """
     h, sums, times = h.copy(), problem.sums(h, law), 1
     excess = sums[..., LOAD].sum(axis=0) - target
     while times <= _STEPS and (some := np.flatnonzero(np.abs(excess) > enough)).size:
@@ -179,8 +191,10 @@ def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, 
 
 
 def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """The same of a theory that knows about where it carries a load, and does not adhere: the secant method from there, on the
-    logarithm of the load."""
+    """Find separations of a theory without adhesion that estimates them itself.
+
+    The secant method on the logarithm of the load starts from its estimate.
+    """
     laws = len(targets)
     near, nearer = problem.near(targets), problem.near(targets * _RATIO)
     law, at = np.nonzero(np.isfinite(near) & np.isfinite(nearer) & (targets > 0.0))
@@ -204,13 +218,16 @@ def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, n
 
 
 def _log_of(share: np.ndarray) -> np.ndarray:
-    """The logarithm, minus infinity where the share is nothing."""
+    """Return the logarithm; minus infinity for 0."""
     with np.errstate(divide="ignore"):
         return np.log(share)
 
 
 def _load_alone(problem: Sum) -> Sum:
-    """The problem without its tangential law, whose kinks cut pieces short; itself where the model is nothing without."""
+    """Return the problem without its tangential law, whose kinks would split segments.
+
+    A model that needs its tangential law is returned unchanged.
+    """
     alone = replace(problem, chosen=replace(problem.chosen, tangential=None))
     try:
         return alone if alone.regimes else problem
@@ -219,7 +236,7 @@ def _load_alone(problem: Sum) -> Sum:
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Residuals (n, m). A load that is nothing beside the largest tension is as good as that."""
+    """Return residuals (n, m) over the load, or over the largest tension if that is larger."""
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
     return excess / scale
@@ -261,8 +278,12 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
-    """Separations (n, m), descending, about the tops of the heights, where a few asperities adhere before many press: they do
-    so over a distance of theta^(-2/3), and menisci over their height or where their pull is overcome."""
+    """Return separations (n, m), descending, around the highest asperities.
+
+    A few asperities adhere there before many press: within theta^(-2/3), and menisci within their height or up to where
+    their pull
+    is overcome.
+    """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
     about = np.concatenate([steps[::-1], [0.0], -steps])
@@ -274,10 +295,10 @@ def _below_tops(problem: Problem) -> np.ndarray:
 
 
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Largest tension (n,), 0 where there is none, and where it is (n,), else not a number.
+    """Return the largest tension (n,), 0 if there is none, and its separation, else NaN.
 
-    load(h, law): of the laws of these numbers, elementwise; loads (n, H): at the places h (n, H), in order. Between the two
-    beside the lowest of them the minimum is found.
+    load(h, law): loads of these contacts, elementwise; loads (n, H): at separations h (n, H), in order. The minimum is searched
+    between the two neighbours of the lowest load.
     """
     laws = np.arange(len(loads))
     lowest = np.argmin(loads, axis=1)
@@ -295,9 +316,12 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
 
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Separations (H,), descending, and loads (n, H): from where next to nothing touches, and less than the smallest of the
-    targets is carried, to far beyond any model's claim, and where compression outweighs all tension; and the size (n,) of
-    loads, which does not depend on how far that is."""
+    """Return separations (H,), descending, loads (n, H), and the scale (n,) of loads.
+
+    They span from a load below the smallest target, where almost nothing touches, to far beyond any model's claim, where
+    compression
+    outweighs all tension. The scale does not depend on how far that is.
+    """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
     laws = np.arange(len(loads))[:, None]
@@ -323,8 +347,10 @@ def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.nd
 
 
 def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:
-    """Separations in the brackets where the laws of these numbers carry the targets, what is left of the loads, and the number
-    of evaluations."""
+    """Return separations within brackets at which contacts carry the targets.
+
+    Also the load errors, and the number of evaluations.
+    """
     from scipy.optimize.elementwise import find_root
 
     if not targets.size:

@@ -32,16 +32,17 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """A result with the method that stands for the surface, what was done to the scans, their sources and their validity
-    warnings."""
+    """Return a result with the asperity method, and history, sources and warnings of scans."""
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
     data = with_warnings(data, map(ValidityWarning, measured.validity_warnings)) if measured.validity_warnings else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 
 def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights: Heights | str | None) -> np.ndarray:
-    """(2, *shape): what `_read_off` gives of the contact at the loads of a result; not a number where a load is not carried, or
-    the contact is refused."""
+    """Return `_read_off` (2, *shape) of the contact at the loads of a result.
+
+    NaN where a load is not carried or the contact is refused.
+    """
     import xarray
 
     loads, keep = like["load"].drop_vars(list(like["load"].coords)), (_MU, "load", "touching_asperities")
@@ -54,13 +55,15 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
 
 def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
-    """The values of the array, of the shape of another."""
+    """Return the values of the array broadcast to the shape of another."""
     return np.broadcast_to(aligned(array, {str(dim): size for dim, size in like.sizes.items()}), like.shape)
 
 
 def _read_off(found: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
-    """(2, *shape): friction coefficient, and share of the asperities that touch, of a result, in the shape of `like`; not a
-    number where the load is not compressive, and where the model does not say."""
+    """Return friction coefficient and share of touching asperities (2, *shape).
+
+    NaN where the load does not press, and where the model has none.
+    """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(found["touching_asperities"], like) if "touching_asperities" in found else np.nan
     share = np.broadcast_to(quotient(touching, _over(asperities, like)), like.shape)
@@ -74,14 +77,14 @@ def with_method_spread(
     choice: Choice,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
-    """The result of `solve` on the first of the contacts, with the friction coefficients of all at the same loads.
+    """Return the result of `solve` with the friction coefficients of all methods.
 
-    contacts: the same bodies with the roughness that each method finds; counts: how many separate asperities it found, 0 where
-    it has averages only. Added: friction_coefficient_by_method (asperity_method, points), over the methods
-    friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, how many of the asperities found would
-    touch: where they are fewer than FEW_TOUCH, friction follows from the tail of the heights that is assumed, which
-    `outside_validity` then says, and nothing else than assumed where there are averages only (not a number). As it is where
-    there is no friction.
+    contacts: the same bodies with the roughness from each method; counts: number of separate asperities found, 0 for
+    averages only.
+    Added: friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high
+    over the
+    methods, and found_touching_by_method, the number of found asperities that touch: below FEW_TOUCH friction follows from the
+    assumed tail of heights, and `outside_validity` warns of it; NaN for averages only. Unchanged without friction.
     """
     if _MU not in data:
         return data
@@ -99,8 +102,10 @@ def with_method_spread(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """By which methods, and up to which load, fewer than FEW_TOUCH of the asperities found touch, or none were found; "" if
-    nowhere, or if the model knows of no asperities."""
+    """Describe methods and loads at which fewer than FEW_TOUCH found asperities touch.
+
+    "" if there are none, or if the model has no asperities.
+    """
     if "touching_asperities" not in data:
         return ""
     loads = _over(data["load"], data[_MU])
@@ -123,7 +128,7 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """The dataset with what each method says (methods, points), and the ends of it over the methods that say something."""
+    """Return the dataset with the values of each method (methods, points), and their range."""
     tables = ((METHOD, *points), each), (points, np.fmin.reduce(each)), (points, np.fmax.reduce(each))
     added = {
         f"{name}_{end}": (*table, {"units": "1", "symbol": "mu", "long_name": short, "comment": meaning})

@@ -59,8 +59,10 @@ class OnMap(Problem):
 
     @cached_property
     def contact(self) -> Contact:
-        """The contact with its map, without a liquid that is left out. Raises InputError where there is no map, or several
-        numbers."""
+        """Return the contact with its map, without a liquid that is left out.
+
+        Raises InputError where there is no map, or a number is an array.
+        """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
                 "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
@@ -74,11 +76,11 @@ class OnMap(Problem):
         return self.contact.scales().factors()
 
     def surface(self) -> "HeightMap":
-        """The map that is solved. Raises InputError."""
+        """Return the map that is solved. Raises InputError."""
         return self.contact.measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
-        """The contacts of the map at normalised loads (m,)."""
+        """Return the contacts of the map at normalised loads (m,)."""
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
@@ -143,7 +145,7 @@ class OnMap(Problem):
         return float(measured.mean_heights[measured.method])
 
     def _friction(self, one: "MapContact") -> float:
-        """The tangential force of the whole contact, normalised."""
+        """Return the tangential force of the whole contact, normalised."""
         assert self.chosen.tangential is not None
         whole = self.contact.nominal_area / one.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))

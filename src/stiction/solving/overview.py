@@ -71,7 +71,7 @@ def _row(record: Record) -> dict[str, Any]:
 
 
 def _measured(record: FilmLaw) -> list[str]:
-    """What was measured of a film law on a sphere, in words, a line for each of its options and moduli."""
+    """Return the measured errors of a film law on a sphere: a line per option and modulus."""
     lines = []
     for one in summary(record.key):
         for at, n_E in enumerate(one["n_E"]):
@@ -93,7 +93,7 @@ def _parameters(record: Record) -> dict[str, list[str]]:
 
 
 def _limit(limit: Limit) -> str:
-    """A limit in words."""
+    """Describe a limit."""
     values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
     values += [f"{name} {value}" for name, value in limit.options.items()]
     return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"

@@ -7,7 +7,7 @@ from stiction.quantities.quotient import quotient
 
 
 def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
-    """Sum (n, m) of those of the parts (regimes, n, m) that are chosen."""
+    """Return the sum (n, m) of the chosen parts (regimes, n, m)."""
     return parts[chosen].sum(axis=0)
 
 
@@ -23,8 +23,12 @@ def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 
 
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
-    """Share (n, m) of the load in regimes (regimes, n, m) that resist nothing, or only as far as they do not flow yet, all
-    of it at the most: of the net load, where others pull and make that small; 0 where all is nothing."""
+    """Return the share (n, m) of the load in regimes without full tangential resistance.
+
+    Regimes (regimes, n, m) that resist nothing, or only until they flow. It is relative to the net load, which pulling
+    regimes make
+    small, and at most 1; 0 where all loads are 0.
+    """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))
     return np.minimum(quotient(lost, net, 0.0), 1.0)

@@ -25,10 +25,11 @@ _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
 def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
-    """State, pressures [Pa] and areas [m2] of the points in contact: of those that do not flow and those that do, if any.
+    """Return state, pressures [Pa] and areas [m2] of points in contact.
 
-    Areas of one point: all of it, on which its pressure acts, and without its share of the excess at edges, which is taken off
-    the points that do not flow, as far as these have it.
+    Points that do not flow, and those that do, if any. The area of a point is all of it, less its share of the excess at
+    edges, which
+    is subtracted from points that do not flow as far as they suffice.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size
@@ -75,7 +76,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
 
 
 def _strength(contact: Contact) -> float:
-    """Return the strength of the interface [Pa], that of the weaker body at most."""
+    """Return the strength of the interface [Pa], at most the strength of the weaker body."""
     if contact.interface_strength is None:
         raise InputError("interfacial_shear_strength", None, "the strength of the interface")
     return float(contact.interface_strength)

@@ -1,5 +1,7 @@
-"""From the loads or separations that are asked for to normalised results there: the one way of `solve`, `slide`, `unload`,
-`compare` and of all studies."""
+"""Compute normalised results at requested loads or separations.
+
+It is the one way of `solve`, `slide`, `unload`, `compare` and of all studies.
+"""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -48,14 +50,17 @@ class Points:
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """The points of some of the contacts, along one dimension."""
+        """Return the points of some of the contacts, along one dimension."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)
 
 
 def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
-    """Return the points of a request, of which exactly one is given. Raises InputError."""
+    """Return the points of a request with exactly one of load and separation.
+
+    Raises InputError.
+    """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     if problem.needs_load and load is None:
@@ -78,8 +83,10 @@ def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
 
 
 def points_asked(subject: Subject, name: str, value: Any) -> Any:
-    """Return the separations or loads asked for: a number, or an array with named dimensions. A plain sequence is named after
-    its quantity."""
+    """Return the requested separations or loads: a number, or a labelled array.
+
+    A plain sequence gets a dimension with the name of its quantity.
+    """
     import xarray
 
     if isinstance(subject, Contact):
@@ -102,8 +109,10 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Solved:
-    """Normalised results at points: tables by name, of the shape of the points. Where loads were asked for at which a model
-    finds separations, how these were found, and the loads that are carried there."""
+    """Hold normalised results at points: tables by name, of the shape of the points.
+
+    found, carried: for requested loads, how their separations were found, and the loads that are carried there.
+    """
 
     tables: dict[str, np.ndarray]
     found: Inversion | None = None
@@ -113,8 +122,8 @@ class Solved:
 def solve_points(points: Points, refuse: bool = True) -> Solved:
     """Solve a problem at its points.
 
-    Raises Unreachable for a load that is nowhere carried; with refuse=False its separation is NaN, and its results are those
-    at separation 0. Raises InputError for points that the model does not know.
+    Raises Unreachable for a load that is not carried; with refuse=False its separation is NaN, and its results are those at
+    separation 0. Raises InputError for points that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
     if points.name == "mean_separation":
@@ -157,7 +166,7 @@ def in_words(points: Points) -> Iterator[None]:
 
 
 def _at_loads(points: Points) -> dict[str, np.ndarray]:
-    """Return results (contacts, points) of a theory that knows no separation."""
+    """Return results (contacts, points) of a theory without separations."""
     problem = points.problem
     if (points.wanted < 0.0).any() and not problem.adheres:
         least = float(np.min(points.value))

@@ -58,11 +58,11 @@ def solve_batch(
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
 ) -> BatchResult:
-    """What `solve` gives, point by point, without a dataset; keep: names of results, by default all.
+    """Solve many contacts at points, without a dataset; keep: names of results.
 
-    Where `solve` refuses a load that is nowhere carried, there it is not a number, and so are the results of contacts that the
-    model refuses or does not converge for, unless it is all of them. Raises InputError for what is refused of the contacts as a
-    whole, ArithmeticError where no contact converges.
+    Results are NaN where a load is not carried, and where the model refuses a contact or does not converge, unless that is
+    all of
+    them. Raises InputError for a request that is wrong as a whole, ArithmeticError where no contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
@@ -94,8 +94,10 @@ def _solved(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
-    """The same of contacts of which some are refused: not a number there. Raises what the last one is refused for if it is all
-    of them."""
+    """Return the results of contacts, NaN where a contact is refused.
+
+    Raises the last refusal if all contacts are refused.
+    """
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
     found, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
@@ -116,8 +118,11 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
-    """Yield (part, result) for a region of contacts. A part that raises is bisected along its longest dimension; a single
-    refused contact yields its InputError or ArithmeticError."""
+    """Yield (part, result) for a region of contacts.
+
+    A part that raises is bisected along its longest dimension; a single refused contact yields its InputError or
+    ArithmeticError.
+    """
     waiting = [region]
     while waiting:
         part = waiting.pop()
@@ -150,7 +155,10 @@ def pieces(region: Region, room: int) -> Iterator[Region]:
 
 
 def _halves(region: Region) -> list[Region]:
-    """The two halves along the longest dimension, the second one first; none of a single contact."""
+    """Return the halves along the longest dimension, the second one first.
+
+    Empty for a single contact.
+    """
     dim = max(region, key=lambda name: region[name].stop - region[name].start, default="")
     if not dim or region[dim].stop - region[dim].start == 1:
         return []
@@ -159,7 +167,10 @@ def _halves(region: Region) -> list[Region]:
 
 
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:
-    """The same of contacts that are all taken. A theory that knows no separation is not asked about tension."""
+    """Return the results of contacts that are all accepted.
+
+    A theory without separations is not evaluated under tension.
+    """
     lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
     if points.problem.needs_load:
         lost = points.wanted < 0.0
@@ -174,7 +185,7 @@ def _taken(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
-    """The tables with not a number where results are lost; the load asked for stays."""
+    """Return the tables with NaN where results are lost; the requested load stays."""
     if not lost.any():
         return dict(tables)
     return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

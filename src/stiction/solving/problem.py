@@ -87,7 +87,7 @@ class Sum(Problem):
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
-        """What a law that stands in the place of a tangential law gives, per asperity (n, m), at the separations h (n, m)."""
+        """Return the force of a law in place of the tangential law, per asperity (n, m)."""
         plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
@@ -122,17 +122,20 @@ class Sum(Problem):
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """The sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
+        """Return the sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
         sums = scattered(self.regimes, h, self.heights, law, self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Sums (regimes, n, H, 5)."""
+        """Return the sums of the engine (regimes, n, H, 5) at separations h (H,)."""
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "Sum | None":
-        """The same with its tangential law as it is published, where another one is taken for junctions that have yielded."""
+        """Return the problem with its tangential law as published.
+
+        None unless yielded junctions take another law.
+        """
         if self.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
             return None
         return replace(self, chosen=self.chosen.with_option(JUNCTIONS, NO_JUNCTIONS))
@@ -196,7 +199,7 @@ class ClosedForm(Problem):
         return self.record.adheres
 
     def near(self, load: np.ndarray) -> np.ndarray:
-        """Separations (n, m), about where the normalised loads (n, m) are carried, of a theory that knows that."""
+        """Estimate the separations (n, m) at which the normalised loads (n, m) are carried."""
         assert self.record.separation_near is not None
         return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
 
@@ -256,7 +259,10 @@ class ClosedForm(Problem):
 
 
 def _wanted(name: str) -> str:
-    """What must be given of a quantity that a model needs: a work of adhesion that is one. A part of a contact is none."""
+    """Describe the value that a model needs of a quantity, or of a part of a contact.
+
+    A work of adhesion has to be above 0.
+    """
     if name not in QUANTITIES:
         return f"a {name}"
     quantity = QUANTITIES[name]
@@ -271,9 +277,11 @@ def _others(model: str) -> str:
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Normalised results at the loads that were asked for: these are the load, and what friction is compared to, but where they
-    are lost in rounding: there it is the load that is carried. What the search for a separation leaves of no load makes no
-    friction coefficient."""
+    """Replace the computed load by the requested one, and compare friction with it.
+
+    Where round-off makes the requested load unattainable, the computed load stays. A residual at zero load makes no friction
+    coefficient.
+    """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
 
@@ -284,12 +292,15 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """The friction coefficient of these forces, under the name of what the law says as it is published."""
+    """Return the friction coefficient of these forces, under the name for the published law."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:
-    """What was given, as the model of this key takes it: a theory of the whole surface, with the asperities of its moments."""
+    """Return the subject as a model takes it.
+
+    A theory of the whole surface takes the asperities with the moments of the surface.
+    """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
 
 
@@ -299,7 +310,10 @@ def takes_surface_moments(model: str) -> bool:
 
 
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
-    """The problem of this contact under this model. Raises InputError for what the model does not know or refuses."""
+    """Return the problem of a contact under a model.
+
+    Raises InputError for what the model does not support or refuses.
+    """
     check_threads(threads)
     subject = with_surface_moments(as_subject(subject), choice.model_key)
     own_heights = heights is None
@@ -322,14 +336,20 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 
 def number_of_asperities(groups: Groups) -> np.ndarray | None:
-    """Number of asperities on the nominal area (n, 1), N A_n = N R sigma (A_n/sigma^2) (sigma/R); None if that is not known."""
+    """Return the number of asperities on the nominal area (n, 1), or None if unknown.
+
+    N A_n = N R sigma (A_n/sigma^2) (sigma/R).
+    """
     if groups.nominal_width is None or groups.sharpness is None or groups.roughness_parameter is None:
         return None
     return (groups.roughness_parameter * (groups.nominal_width * groups.sharpness) ** 2)[:, None]
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """The problem of these groups, with one dimension, "contact". subject: what a user gave, if it was more than groups."""
+    """Return the problem of these groups, with one dimension, "contact".
+
+    subject: the Contact or Indices of the user, if there is one.
+    """
     chosen = look_up(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():
         for name in record.needs:

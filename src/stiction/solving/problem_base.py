@@ -17,12 +17,14 @@ from stiction.solving.chosen import Chosen
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """n contacts under one model.
+    """Hold n contacts under one model.
 
     groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
-    what the dimensions' points are called. subject: the Contact or Indices, as the model takes it; None where only groups were
-    given. Results are normalised, by name; of theories that know no separation there is only what `at_load` gives.
-    threads: how many share the sums; the results are the same, bit for bit.
+    coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None where only groups were
+    given. Results
+    are normalised, by name; theories without separations have only `at_load`. threads: number of threads of the sums; it
+    changes no
+    digit.
     """
 
     chosen: Chosen
@@ -61,18 +63,18 @@ class Problem(ABC):
         return ""
 
     def records(self) -> list[Record]:
-        """The records of all that answers."""
+        """Return the records of all laws in use."""
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """The same for some of the contacts; itself for all of them."""
+        """Return the problem of some of the contacts; itself for all of them."""
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
     @property
     @abstractmethod
     def needs_load(self) -> bool:
-        """Whether the model knows the load only, and no separation."""
+        """Return whether the model takes loads only, and has no separation."""
 
     @property
     @abstractmethod
@@ -84,7 +86,7 @@ class Problem(ABC):
         return load
 
     def on_branch(self, branch: str) -> "Problem":
-        """The same problem on another branch, if it has that for this contact; otherwise itself."""
+        """Return the problem on another branch; itself where there is none."""
         return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
@@ -112,10 +114,10 @@ class Problem(ABC):
         raise AssertionError(f"{self.record.key} is solved at separations")
 
     def refuse_separation(self) -> NoReturn:
-        """Raise the InputError of a model that knows no separation."""
+        """Raise the InputError of a model without separations."""
         raise InputError("separation", None, f"a load: {self.record.key} knows no separation")
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """The friction force, and its ratio to the load: not a number where the load is not compressive."""
+    """Return the friction force and its ratio to the load, NaN where the load does not press."""
     return {"friction_force": friction, "friction_coefficient": quotient(friction, load)}

@@ -37,7 +37,7 @@ def labelled(
 def as_variables(
     subject: Subject, tables: Mapping[str, np.ndarray], factors: Mapping[str, Any], dims: Mapping[str, int]
 ) -> dict[str, tuple]:
-    """The same as dimensions, values and attributes of each table."""
+    """Return dimensions, values and attributes of each table."""
     shape, variables = tuple(dims.values()), {}
     for name, table in tables.items():
         scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
@@ -52,8 +52,10 @@ def variables_of(
     keep: Collection[str] | None = None,
     refused: np.ndarray | None = None,
 ) -> dict[str, tuple]:
-    """Results at points, with how loads were found and the largest tension of each contact. keep: names, by default all;
-    refused: contacts (n,) of which there are no results."""
+    """Return the variables of results at points, with load residual and largest tension.
+
+    keep: names, by default all; refused: contacts (n,) without results.
+    """
     kept = {name: table for name, table in tables.items() if keep is None or name in keep}
     variables = as_variables(points.problem.subject, kept, points.factors, points.dims)
     if solved.found is not None and (keep is None or "load_residual" in keep):
@@ -71,7 +73,10 @@ _RESIDUAL = {
 
 
 def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
-    """The largest tension of each contact, and where it is; found: of the problem itself, if it is known already."""
+    """Return the largest tension of each contact, and its separation.
+
+    found: the inversion of the problem, where there is one.
+    """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if found is not None and apart is problem:
         tension, where = found.tension, found.where
@@ -86,7 +91,7 @@ def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | Non
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """A dataset, all at once: every single assignment to one aligns all that is there."""
+    """Return a dataset, built at once: each assignment to one would align all variables."""
     import xarray
 
     data = xarray.Dataset({name: variable for name, variable in variables.items() if name not in coords}, coords=coords)
@@ -95,8 +100,10 @@ def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xa
 
 
 def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Results (contacts' dimensions first) with what they are of the nominal area, where that is known: area_fraction and
-    nominal_pressure."""
+    """Return results with area_fraction and nominal_pressure, where the nominal area is known.
+
+    The contacts' dimensions come first.
+    """
     shared = dict(tables)
     fraction = state_of(problem, tables).get("area_fraction")
     if fraction is not None:
@@ -107,7 +114,10 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """By how much mu differs from that of the law as published, where yielded junctions are given the resistance of another."""
+    """Describe how mu differs from the published law.
+
+    Empty unless yielded junctions take the resistance of another law.
+    """
     if "friction_coefficient_published" not in tables:
         return {}
     mu, published = (np.ravel(tables[name]) for name in ("friction_coefficient", "friction_coefficient_published"))
@@ -124,7 +134,7 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """What was used, where it comes from, and where it goes beyond the claims of its authors."""
+    """Return the attributes of a result: laws, sources, and validity warnings."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
     laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}

@@ -143,7 +143,7 @@ def _share(kept: Any) -> float:
 
 
 def _checked(problem: Problem) -> Sum:
-    """The problem, if it is known how its asperities slip; InputError, with the reason, where not."""
+    """Return the problem, if its asperities can slip. Raises InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
         wanted = f"a tangential law, which says what an asperity withstands: {model.key} takes none by itself"
@@ -156,7 +156,10 @@ def _checked(problem: Problem) -> Sum:
 
 
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
-    """The displacements asked for, with a dimension; by default beyond where the last of the contacts slides."""
+    """Return the displacements with a dimension.
+
+    By default they end beyond the sliding displacement of the last contact.
+    """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
         if not farthest > 0.0:
@@ -178,8 +181,10 @@ class Sliding:
     kept: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Force and energy lost in a cycle, normalised (2, *shape), at separations and displacements over sigma, of one shape
-        in which the contacts' dimensions come first."""
+        """Return force and energy lost in a cycle, normalised (2, *shape).
+
+        Separations and displacements over sigma, of one shape in which the contacts' dimensions come first.
+        """
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
         flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)
@@ -187,7 +192,10 @@ class Sliding:
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
-        """The slope of the force at rest, of the shape of the separations: of all asperities that have a strength."""
+        """Return the slope of the force at rest, of the shape of the separations.
+
+        It is summed over all asperities that have a strength.
+        """
         chosen = self.problem.chosen
         assert chosen.tangential is not None
         still = replace(self.problem, chosen=chosen.without("presliding", tangential=sticking_law(chosen.tangential)))
@@ -201,7 +209,7 @@ class Sliding:
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """The force at displacements of the full shape, and the energy lost in cycles."""
+        """Return the force at displacements of the full shape, and the energy lost in cycles."""
         h = static["mean_separation"]
         wide = np.broadcast_to(h.reshape(h.shape + (1,) * (displacement.ndim - h.ndim)), displacement.shape)
         force, loss = self.at(wide, displacement)
@@ -209,7 +217,10 @@ class Sliding:
         return {"tangential_force": force} | ({"energy_loss": loss} if self.kept == 1.0 else {})
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """The largest force and where it is: Coulomb's comes to 99 % of its own there, another has its peak."""
+        """Return the largest force and its displacement.
+
+        By Coulomb's law it is where 99 % of the sum of strengths is reached; otherwise it is the peak.
+        """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
         unit = np.where(held, quotient(1.5 * strength, stiffness), 1.0)

@@ -51,7 +51,7 @@ def solve(
         Key of a rough-surface model (`st.models()`), or a name that `st.compare` shows for this contact. By default
         "soft_coating_2015", which is refused where the contact states an interfacial shear strength.
     heights : Heights or str, optional
-        Height distribution, or its name; by default that of the contact, or Gaussian.
+        Height distribution, or its name; by default the own one of the contact, or Gaussian.
     threads : int
         Number of threads; it changes no digit of the results.
     **laws : str, optional
@@ -109,7 +109,7 @@ def solve(
 def _at_points(
     contact: Subject, separation: Any, load: Any, choice: Choice, heights: Heights | str | None, threads: int
 ) -> "xarray.Dataset":
-    """What `solve` gives, without the spread over the methods of finding asperities."""
+    """Return the result of `solve` without the spread over asperity methods."""
     points = points_of(make_problem(contact, choice, heights, threads), load, separation)
     problem, given = points.problem, points.name
     with in_words(points):
@@ -127,7 +127,7 @@ def _at_points(
 
 
 def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
-    """The dataset with the validity warning that not all loads were solved, where a solution was interrupted."""
+    """Return the dataset with a validity warning where a solution was interrupted."""
     missing = int(np.isnan(data["contact_area"].values).sum())
     if not missing:
         return data
@@ -136,8 +136,10 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
-    """The dataset with the validity warning that loads asked for are lost in rounding, where any are, and with the loads that
-    are carried beside those asked for, where these are a coordinate."""
+    """Return the dataset with a validity warning of loads lost in round-off.
+
+    Where loads are a coordinate, the computed loads are added.
+    """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if validity_warnings and "load" in data.coords:
         beside = as_variables(points.problem.subject, {"load": carried}, points.factors, points.dims)["load"]

@@ -32,8 +32,12 @@ _MOST_GROWN = 100.0  # how far growth is followed
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """What is known of the state of the contacts beside these normalised results, in which the contacts' dimensions come first:
-    each an array (n, m), left out where a group is not known. Not a number where there is no net load to compare with."""
+    """Return numbers of the state of the contacts at these normalised results.
+
+    Results have the contacts' dimensions first. Each is an array (n, m), missing where a group is unknown, NaN where no net
+    load
+    presses.
+    """
     groups = problem.groups
     n = len(groups)
     load, area = (np.asarray(results[name]).reshape(n, -1) for name in ("load", "contact_area"))
@@ -57,8 +61,11 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """What no load changes (n,). Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and
-    N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool 1986)."""
+    """Return the numbers of the surface (n,), which no load changes.
+
+    Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool
+    1986).
+    """
     found = {}
     if groups.sharpness is not None and groups.roughness_parameter is not None:
         slope_squared = 2.0 * (9.0 / 64.0) / (6.0 * math.sqrt(3.0)) / groups.roughness_parameter
@@ -74,8 +81,10 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return what is known of the map of a contact: of its scans, each by itself, where they make no one map. No load changes
-    it. Empty where there is none."""
+    """Return the numbers of the map of a contact, which no load changes.
+
+    They are of each scan, where the scans make no one map; empty without a map.
+    """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
     if not maps:
@@ -87,7 +96,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
-    """The attraction of the surface (n,), which theories of the whole surface are asked for that know it."""
+    """Return the attraction of the surface (n,), for theories of the whole surface."""
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 
@@ -106,7 +115,10 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """What needs no density of asperities, but for menisci. hardness: of what bears the load, over that of the bodies."""
+    """Return the numbers that need no density of asperities, menisci excepted.
+
+    hardness: of the material that bears the load, over the hardness of the bodies.
+    """
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
     pressure = quotient(load, groups.eta[:, None] * hardness * area)
@@ -128,8 +140,10 @@ def _by_asperity(
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
-    """How far contacts (n, m) of a mean pressure over hardness grow until the interface gives way, A_s/A = (p/H)/sqrt(1 - c^2)
-    and 1 at least, with c the strength of the interface over that of the bodies (Tabor 1959)."""
+    """Return the factor by which junctions (n, m) grow until the interface gives way.
+
+    A_s/A = (p/H)/sqrt(1 - c^2), at least 1, with c the strength of the interface over the strength of the bodies (Tabor 1959).
+    """
     ratio = groups.strength_over_bodies
     if ratio is None:
         return {}
@@ -138,9 +152,13 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the mean pressure (n, m) of spots on films harder than the body over two limits: what that body carries through
-    them, and what punches them through, at most H_b + 2 (t/a) tau_f of a plug of radius a (upper-bound theorem of plasticity),
-    tau_f the shear strength of the film itself, also where the other body is softer.
+    """Return the mean pressure (n, m) of spots on hard films over two limits.
+
+    The pressure that the softer body carries through the film, and the pressure that punches it, at most H_b + 2 (t/a)
+    tau_f for a
+    plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the film, also where the other
+    body is
+    softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -156,9 +174,13 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """How many asperities (n, m) in contact pull as much as all menisci do, where those that do not touch pull in proportion to
-    what of the height of a meniscus, over sigma, their gap leaves (equilibrium_meniscus): the integral of the share above a
-    height over the height of a meniscus, of Gaussian heights. touching: the share that touches, of a dry contact."""
+    """Return the number of touching asperities (n, m) that pull as much as all menisci.
+
+    Asperities that do not touch pull in proportion to the height of the meniscus that their gap leaves, over sigma
+    (equilibrium_meniscus): the integral of the share of Gaussian heights above a height, over the height of a meniscus.
+    touching:
+    share of asperities that touch without liquid.
+    """
     from scipy.special import ndtr, ndtri  # which a dry contact does without
 
     contact = -ndtri(np.clip(touching, np.finfo(float).tiny, 1.0 - 1e-16))
@@ -171,11 +193,12 @@ def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
 
 
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
-    """How much of the surface they cover, and how far asperities are pressed in beside their height (n, m).
+    """Return the wetted share of the surface, and how far asperities are pressed in (n, m).
 
-    pull: normalised (n, m). It is Laplace's pressure on what is wetted, so that it counts also those that bridge a gap; around
-    elastic asperities it is less, and there those that touch count with the ring 2 pi R 2 r c of each. Where it is the most
-    that can be, gamma (A_n - A)/r, it no longer says how many are bridged: there that is what Gaussian heights give.
+    pull: normalised (n, m). It is Laplace's pressure on the wetted area, so that it includes menisci that bridge a gap; around
+    elastic asperities it is less, and touching ones count with the ring 2 pi R 2 r c of each. At its upper limit, gamma
+    (A_n - A)/r,
+    it does not determine the bridged area; there Gaussian heights do.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -191,13 +214,17 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
 
 
 def _softest(groups: Groups) -> np.ndarray | float:
-    """Hardness of the softest of film and bodies, over that of the bodies."""
+    """Return the hardness of the softest of film and bodies, over that of the bodies."""
     return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
 
 
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Hardness (n, m) of what bears the load, over that of the bodies: of film and substrate by what each carries, where a film
-    law tells them apart; else, or where the substrate confines the film, the larger one, above which no mean pressure is."""
+    """Return the hardness (n, m) of the material that bears the load, over the hardness of the bodies.
+
+    It is averaged over film and substrate by their loads, where a film law separates them; else, or where the substrate
+    confines the
+    film, it is the larger one, which no mean pressure exceeds.
+    """
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:
         return np.ones_like(load)

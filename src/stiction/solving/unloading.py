@@ -175,7 +175,7 @@ class _Way:
     how: str
 
     def apart(self, rows: np.ndarray, distance: np.ndarray) -> Sum:
-        """The problem of the contacts of these numbers (m,), each drawn apart by its own distance (m,)."""
+        """Return the problem of contacts (m,), each drawn apart by its own distance (m,)."""
 
         def pieces(groups, **options):
             return self.released(groups, distance, **options)
@@ -184,7 +184,10 @@ class _Way:
         return replace(self.pressed, groups=self.pressed.groups[rows], chosen=replace(self.pressed.chosen, asperity=asperity))
 
     def rows(self, shape: tuple[int, ...]) -> np.ndarray:
-        """The number of the contact at each point of a result of this shape: dimensions of the contacts come first."""
+        """Return the index of the contact at each point of a result of this shape.
+
+        Dimensions of the contacts come first.
+        """
         laws = len(self.pressed.groups)
         return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
 
@@ -207,7 +210,7 @@ class _Way:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """The one of two arguments that is given, with a dimension of its name if it is a sequence."""
+    """Return the given one of two arguments; a sequence gets a dimension of its name."""
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
@@ -221,7 +224,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 
 
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
-    """The way apart under these laws; InputError, with the reason, where it is not known."""
+    """Return the unloading under these laws; raise InputError where it is not known."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
     for name, key in choice.laws().items():
@@ -264,13 +267,16 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
 
 
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
-    """An elastic law in unloading, of asperities that had touched: those that never did hold nothing."""
+    """Return the segments of an elastic law during unloading, of asperities that touched.
+
+    Those that never touched carry nothing.
+    """
     options = options | ({"branch": "unloading"} if "branch" in options else {})
     return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
 
 
 def _nearest(turn: Points) -> np.ndarray:
-    """The nearest separations, over sigma, of the shape of these points."""
+    """Return the smallest separations, over sigma, of the shape of these points."""
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
         return turn.wanted
@@ -295,7 +301,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 
 
 def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
-    """The nearest separation, the largest tension on the way back and where it and the zero of the load are."""
+    """Return the smallest separation, and tension and zero of the load during unloading."""
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if way.pressed.adheres:
         found = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
@@ -313,7 +319,10 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
 
 
 def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of m pairs of a contact and a nearest separation: the largest tension, its separation, and that of no load."""
+    """Return largest tension, its separation, and the separation of zero load.
+
+    For m pairs of a contact and its smallest separation.
+    """
     from scipy.optimize.elementwise import find_root
 
     every = np.arange(rows.size)

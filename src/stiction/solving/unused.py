@@ -25,8 +25,10 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 
 @dataclass(frozen=True)
 class Unused:
-    """An input that does not count. laws: keyword of `solve` -> keys of laws that would use it. why: in other words, if there
-    are any."""
+    """Name an input that changes no result.
+
+    laws: keyword of `solve` -> keys of laws that would use it; why: the reason in words, where there is another one.
+    """
 
     input: str
     laws: Mapping[str, list[str]] = field(default_factory=dict)
@@ -46,7 +48,7 @@ class Unused:
 
 
 def unused_inputs(problem: Problem) -> list[Unused]:
-    """The inputs that were given and change nothing under these laws."""
+    """Return the given inputs that change no result under these laws."""
     film = problem.chosen.film
     one_body = film is not None and film.one_body
     spoken_of = {name for record in problem.records() for name in record.needs}
@@ -130,6 +132,6 @@ def as_attributes(found: Iterable[Unused]) -> dict[str, str]:
 
 
 def unused_of(data: "xarray.Dataset") -> list[Unused]:
-    """What a result says was not used."""
+    """Return the unused inputs that a result names."""
     rows: list[dict[str, Any]] = json.loads(data.attrs.get("unused_inputs", "[]"))
     return [Unused(**row) for row in rows]

@@ -23,10 +23,13 @@ def require_states(problem: Problem, name: str) -> Sum:
 
 
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
-    """Share (n, m), of the sizes of the loads of all asperities, on those that are not elastic, at separations h (n, m) over
-    sigma; by name of all, or of the substrate, which without a film is the bodies.
+    """Return the share (n, m) of the load on asperities that are not elastic.
 
-    Raises InputError for a model that does not count its asperities by state, or counts film and substrate as one.
+    It is of the absolute loads of all asperities, at separations h (n, m) over sigma; by its name of all, or of the
+    substrate, which
+    without a film is the bodies. Raises InputError for a model that does not count its asperities by state, or does not
+    separate
+    film and substrate.
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]

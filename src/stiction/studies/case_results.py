@@ -41,7 +41,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     case : Case, path, or dict like a case file
         What is in contact, and its points.
     choice : Choice, optional
-        Model, laws and options in place of those of the case; the model may be any that `compare` shows, or
+        Model, laws and options that replace the own ones of the case; the model may be any that `compare` shows, or
         "recommended", which is `predict`.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
@@ -77,8 +77,10 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
-    """The stresses in the film of a case at its points, as `film_stresses` gives them. Raises InputError, also for a contact of
-    which numbers are several."""
+    """Compute the stresses in the film of a case at its points, as `film_stresses`.
+
+    Raises InputError, also where numbers of the contact are arrays.
+    """
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 
     require_film(case.subject)
@@ -100,7 +102,7 @@ def slide_case(
     case : Case, path, or dict like a case file
         One contact; with uncertain numbers the nominal ones are taken.
     choice : Choice, optional
-        Model and laws in place of those of the case.
+        Model and laws that replace the own ones of the case.
     kept : float
         As in `slide`, 0 to 1.
     weakening_slip : float [m] or str with a unit, optional
@@ -145,8 +147,10 @@ def _check_size(case: Case) -> None:
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
-    """With the dimensionless groups of the contact: those that are one number as attributes, the others as variables, but for
-    what is given and stands among the coordinates."""
+    """Return the dataset with the dimensionless groups of the contact.
+
+    Single numbers become attributes, arrays become variables unless they are coordinates.
+    """
     several = {
         name: (value.dims, value.values, subject.attributes(name))
         for name, value in subject.all_groups().items()
@@ -156,7 +160,7 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
-    """The choice with the model that its name stands for. Raises InputError."""
+    """Return the choice with the model that its name stands for. Raises InputError."""
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)

@@ -25,7 +25,7 @@ def evaluate_together(
     model: Choice,
     keep: Sequence[str] | None = None,
 ) -> tuple[Case, BatchResult]:
-    """Evaluate a case at these numbers, all of which must make a contact.
+    """Evaluate a case at these numbers, which must all make a contact.
 
     Parameters
     ----------
@@ -37,8 +37,8 @@ def evaluate_together(
 
     Returns
     -------
-    The case with these numbers, and its results: NaN with the reason as bits where no results are known. Warnings and
-    floating-point errors are not raised: they are among the bits of the results.
+    The case with these numbers, and its results: NaN where there are none, with the reason as bits. Warnings and floating-point
+    errors are not raised: they are among the bits of the results.
 
     Raises
     ------

@@ -175,7 +175,7 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
     Parameters
     ----------
     entry : path or Entry
-        TOML file with the tables [contact] and [measured], beside a CSV file of values; or what `read_entry` returns.
+        TOML file with the tables [contact] and [measured], next to a CSV file of values; or what `read_entry` returns.
     progress : callable
         Receives the list of models and returns an iterator over it.
 

@@ -384,23 +384,3 @@ def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     with field_as(lambda field: f"roughness.{body}.{'file' if field == 'scan' else field}"):
         return replace(read_scan(folder / scan.file, **given), periodic=scan.periodic)
-
-
-def _rough(value):
-    """Return numbers unchanged, scans and finishes as the roughness found by them."""
-    if isinstance(value, Roughness | str | int | float | None):
-        return value
-    if is_finished(value):
-        return roughness_of_finish(value)
-    if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
-        return value
-    with field_as(lambda field: field.removeprefix("roughness").lstrip(".")):  # the field of the contact adds its own name
-        return roughness_of(value)
-
-
-if TYPE_CHECKING:
-    from stiction.quantities.keywords import Converted
-
-    Rough = Converted[Roughness, Roughness | HeightMap | Mapping[str, object] | tuple[object, object]]
-else:
-    Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]

@@ -33,10 +33,16 @@ _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts a
 
 
 class ErrorsNear(NamedTuple):
-    """At k points, ln(A/solved A). levels: quantiles (k, 5) at LEVELS over surfaces near; relative: root mean square of
-    A/solved A - 1; middle: mean of the logarithm over those near of the kind that is stated;
-    where neither map nor kind are known over Gaussian ones, which moments describe; distance: of the nearest; told: share of
-    the weight near on which the model says something; surfaces: how many count; nearest: in what the nearest differs."""
+    """Hold the errors of ln(A/solved A) at k points.
+
+    levels: quantiles (k, 5) at LEVELS over the solved surfaces near; relative: root mean square of A/solved A - 1; middle:
+    mean of
+    the logarithm over near surfaces of the stated kind, over Gaussian ones where neither map nor kind is stated; distance:
+    of the
+    nearest surface; told: share of the near weight with a result of the model; surfaces: number that counts; nearest: the
+    feature
+    in which the nearest surface differs most.
+    """
 
     levels: np.ndarray
     relative: np.ndarray
@@ -48,8 +54,10 @@ class ErrorsNear(NamedTuple):
 
 
 def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> ErrorsNear | None:
-    """None of a model that was not measured. anywhere: a solution of the map is as good on any surface: only pressure tells how
-    near."""
+    """Return the errors of a model on bare surfaces; None if it was not measured.
+
+    anywhere: the model solves the map, is as good on any surface, and only the pressure decides how near a surface is.
+    """
     errors = known.errors(column)
     if errors is None:
         return None
@@ -129,8 +137,11 @@ def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
 
 
 def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray):
-    """A row of ErrorsNear. there, asked: how far each surface counts (0 to 1) of those on which the model says something, and
-    of those that were solved; apart: what the squared distances are made of; presumed: over which surfaces the middle is."""
+    """Return a row of ErrorsNear.
+
+    there, asked: weights (0 to 1) of the surfaces on which the model has a result, and of all solved ones; apart: parts of the
+    squared distances; presumed: the surfaces over which the middle is averaged.
+    """
     squared = np.where(asked > 0.0, squared_distance(apart).ravel(), np.inf)
     if not np.isfinite(squared).any():
         return _NONE

@@ -26,12 +26,14 @@ _FLOWS = "films that flow were compared with nothing: what squeezes them out is 
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """A row for each thing that was measured of the film law near these normalised results (contacts' dimensions first).
+    """Return the measured errors of the film law near these normalised results.
 
-    law; against: what; error: lowest and highest relative error of the area at given load over the results, load_error: of the
-    load at given approach; rms: of ln(area), on rough surfaces; near: ends of what the errors were looked up by; outside: what
-    leaves the solved set, at some of the results; why_not: why there is no error, where there is none. Nothing for a contact
-    without a film.
+    Results have the contacts' dimensions first. Each row has law; against: the reference; error: lowest and highest
+    relative error
+    of the area at given load; load_error: of the load at given approach; rms: of ln(area), on rough surfaces; near: ends of the
+    looked-up parameters; outside: parameters that leave the solved set; why_not: the reason where there is no error. Empty
+    for a
+    contact without a film.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
@@ -61,7 +63,10 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
 
 
 def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
-    """A row of `film_errors`. given: what the errors are looked up by; ratio: of areas; nothing: said where there is none."""
+    """Return a row of `film_errors`.
+
+    given: parameters by which the errors are looked up; ratio: of areas; nothing: text where there is no error.
+    """
     row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
     if np.isnan(ratio).all():
         return row | {"why_not": outside or nothing}
@@ -69,7 +74,7 @@ def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np
 
 
 def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, np.ndarray]]:
-    """What was measured, and near what."""
+    """Return the errors on solved maps, and the parameters near them."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
@@ -100,9 +105,12 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
-    """Of an area law of surfaces on a film, on the maps of truth/films.csv near each contact, repeated for its points; None of
-    other models, which the set of solved surfaces has. Thicker and thinner films have the errors at the ends of what was
-    solved: there the law tends to the bare one, of the film or of the body. Other moduli are at a distance."""
+    """Return the errors of an area law on the solved maps with films near each contact.
+
+    Reference: truth/films.csv; one row for each point. None for other models, which are measured on the bare set. Thicker and
+    thinner films have the errors at the ends of the solved range: there the law tends to the bare law, of film or body. Other
+    moduli increase the distance.
+    """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
         return None
@@ -124,8 +132,10 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the area over the nominal one (k,) were nothing to flow, and the pressure over that of what flows: their power
-    mean is the area of the law."""
+    """Return area over nominal area without flow, and pressure over flow pressure (k,).
+
+    The power mean of the two is the area of the law.
+    """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # which a bare contact does without
     from stiction.surfaces.theory.widened_area import MEETING
 

@@ -28,16 +28,22 @@ _MARGIN = 1.001  # of a table's ends, for rounding
 
 
 class OnSphere(NamedTuple):
-    """Arrays alike: area over the exact one at the exact load, load over the exact one at the exact approach; not a number
-    outside of what was measured."""
+    """Hold the errors of a film law on a sphere, in arrays of one shape.
+
+    Area over the exact one at the exact load, and load over the exact one at the exact approach; NaN outside the measured
+    range.
+    """
 
     area: np.ndarray
     load: np.ndarray
 
 
 class OnMaps(NamedTuple):
-    """Area over that of solved maps at the same load: geometric mean, and root mean square of its logarithm; arrays alike, not
-    a number outside of what was measured."""
+    """Hold the errors of a film law on solved maps, in arrays of one shape.
+
+    Area over the solved one at the same load: geometric mean, and root mean square of its logarithm; NaN outside the
+    measured range.
+    """
 
     mean: np.ndarray
     rms: np.ndarray
@@ -71,8 +77,12 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 
 
 def summary(law: str) -> list[dict[str, Any]]:
-    """A law's errors on a sphere for tables: for each of its options, at every n_E and a/t that is shown, the relative errors
-    of the area at given load and of the load at given approach. Nothing where it was not measured."""
+    """Return the errors of a film law on a sphere, as rows of a table.
+
+    For each of its options, at every n_E and a/t of the table: relative errors of the area at given load and of the load at
+    given
+    approach. Empty where it was not measured.
+    """
     found = []
     for key, options in _sphere():
         if key == law:
@@ -86,7 +96,7 @@ def summary(law: str) -> list[dict[str, Any]]:
 
 
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
-    """What the table has of a law with these options; None if nothing."""
+    """Return the table entry of a law with these options; None if there is none."""
     for (key, chosen), rows in table.items():
         name, _, value = chosen.partition(" ")
         if key == law and (not name or options.get(name) == value):

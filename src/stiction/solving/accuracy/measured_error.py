@@ -94,8 +94,12 @@ class MeasuredErrors:
         return bool(np.isfinite(self.area).any())
 
     def as_data(self) -> dict[str, Any]:
-        """Relative errors: of the area and mu, mean; ends of the middle 90 % and root mean square of the area's; of the
-        sample; and how near; lists over the points, null where nothing was measured."""
+        """Return the relative errors as data for JSON.
+
+        Area and mu: mean; area: ends of the middle 90 % and root mean square; the error of the sample, and the
+        distance. Lists over the
+        points, null where nothing was measured.
+        """
         return {
             "measured_as": self.column,
             "area": _plain(np.expm1(self.area)),
@@ -143,7 +147,10 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """The column of the set for a model as it is applied here: "model|way of finding asperities"; "" where it has none."""
+    """Return the column of the benchmark set for a model, "model|asperity method".
+
+    "" where the set has none.
+    """
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -206,8 +213,11 @@ def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
-    """Return the standard deviation of ln of an area solved on a map, by how many points touch, or of the formula that stands
-    for it. share: A/A0 (k,); every_point: all points are solved, not those that are enough."""
+    """Return the standard deviation of ln of an area solved on a map.
+
+    It depends on the number of points in contact, or on the formula that replaces the solution. share: A/A0 (k,); every_point:
+    whether all points of the map are solved, or a sample.
+    """
     area = _map_area(surface)
     if not area.solvable and not every_point:
         return np.full(share.shape, _BY_FORMULA[area.way])
@@ -226,7 +236,7 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 
 def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
-    """Standard error of ln of the area as one window of a larger surface; 0 of one period."""
+    """Return the standard error of ln of the area of one window; 0 for a period."""
     if place.pressure.size > _MOST_POINTS:
         return np.full(place.pressure.size, np.nan)
     area, found = _map_area(surface), np.empty(place.pressure.size)
@@ -238,7 +248,7 @@ def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
 
 
 def _near(problem: Problem, column: str, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """What was measured near each point; None of a model that was not."""
+    """Return the errors measured near each point; None for a model without any."""
     known = solved_set()
     if not problem.groups.has_film:
         return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
@@ -247,9 +257,14 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
 
 
 def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Of area laws of surfaces on a film, by the Gaussian maps of truth/films.csv; by numbers wider by what other kinds of
-    surface do to the bare law, and off by what a kind that is stated does to it, at the pressure at which it has this elastic
-    area (Persson 2001) and the hardness that leaves the same part of it flow."""
+    """Return the errors of area laws on films, from the Gaussian maps with films.
+
+    Reference: truth/films.csv. Where the contact has numbers only, other kinds of surface widen the errors as they do for
+    the bare
+    law, and a stated kind shifts them; both are taken at the pressure with the same elastic area (Persson 2001) and at the
+    hardness
+    that lets the same share of it flow.
+    """
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
@@ -293,7 +308,7 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """distance, and what is said of the nearest solved surface, at the points where nothing near was measured."""
+    """Return distance and description of the nearest solved surface, where none is near."""
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
         return "the film is not as in the set, elastic and on one body under a rigid one"
@@ -326,7 +341,7 @@ def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[floa
 
 
 def _largest(share: np.ndarray | None) -> float:
-    """The largest of what is known of a share; -inf of nothing."""
+    """Return the largest known value of a share; -inf if none is known."""
     known = np.empty(0) if share is None else share[np.isfinite(share)]
     return float(np.max(known, initial=-np.inf))
 

@@ -39,9 +39,12 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class Place:
-    """Where k points are. pressure, hardness: over E* h'; alpha: Nayak's; shape: skewness, lay and top of the map, None where
-    there is none; kind: of surface, as stated where there is no map; thickness, modulus: of the film, over sqrt(m2/m4) and
-    the substrate's."""
+    """Hold the features of k points by which near solved surfaces are found.
+
+    pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and top of the map, None without a map;
+    kind: of
+    surface, as stated, without a map; thickness, modulus: of the film, over sqrt(m2/m4) and over the modulus of the substrate.
+    """
 
     pressure: np.ndarray
     hardness: np.ndarray
@@ -70,7 +73,7 @@ class Place:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """The same by the map itself, whose slopes decide, whatever the asperities."""
+    """Return the features from the map itself: its slopes decide, not its asperities."""
     from stiction.solvers.boundary_elements.map_area import map_area
 
     area, whole = map_area(surface), problem.subject.with_surface_moments()
@@ -97,8 +100,10 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 
 @dataclass(frozen=True)
 class Difference:
-    """Between a contact and solved ones in one feature, of a name. ours: of the contact; theirs: of each of them; squared: its
-    part of the squared distance from each."""
+    """Hold the difference of a contact from solved surfaces in one named feature.
+
+    ours: of the contact; theirs: of each surface; squared: contribution to the squared distance from each.
+    """
 
     name: str
     ours: float
@@ -168,8 +173,10 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
 
 
 def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> tuple[Difference, float, float]:
-    """Of a pressure from those of the set, and at which of them to read it, with which hardness; all over E* h'. Below the
-    least hardness of the set all flows: what counts is the pressure over the hardness."""
+    """Return the difference in pressure, and pressures and hardness at which to read.
+
+    All are over E* h'. Below the least hardness of the set everything flows; there the pressure over the hardness decides.
+    """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())
     name, unit = _OVER_STIFFNESS, 1.0
@@ -189,8 +196,10 @@ def squared_distance(found: Iterable[Difference]) -> np.ndarray:
 
 
 def nearest_in_words(found: Iterable[Difference], at: int) -> str:
-    """In what the solved one at this place, counted flat, differs most: "the nearest has Nayak's alpha 5 where this has 24"; ""
-    where it is at a distance below 1."""
+    """Describe the largest difference from the solved surface at this flat index.
+
+    E.g. "the nearest has Nayak's alpha 5 where this has 24"; "" if its distance is below 1.
+    """
     found = list(found)
     squared = [float(table.flat[at]) for table in np.broadcast_arrays(*(one.squared for one in found))]
     theirs = [table.flat[at] for table in np.broadcast_arrays(*(one.theirs for one in found))]

@@ -35,15 +35,19 @@ def coded(errors: np.ndarray) -> np.ndarray:
 
 
 def decoded(codes: np.ndarray) -> np.ndarray:
-    """The reverse; not a number where there is none."""
+    """Decode stored numbers; NaN where there is none."""
     root = codes * _STEP
     return np.where(codes == _NOTHING, np.nan, np.sign(root) * root**2)
 
 
 @dataclass(frozen=True)
 class SolvedSet:
-    """content: arrays by name, as in the file. Of s surfaces, h hardnesses (the first infinite) and p mean pressures, both over
-    E* h'; of films on some of them, by plane-strain modulus over the substrate's and thickness over the shortest wave."""
+    """Hold the benchmark set of solved surfaces.
+
+    content: arrays by name, as in the file: of s surfaces, h hardnesses (the first infinite) and p mean pressures, both
+    over E* h';
+    of films on some of them, by plane-strain modulus over the substrate modulus and thickness over the shortest wavelength.
+    """
 
     content: dict[str, np.ndarray]
 
@@ -77,7 +81,7 @@ class SolvedSet:
 
     @cache  # noqa: B019
     def film_errors(self, column: str) -> np.ndarray | None:
-        """The same on films (coated surfaces, films, loads)."""
+        """Return the errors on films (coated surfaces, films, loads)."""
         return self._of("film_columns", "film_which", "film_errors", column)
 
     def _of(self, names: str, which: str, tables: str, column: str) -> np.ndarray | None:
@@ -92,7 +96,7 @@ class SolvedSet:
 
 @cache
 def solved_set() -> SolvedSet:
-    """The set of the package."""
+    """Return the benchmark set of the package."""
     with np.load(FILE, allow_pickle=False) as file:
         content = {name: file[name] for name in file.files}
     for name in PACKED:

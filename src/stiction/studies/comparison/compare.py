@@ -101,7 +101,7 @@ def compare(
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
-    """What `compare` gives, without the range over the methods of finding asperities."""
+    """Return the result of `compare` without the range over asperity methods."""
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
@@ -112,7 +112,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
 
 
 def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress: Steps) -> "xarray.Dataset":
-    """The comparison of a contact whose surface was measured, with what its models say at the working load by every method."""
+    """Return the comparison with the friction of every asperity method at the working load."""
     contacts = contact.measured.contacts(contact)
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
@@ -125,7 +125,7 @@ def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress:
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """The separations of the curves, over sigma."""
+    """Return the separations of the curves, over sigma."""
     allowed = f"a row of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)
@@ -139,8 +139,11 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Situation:
-    """What all candidates are asked: at the separations h, over their sigma, the loads (1, h) for those that know none, and
-    the working load or None, in the units of the contact."""
+    """Hold the points at which all candidates are evaluated.
+
+    h: separations over the sigma of each candidate; loads (1, h): for theories without separations; target: the working load or
+    None. Loads are in the units of the contact.
+    """
 
     contact: Subject
     h: np.ndarray
@@ -169,12 +172,12 @@ _NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction
 
 @dataclass
 class _Answer:
-    """What one candidate says, in the units of the contact.
+    """Hold the results of one candidate, in the units of the contact.
 
     curve: results (points,); range_status: of each point, WITHIN, OUTSIDE or IMPOSSIBLE. at_load: results at the working load,
-    None if it cannot carry that. outside: ranges of validity that are left at the working load, or anywhere if there is none.
-    told: of _TEXTS and _NUMBERS. dry: leaves out the liquid of the contact. why_not: why it says nothing, or nothing of
-    friction.
+    None if it is not carried. outside: validity warnings at the working load, or of the curve without one. told: values of
+    _TEXTS
+    and _NUMBERS. dry: whether the liquid of the contact is left out. why_not: the reason for no results, or none of friction.
     """
 
     candidate: Candidate
@@ -203,7 +206,7 @@ class _Answer:
 
 
 def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
-    """What one candidate says, or why it does not."""
+    """Return the results of one candidate, or why it has none."""
     answer = _Answer(candidate)
     try:
         problem = make_problem(situation.contact, candidate.choice)
@@ -230,7 +233,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """The grade of a model, and what its friction and its plastic junctions rest on."""
+    """Return grade, family of friction and resistance of plastic junctions of a model."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:
@@ -240,8 +243,10 @@ def _of_laws(problem: Problem) -> dict[str, str]:
 
 
 def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
-    """The measured error at the working load: of the area and of mu on average, root mean square of the area's, relative; not a
-    number where it was not measured near."""
+    """Return the measured error at the working load: mean of area and mu, rms of the area.
+
+    Relative; NaN where nothing was measured near.
+    """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))
 
@@ -316,7 +321,7 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
 
 
 def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[str, Any]:
-    """What goes with the dataset as a whole."""
+    """Return the attributes of the dataset."""
     used = dict.fromkeys(key for one in answers for key in one.sources)
     left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
     attributes: dict[str, Any] = {
@@ -326,8 +331,10 @@ def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[s
 
 
 def criteria_of(contact: Subject) -> list[str]:
-    """What the criteria of the registry say of the surface of a contact, one line each; those that want what is not known
-    are left out."""
+    """Return what the criteria state of the surface of a contact, one line each.
+
+    Criteria whose groups are unknown are left out.
+    """
     groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
     for one in of_kind(Criterion).values():
@@ -338,9 +345,12 @@ def criteria_of(contact: Subject) -> list[str]:
 
 
 def working_load(case: "Case", given: str | None) -> float | None:
-    """The load at which the models of a case are judged: that given, else the middle one of the case, or the compressive one
-    that is nearest to it in the list; where the case names separations, of the loads that its own model carries there. None
-    where none is compressive."""
+    """Return the load at which the models of a case are judged, or None.
+
+    It is the given one, else the middle one of the case or the pressing one nearest to it in the list. For separations it
+    is among
+    the loads that the model of the case carries there. None where no load presses.
+    """
     case.subject.require_single(_ONE)
     if given is not None:
         return _pressing(case.subject, given, "--load")
@@ -349,7 +359,10 @@ def working_load(case: "Case", given: str | None) -> float | None:
 
 
 def _pressing(subject: Subject, given: Any, field: str) -> float:
-    """The load given, in N for a Contact and normalised for Indices; InputError where it does not press."""
+    """Return the given load, in N for a Contact, normalised for Indices.
+
+    Raises InputError where it does not press.
+    """
     unit = subject.attributes("load")["units"]
     if not isinstance(given, str) and np.ndim(given) > 0:
         one = f"one load > 0 {unit}".removesuffix(" 1")

@@ -57,15 +57,18 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 
 @dataclass(frozen=True)
 class AreaLaw:
-    """What one law says of the area.
+    """Hold the area by one law.
 
-    name: of the law in words. weight: by stacking, (m,), 0 where the law does not answer. log_area: ln of the area [m2], array
-    (n, m) over draws and loads. share: area of the nominal contact over its nominal area (m,), at which the errors are known.
-    levels: quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: how far (m,) no solved surface is near, 0 to
-    1. sample: standard error of ln of the area as one window of a larger surface, (m,). touching: number of asperities that
-    touch (m,), infinite where it is not known. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error:
-    standard deviation of ln of the area where no solved surface is near. elastic: of the nominal contact on a film, area over
-    the nominal one were nothing to flow (m,); 0 where it is not known.
+    name: of the law. weight: by stacking, (m,), 0 where the law has no result. log_area: ln of the area [m2], array (n, m) over
+    draws and loads. share: area of the nominal contact over its nominal area (m,), by which the errors are looked up. levels:
+    quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: distance (m,) of the nearest solved surface, 0 to 1.
+    sample: standard error of ln of the area of one window, (m,). touching: number of touching asperities (m,), infinite
+    where it
+    is unknown. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error: standard deviation of ln of the
+    area where
+    no solved surface is near. elastic: of the nominal contact on a film, area over the nominal one without flow (m,); 0
+    where it is
+    unknown.
     """
 
     name: str
@@ -115,16 +118,20 @@ class AreaLaw:
 
 
 def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
-    """Return the quantile at normal scores (n,), by straight lines between the known ones; beyond the last as a normal number
-    with the width of all of them."""
+    """Return the quantile at normal scores (n,), by linear interpolation.
+
+    Beyond the last level it is that of a normal distribution with the width of all levels.
+    """
     ends = NORMAL_SCORES[0], NORMAL_SCORES[-1]
     slope = (levels[-1] - levels[0]) / (ends[1] - ends[0])
     return np.interp(score, NORMAL_SCORES, levels) + slope * (score - np.clip(score, *ends))
 
 
 def area_laws(asked: Asked) -> list[AreaLaw]:
-    """Return the laws that answer for a contact, with weights that sum to 1 at each point: laws that are asked after others
-    answer where none of those does. Raises InputError where none does."""
+    """Return the laws that apply to a contact, with weights that sum to 1 at each point.
+
+    Laws of later rank apply where no earlier one does. Raises InputError where none does.
+    """
     found, refusal, left = [], None, np.ones(len(asked.loads), dtype=bool)
     for choices in _in_turn(asked):
         laws = []
@@ -146,7 +153,7 @@ def area_laws(asked: Asked) -> list[AreaLaw]:
 
 
 def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return the sets of laws in the order in which they are asked, each if the one before refuses."""
+    """Return the sets of laws in their order, each if the one before refuses."""
     contact = asked.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS
@@ -166,8 +173,11 @@ def _answers(asked: Asked, choice: Choice) -> bool:
 
 
 def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
-    """Return what a law says. Where it refuses some of many contacts for having fewer asperities than a Gaussian surface has,
-    its weight is 0 there. Raises InputError, ArithmeticError."""
+    """Return the area by one law.
+
+    Its weight is 0 for contacts that it refuses for having fewer asperities than a Gaussian surface. Raises InputError,
+    ArithmeticError.
+    """
     try:
         points, tables = _solved(asked, choice)
     except InputError as error:
@@ -208,8 +218,7 @@ def _solved(asked: Asked, choice: Choice) -> tuple[Points, Mapping[str, np.ndarr
 
 
 def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return the area over the nominal one (k,) at these results of a law of surfaces on a film, were nothing to flow; else
-    0."""
+    """Return area over nominal area (k,) without flow at results of a film law; else 0."""
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
         return np.zeros(load.size)
@@ -236,9 +245,11 @@ def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray
 
 
 def _yields_at(asked: Asked, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Return the mean pressure of spots that flow: the hardness of each draw, or what the body below a hard film carries.
+    """Return the mean pressure of spots that flow.
 
-    over_below: pressure over that of the body below, at the points that were solved; places: which of these each point is.
+    It is the hardness of each draw, or the pressure that the body below a hard film carries. over_below: pressure over that
+    of the
+    body below, at the solved points; places: index of the solved point of each point.
     """
     hardness = asked.bodies.hardness
     if over_below is None:

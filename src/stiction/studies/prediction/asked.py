@@ -155,7 +155,10 @@ class Asked:
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return whether junctions are of a bulk metal (1 or m,), which grows under shear; how a film grows no law knows."""
+        """Return whether junctions are of a bulk metal (1 or m,), which grows under shear.
+
+        No law covers the growth of films.
+        """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
         return np.where(self._first_is_softer(self.contact), first, second) & (not self.contact.has_film)
 

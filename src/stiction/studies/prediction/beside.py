@@ -62,8 +62,10 @@ def checked_against(mixture: Mixture, at: int) -> str:
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, at: int) -> float:
-    """Return half the width of ln of the area, 90 % of it, that the error of a law on solved surfaces leaves: spots that flow
-    and the nominal area bound it."""
+    """Return half the 90 % width of ln of the area by the error of a law.
+
+    Flowing spots and the nominal area bound it.
+    """
     asked, rows = mixture.asked, np.arange(len(law.log_area))
     nominal = np.broadcast_to(asked.column(asked.drawn.nominal_area), (len(rows), 1))
     low, high = (law.corrected(rows, asked.loads, np.full(len(rows), level), nominal)[:, at] for level in (0.95, 0.05))
@@ -72,6 +74,8 @@ def _half_width(mixture: Mixture, law: AreaLaw, at: int) -> float:
 
 @cache
 def printed_contacts() -> dict[str, dict[str, int]]:
-    """Return by state of the interface how many contacts with printed friction were predicted, and of how many of these the
-    90 % interval overlaps the printed range."""
+    """Return the number of contacts with printed friction, by state of the interface.
+
+    Also the number of them whose 90 % interval overlaps the printed range.
+    """
     return json.loads(FILE.read_text(encoding="utf-8"))

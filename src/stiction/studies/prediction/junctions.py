@@ -51,16 +51,16 @@ def squeezed(
     hardness: np.ndarray,
     hardest: np.ndarray,
 ) -> np.ndarray:
-    """Return the mean pressure of spots on a soft film over that of a thick one, an array (n, m).
+    """Return the mean pressure of spots on a soft film over a thick one, (n, m).
 
     Parameters
     ----------
     level : numpy.ndarray, shape (n,)
         How far the film is squeezed, 0 to 1.
     pressure, radius : numpy.ndarray, shape (n, m)
-        Of spots, mean pressure [Pa] and radius [m].
+        Mean pressure [Pa] and radius [m] of spots.
     thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)
-        Of the film [m, Pa], and what film and bodies bear at most [Pa].
+        Film thickness [m], hardness of the film, and largest pressure that film and bodies bear [Pa].
     """
     most = np.minimum(1.0 + radius / (7.3 * thickness), np.maximum(hardest / hardness, 1.0))
     plastic = np.clip(pressure / hardness, 0.0, 1.0) ** 4

@@ -47,7 +47,7 @@ def predict_many(
     count: int = COUNT,
     along: Sequence[str] | None = None,
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
-    """Yield predictions of a case at many sets of numbers, as `evaluate_many` yields results of one model.
+    """Yield predictions of a case at many sets of numbers, as `evaluate_many` does.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def predict_many(
     load : numpy.ndarray or xarray.DataArray
         Loads [N] of every contact, or along dimensions of the contacts.
     uncertain : sequence of Uncertain
-        Numbers of the case that are drawn, beside ranges of materials.
+        Uncertain numbers of the case, in addition to ranges of materials.
     level : float
         Share of the distribution within the intervals.
     count : int

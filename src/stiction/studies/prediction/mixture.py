@@ -57,8 +57,10 @@ class Mixture:
 
     @classmethod
     def of(cls, asked: Asked) -> "Mixture":
-        """Return the parts for a contact. Raises InputError where no law answers for it, and for a load that presses all of its
-        faces together with more than the hardness."""
+        """Return the parts for a contact.
+
+        Raises InputError where no law applies to it, and for a load that presses all of its faces together above the hardness.
+        """
         _refuse_flattened(asked)
         return cls(asked, asked.loads, area_laws(asked), pull_of(asked), Strength(asked))
 
@@ -147,8 +149,10 @@ class Mixture:
         return area / times, borne / area * times
 
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
-        """Return ln of the area (n, m) over its mean, as one contact with fewer spots than solved surfaces have it: none where
-        all is plastic, or where the map says which spots there are."""
+        """Return ln of the area (n, m) over its mean, for the scatter of few spots.
+
+        Zero where all is plastic, or where the map shows its spots.
+        """
         from scipy.special import ndtri
 
         elastic = 1.0 - np.clip(pressure, 0.0, 1.0) ** 2
@@ -168,8 +172,10 @@ def _most_load(asked: Asked) -> np.ndarray:
 
 
 def _refuse_flattened(asked: Asked) -> None:
-    """Raise InputError for a load that presses the faces together with more than the hardness; of many contacts where all are
-    pressed so."""
+    """Raise InputError for a load that presses the faces together above the hardness.
+
+    Of many contacts only if all are pressed so.
+    """
     most = np.broadcast_to(_most_load(asked), asked.loads.shape)
     flattened = asked.loads > most
     at = int(np.argmax(asked.loads / most))

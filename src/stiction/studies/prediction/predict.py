@@ -80,7 +80,7 @@ def predict(
 
     Notes
     -----
-    mu = (tau_0 A + alpha W)/P, with A the contact area under the load P and what pulls beside it, W = P + pull. Drawn together
+    mu = (tau_0 A + alpha W)/P, with A the contact area under the load P and the pull in addition, W = P + pull. Drawn together
     are the inputs; tau_0 and alpha, by the state of the interface; the area, by laws whose error on solved surfaces near the
     contact is known; what pulls; how plastic junctions grow under shear; and chance, where few asperities touch. Bodies bound
     all: tau_0 is at most the shear strength of the weaker body, A at most the nominal area, pressure at most the hardness.
@@ -127,8 +127,12 @@ def predict(
 
 
 def is_predicted(case: Case) -> bool:
-    """Return whether the prediction answers for a case: contacts of materials, and no model, law or option named. Raises
-    InputError for the model "recommended" where it does not."""
+    """Return whether the prediction answers for a case.
+
+    It does for contacts of materials without a named model, law or option. Raises InputError for the model "recommended"
+    where it
+    does not.
+    """
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
     asked = named.pop("model", None) == RECOMMENDED
     if named or not isinstance(case.subject, Contact):
@@ -140,8 +144,10 @@ def is_predicted(case: Case) -> bool:
 
 
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
-    """Return the prediction of a case at a load [N]; None of what is not predicted: normalised numbers, where nothing presses,
-    and what is refused for an input that no prediction uses."""
+    """Return the prediction of a case at a load [N], or None where there is none.
+
+    None for normalised numbers, where nothing presses, and for an input that no prediction uses.
+    """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
     return predict(case, load=load)
@@ -169,8 +175,10 @@ def case_given(given: Any, load: Any) -> Case:
 
 
 def with_uncertain(case: Case) -> Case:
-    """Return the case with all that a prediction draws as uncertain numbers: also what the finish of its surface leaves open,
-    and the ranges of its materials, unless it says otherwise."""
+    """Return the case with all numbers that a prediction draws.
+
+    Added are numbers that the finish of its surface leaves open, and ranges of materials unless the case switches them off.
+    """
     if "ranges" not in case.uncertainty.model_fields_set:
         taken = [*case.several, *(one.path for one in case.uncertain)]
         case = replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
@@ -240,7 +248,7 @@ def _width(low: float, high: float) -> float:
 
 
 def _beside_area(contact: Contact) -> list[str]:
-    """Return the laws, by name, of what the contact states beside its area."""
+    """Return the names of the laws that the contact needs in addition to its area."""
     stated = {
         "meniscus law equilibrium_meniscus": contact.liquid,
         "contamination law independent_junctions": contact.strength_variation,

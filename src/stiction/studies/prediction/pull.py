@@ -58,7 +58,10 @@ class Pull:
         return Pull(adhesion, menisci, most)
 
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the factor (n, m) at levels (n,) of which law answers and of its error, for these rows of the inputs."""
+        """Return the factor (n, m) of the pull on the area, for these rows of the inputs.
+
+        levels (n,): one selects the law, one its error.
+        """
         from scipy.special import ndtri
 
         score = ndtri(error)[:, None]
@@ -86,8 +89,12 @@ def pull_of(asked: Asked) -> Pull:
 
 
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
-    """Return one area over the other, at least 1. A sum whose area passes the nominal one says nothing (NaN): where the pull
-    makes it so the faces are pulled flat, and where the load alone does the pull adds nothing."""
+    """Return one area over the other, at least 1.
+
+    NaN where the area of a sum passes the nominal one: where the pull causes it the faces are pulled flat, and where the
+    load alone
+    causes it the pull adds nothing.
+    """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))
 

@@ -69,11 +69,11 @@ def film_stresses(
     Raises
     ------
     InputError
-        The contact has no film, a number of it is an array, or another film law is asked for.
+        The contact has no film, a number of it is an array, or another film law is named.
 
     Notes
     -----
-    The mean asperity has the mean area, load and friction force of those that touch. Its stresses are those of an elastic
+    The mean asperity has the mean area, load and friction force of the touching ones. Its stresses are those of an elastic
     sphere that is pressed and dragged on a layered half-space (`solvers.layered.stresses`).
 
     Examples

@@ -30,7 +30,7 @@ _MANY = 0.05  # the share of impossible draws from which on a warning says so
 
 
 def levels(coverage: float) -> np.ndarray:
-    """The shares whose quantiles are told: the ends of the band, the quarters and the median."""
+    """Return the quantile levels: the ends of the band, the quarters and the median."""
     return np.array(sorted({(1.0 - coverage) / 2.0, 0.25, 0.5, 0.75, (1.0 + coverage) / 2.0}))
 
 
@@ -56,8 +56,11 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
-    """The result of a case with the bands over what is uncertain of it: NAME_quantile (quantile, ...), and NAME_quantile_error,
-    the standard error that the sampling leaves it. As it is where nothing is uncertain."""
+    """Return the result of a case with quantiles over its uncertain numbers.
+
+    Added are NAME_quantile (quantile, ...), and NAME_quantile_error, its standard error of sampling. Unchanged where nothing is
+    uncertain.
+    """
     if not case.uncertain:
         return data
     if solves_maps(choice):

@@ -32,7 +32,7 @@ class Variant:
     roughness: Any = None
 
     def tables(self, case: Case) -> Mapping[str, Any]:
-        """The tables of the case as it is asked, every body as a record whose numbers may be replaced."""
+        """Return the tables of the case, every body as a table whose numbers may be replaced."""
         tables = expanded(case.tables)
         return tables if self.roughness is None else {**tables, "contact": {**tables["contact"], "roughness": self.roughness}}
 
@@ -73,7 +73,10 @@ def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray
 
 
 def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:
-    """What is solved at once: which variant, and the numbers of the rows. rows: the variant of each row."""
+    """Return the steps, each a variant and the indices of its rows.
+
+    rows: the variant of each row.
+    """
     size = max(1, _AT_ONCE // max(points, 1))
     found = []
     for at in range(len(variants)):
@@ -90,10 +93,10 @@ def draw(
     names: Sequence[str] = OUTPUTS,
     progress: Any = iter,
 ) -> Draws:
-    """The case at these shares (n, k) of its `unknowns`, each row by its variant (by default the first).
+    """Solve the case at these quantile levels (n, k) of its `unknowns`.
 
-    names: of the results that are kept. progress: wraps the list of steps. Raises InputError where the first variant refuses
-    the nominal contact, or where there are too many points.
+    Each row is solved by its variant, by default the first. names: results to keep. progress: wraps the list of steps. Raises
+    InputError where the first variant refuses the nominal contact, or where there are too many points.
     """
     for one in variants:
         if solves_maps(one.choice):
@@ -115,7 +118,7 @@ def draw(
 
 
 def _points(case: Case) -> dict[str, Any] | None:
-    """The loads of the case; separations may be over a sigma that is drawn, and follow from the tables."""
+    """Return the loads of the case; separations follow from the tables, whose sigma may vary."""
     return None if case.load is None else {"load": case.load}
 
 

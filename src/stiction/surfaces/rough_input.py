@@ -1,0 +1,33 @@
+"""Read the roughness of a contact: numbers, a scan, a finish, or a table of scans."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated
+
+from pydantic import BeforeValidator
+
+from stiction.quantities.errors import field_as
+from stiction.quantities.keywords import Converted
+from stiction.surfaces.finished import is_finished, roughness_of_finish
+from stiction.surfaces.measured import roughness_of
+from stiction.surfaces.roughness import Roughness
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+
+
+def _rough(value):
+    """Return numbers unchanged, scans and finishes as the roughness found by them."""
+    if isinstance(value, Roughness | str | int | float | None):
+        return value
+    if is_finished(value):
+        return roughness_of_finish(value)
+    if isinstance(value, Mapping) and not value.keys() & {"first", "second"}:
+        return value
+    with field_as(lambda field: field.removeprefix("roughness").lstrip(".")):  # the field of the contact adds its own name
+        return roughness_of(value)
+
+
+if TYPE_CHECKING:
+    Rough = Converted[Roughness, Roughness | HeightMap | Mapping[str, object] | tuple[object, object]]
+else:
+    Rough = Annotated[Roughness, BeforeValidator(_rough, json_schema_input_type=Roughness)]
