@@ -226,6 +226,12 @@ def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
     return kept if value is None else {**kept, key: value}
 
 
+def with_points(tables: Mapping[str, Any], points: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the tables at other loads or separations."""
+    solve = {name: value for name, value in tables.get("solve", {}).items() if name not in ("load", "separation")}
+    return {**tables, "solve": {**solve, **points}}
+
+
 # What the switch of a part that may be left out puts there.
 OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
     "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},

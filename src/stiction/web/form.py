@@ -28,6 +28,7 @@ from stiction.web.fields import (
     numbers_of,
     parts_of,
     placed,
+    with_points,
 )  # fmt: skip
 from stiction.web.number_fields import draw_load, draw_number, label_of
 from stiction.web.query import law_names, option_values, states_of
@@ -174,7 +175,7 @@ class Form:
                 await choose(event.value)
             self.build()
 
-        known = list(dict.fromkeys([*values, value]))
+        known = {name: name.replace("_", " ") for name in (*values, value)}
         with ui.element("div").classes("number" if named else "w-full"):
             if named:
                 ui.label(label).classes("text-xs one-line").props("aria-hidden=true")
@@ -189,10 +190,9 @@ class Form:
         given = solve.get(by)
 
         async def other(event: Any) -> None:
-            kept = {name: value for name, value in solve.items() if name not in ("load", "separation")}
             loads = _PLAIN_LOADS if "indices" in tables else _LOADS
             points = loads if event.value == "load" else _SEPARATIONS
-            await self._explorer.ask({**tables, "solve": {**kept, event.value: dict(points)}})
+            await self._explorer.ask(with_points(tables, {event.value: dict(points)}))
             self.build()
 
         ui.toggle({"load": "loads", "separation": "separations"}, value=by, on_change=other).props("dense no-caps")

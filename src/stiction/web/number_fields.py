@@ -12,7 +12,7 @@ from stiction.quantities.units import to_si
 from stiction.report.html_words import letters
 from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import NOT_STATED, Number, as_written, got
+from stiction.web.fields import NOT_STATED, Number, as_written, got, with_points
 
 # What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
 _LABELS = {
@@ -110,15 +110,15 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
     """Return the tables at another working load: a single load is replaced, a range is moved with it."""
-    solve = {name: one for name, one in tables.get("solve", {}).items() if name != "separation"}
-    given = solve.get("load")
+    given = tables.get("solve", {}).get("load")
+    if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
+        return with_points(tables, {"load": [_LOAD.text(load)]})
     if isinstance(given, Mapping):
-        ends = {end: _LOAD.text((_LOAD.si(given[end]) or load) * load / before) for end in ("start", "stop")}
-        return {**tables, "solve": {**solve, "load": {**given, **ends}}}
-    if given is not None and (not isinstance(given, list) or len(given) == 1):
-        return {**tables, "solve": {**solve, "load": [_LOAD.text(load)]}}
-    ends = {"start": _LOAD.text(load / _ROUND_LOAD), "stop": _LOAD.text(load * _ROUND_LOAD)}
-    return {**tables, "solve": {**solve, "load": {**ends, "count": 21, "spacing": "log"}}}
+        ends = {end: (_LOAD.si(given[end]) or load) * load / before for end in ("start", "stop")}
+    else:
+        given = {"count": 21, "spacing": "log"}
+        ends = {"start": load / _ROUND_LOAD, "stop": load * _ROUND_LOAD}
+    return with_points(tables, {"load": {**given, **{end: _LOAD.text(value) for end, value in ends.items()}}})
 
 
 def label_of(path: tuple[str, ...]) -> str:

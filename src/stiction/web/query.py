@@ -25,7 +25,7 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
-from stiction.web.fields import placed
+from stiction.web.fields import placed, with_points
 
 _MAX_POINTS = 20_000  # of a curve that is drawn anew while a slider moves
 _MAX_SAMPLES = 4096  # of uncertain parameters
@@ -47,8 +47,7 @@ class Query:
 
     def at_load(self, load: Any) -> "Query":
         """Return the query at one load, written as in a case file."""
-        solve = {name: one for name, one in self.tables.get("solve", {}).items() if name not in ("load", "separation")}
-        return self.with_tables({**self.tables, "solve": {**solve, "load": [load]}})
+        return self.with_tables(with_points(self.tables, {"load": [load]}))
 
 
 @dataclass(frozen=True, eq=False)
