@@ -179,7 +179,9 @@ class Form:
         with ui.element("div").classes("number" if named else "w-full"):
             if named:
                 ui.label(label).classes("text-xs one-line").props("aria-hidden=true")
-            menu = ui.select(known, value=value, on_change=chosen, with_input=searched).props("dense outlined options-dense")
+            menu = ui.select(known, value=value, on_change=chosen, with_input=searched, validation={}).props(
+                "dense outlined options-dense"
+            )
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
@@ -201,7 +203,11 @@ class Form:
             return
         for key, kind in (("start", float), ("stop", float), ("count", int)):
             path = ("solve", by, key)
-            text = ui.input(key, value=str(given.get(key, ""))).props("dense outlined debounce=300").classes("w-full")
+            text = (
+                ui.input(key, value=str(given.get(key, "")), validation={})
+                .props("dense outlined debounce=300")
+                .classes("w-full")
+            )
             text.on_value_change(lambda event, path=path, kind=kind: self._explorer.put(path, _read(event.value, kind)))
             self._inputs[path] = text
         spacing = ui.toggle(["linear", "log"], value=str(given.get("spacing", "linear"))).props("dense no-caps")

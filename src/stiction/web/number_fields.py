@@ -38,7 +38,8 @@ def draw_line(
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
-        text = ui.input(value=written, placeholder=otherwise or ("" if number.required else NOT_STATED))
+        empty = otherwise or ("" if number.required else NOT_STATED)
+        text = ui.input(value=written, placeholder=empty, validation={})  # old libraries show no error without a rule
         attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=number.label, title=number.help)
         text.on_value_change(lambda event: typed(str(event.value or "").strip()))
         if value is None:

@@ -42,7 +42,7 @@ _STYLE = """
 .number { display: grid; grid-template-columns: 84px 106px minmax(0, 1fr); gap: 0 8px; align-items: center; width: 100% }
 .number .q-select { grid-column: span 2 } .number .uncertain { grid-column: span 2 }
 .number .uncertain + .q-slider { grid-column: span 3 } .number .q-slider { padding-right: 8px }
-.number .q-field__bottom { width: 270px; padding: 2px 0 }
+.number .q-field__bottom { width: 212px; padding: 2px 0 }
 .knobs .q-field--dense .q-field__control, .knobs .q-field--dense .q-field__marginal { height: 30px; min-height: 30px }
 .knobs .q-field--dense .q-field__native { min-height: 28px; padding: 0; font-size: 0.875rem }
 .knobs .q-field__control { padding: 0 8px } .knobs .q-item { min-height: 26px; padding: 0 4px }
