@@ -224,7 +224,7 @@ def test_the_band_is_drawn():
     data = solve_case(case(uncertainty={"count": 64}))
     (axes,) = uncertainty_figure(data, "title").axes
     lines = {line.get_label(): line.get_ydata() for line in axes.lines}
-    np.testing.assert_array_equal(lines["of the nominal numbers"], data["friction_coefficient"])
+    np.testing.assert_array_equal(lines["at nominal inputs"], data["friction_coefficient"])
     np.testing.assert_array_equal(lines["median"], data["friction_coefficient_quantile"][2])
     low = axes.collections[0].get_paths()[0].vertices[:, 1].min()
     assert low == pytest.approx(float(data["friction_coefficient_quantile"][0].min()))

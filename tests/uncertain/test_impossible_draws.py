@@ -55,7 +55,7 @@ def test_a_band_ends_at_the_nominal_area():
     said = [one.why for one in warnings_of(data) if "impossible" in one.why]
     assert said == ["25% of the draws are impossible, above the nominal area or the hardness, and are excluded: "
                     "the band of mu is of the others"]  # fmt: skip
-    assert any("excluded from the band: 0.25 of the draws" in note for note in uncertain_notes(data))
+    assert any("excluded from the band as impossible: 0.25 of the samples" in note for note in uncertain_notes(data))
 
 
 def test_few_are_counted_and_no_warning_is_made_of_them():
