@@ -116,7 +116,7 @@ def enlarged(length: float) -> st.Contact:
 def onset() -> Figure:
     """Return force against displacement at three loads, and friction against the size of the surface, on maps."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.8), layout="constrained")
-    loss = {"model": "boundary_elements", "kept": 0.3, "weakening_slip": "3 nm"}
+    loss = {"model": "boundary_elements", "residual_strength": 0.3, "weakening_slip": "3 nm"}
     for milli, color in ((1, BLUE), (10, RED), (40, GREY)):
         moved = st.slide(enlarged(10e-6), load=f"{milli} mN", **loss)
         share = moved["tangential_force"] / moved["friction_force"]
@@ -124,10 +124,10 @@ def onset() -> Figure:
     left.set(xlabel="displacement (nm)", ylabel="force over sum of strengths", ylim=(0.0, 1.05))
     left.legend(title="load", frameon=False)
     lengths = np.geomspace(1e-6, 30e-6, 8)
-    for kept, color in ((0.3, RED), (0.7, BLUE)):
-        found = [st.slide(enlarged(one), load=1e8 * one**2, **loss | {"kept": kept}) for one in lengths]
+    for residual, color in ((0.3, RED), (0.7, BLUE)):
+        found = [st.slide(enlarged(one), load=1e8 * one**2, **loss | {"residual_strength": residual}) for one in lengths]
         mu = [float(one["largest_friction_coefficient"]) for one in found]
-        right.semilogx(lengths * 1e6, mu, "o-", color=color, label=f"{kept:.0%} kept")
+        right.semilogx(lengths * 1e6, mu, "o-", color=color, label=f"residual strength {residual:.0%}")
     right.axhline(float(found[0]["friction_coefficient"]), color=GREY, linestyle="--", label="sum of strengths")
     right.set(xlabel="length of the surface (µm)", ylabel="static friction coefficient", ylim=(0.0, 0.09))
     right.legend(frameon=False)

@@ -27,11 +27,11 @@ for load in (0.3, 1.0, 3.0):
     left.plot(displacement * 1e9, data["tangential_force"].squeeze(), label=f"{load:g} N")
 left.set(xlabel="tangential displacement [nm]", ylabel="tangential force [N]")
 left.legend(title="load")
-for kept in (1.0, 0.7, 0.4):
-    data = st.slide(contact, load=1.0, displacement=displacement, kept=kept, **laws)
-    right.plot(displacement * 1e9, data["tangential_force"].squeeze() / 1.0, label=f"{kept:g} of it kept")
+for residual in (1.0, 0.7, 0.4):
+    data = st.slide(contact, load=1.0, displacement=displacement, residual_strength=residual, **laws)
+    right.plot(displacement * 1e9, data["tangential_force"].squeeze() / 1.0, label=f"{residual:g}")
 right.set(xlabel="tangential displacement [nm]", ylabel="tangential force over load")
-right.legend(title="strength of what slides")
+right.legend(title="residual strength")
 for axes in (left, right):
     axes.grid(alpha=0.3)
     axes.set_ylim(bottom=0.0)

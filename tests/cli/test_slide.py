@@ -60,18 +60,18 @@ def test_files_are_what_slide_gives(case, tmp_path):
 
 
 def test_asperities_that_let_go(case, tmp_path):
-    said = slide(case, "--kept", "0.5", "--load", "1 N", "--json")
+    said = slide(case, "--residual-strength", "0.5", "--load", "1 N", "--json")
     assert said.exit_code == 0, said.output
     found = json.loads(said.stdout)["variables"]
     assert "energy_loss" not in found
     assert found["largest_friction_coefficient"]["values"][0] < 0.9 * found["friction_coefficient"]["values"][0]
-    assert slide(case, "--kept", "0.5", "--load", "1 N", "--out", tmp_path / "out").exit_code == 0
+    assert slide(case, "--residual-strength", "0.5", "--load", "1 N", "--out", tmp_path / "out").exit_code == 0
 
 
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (("--kept", "2"), "from 0 to 1"),
+        (("--residual-strength", "2"), "from 0 to 1"),
         (("--tangential", "none"), "a tangential law"),
         (("--model", "persson_2001"), "single asperities"),
     ],
@@ -88,7 +88,7 @@ def test_one_contact_at_a_time(case):
 
 
 def test_a_slip_of_weakening_belongs_to_a_map(case):
-    asperities = slide(case, "--kept", "0.5", "--weakening-slip", "10 nm")
+    asperities = slide(case, "--residual-strength", "0.5", "--weakening-slip", "10 nm")
     assert asperities.exit_code == 2 and "boundary_elements" in asperities.output
 
 
@@ -110,11 +110,11 @@ first = { file = "map.npy", size = "10 um", unit = "m", periodic = true }
 load = ["1 mN", "10 mN"]
 """
     )
-    weakened = ("--kept", "0.3", "--weakening-slip", "5 nm")
+    weakened = ("--residual-strength", "0.3", "--weakening-slip", "5 nm")
     said = slide(tmp_path / "case.toml", "--model", "boundary_elements", *weakened, "--json", "--out", tmp_path / "out")
     assert said.exit_code == 0, said.output
     contact = st.read_case(tmp_path / "case.toml").subject
-    found = st.slide(contact, load=["1 mN", "10 mN"], model="boundary_elements", kept=0.3, weakening_slip="5 nm")
+    found = st.slide(contact, load=["1 mN", "10 mN"], model="boundary_elements", residual_strength=0.3, weakening_slip="5 nm")
     efficiency = json.loads(said.stdout)["variables"]["friction_efficiency"]["values"]
     np.testing.assert_allclose(efficiency, found["friction_efficiency"], rtol=1e-9)
     assert all(0.3 < one < 1.0 for one in efficiency)

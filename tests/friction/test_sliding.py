@@ -113,7 +113,7 @@ def test_where_asperities_let_go(kept):
         return kept * slid + (1.0 - slid) - math.exp(-x)
 
     moved = np.array([0.01, 0.1, 0.4, 0.9])
-    found = st.slide(coulomb(), separation=0.5, heights="exponential", displacement=moved, kept=kept, **COULOMB)
+    found = st.slide(coulomb(), separation=0.5, heights="exponential", displacement=moved, residual_strength=kept, **COULOMB)
     friction = float(found["friction_force"])
     assert_allclose(found["tangential_force"] / friction, [carried(one / M) for one in moved], rtol=1e-9)
     assert gamma(2.5) * float(found["touching_asperities"]) == pytest.approx(friction / F, rel=1e-9)
@@ -139,7 +139,7 @@ def test_sums_written_out(asperity, tangential, kept):
     given = st.Indices(theta=30.0, lam=50.0, shear_strength=0.1, nu=0.25)
     moved = np.array([0.02, 0.15, 0.6])
     found = st.slide(
-        given, separation=0.4, displacement=moved, kept=kept, model=PLAIN, asperity=asperity, tangential=tangential
+        given, separation=0.4, displacement=moved, residual_strength=kept, model=PLAIN, asperity=asperity, tangential=tangential
     )
     flat, expected = Groups.of(given)[0], np.zeros(3)
     for piece in find(asperity, AsperityLaw).pieces(flat, **options_of(asperity, AsperityLaw)):
@@ -189,7 +189,7 @@ def test_static_friction_is_the_bound(asperity, tangential):
     little = 1e-5 * found["sliding_displacement"].values.min()
     slope = st.slide(given, separation=[0.0, 2.0], displacement=[little], **laws)["tangential_force"].values[:, 0] / little
     assert_allclose(slope, found["tangential_stiffness"], rtol=2e-3)
-    fallen = st.slide(given, separation=[0.0, 2.0], kept=0.0, **laws)
+    fallen = st.slide(given, separation=[0.0, 2.0], residual_strength=0.0, **laws)
     assert (fallen["largest_tangential_force"].values <= bound[:, 0]).all()
     assert_allclose(fallen["tangential_force"].max("displacement"), fallen["largest_tangential_force"], rtol=0.01)
     assert (fallen["tangential_force"].max("displacement") <= fallen["largest_tangential_force"] * (1 + 1e-9)).all()
@@ -258,8 +258,8 @@ def test_several_contacts_at_several_loads():
         ({}, {"model": "persson_2001"}, ("presliding",)),
         ({}, {"tangential": "none"}, ("tangential",)),
         ({}, {"model": "soft_coating_2015", "tangential": None, "variant": "published"}, ("variant",)),
-        ({}, {"kept": 1.5}, ("kept", "0", "1")),
-        ({}, {"kept": math.nan}, ("kept", "0", "1")),
+        ({}, {"residual_strength": 1.5}, ("residual_strength", "0", "1")),
+        ({}, {"residual_strength": math.nan}, ("residual_strength", "0", "1")),
         ({}, {"displacement": "-1 nm"}, ("displacement", ">= 0")),
         ({}, {"displacement": []}, ("displacement",)),
         ({}, {"separation": "48 nm"}, ("separation or load",)),

@@ -45,22 +45,22 @@ def test_like_bodies_without_poissons_ratio_are_as_stiff_aside_as_they_are_press
 
 
 def test_strength_that_is_lost_with_slip_makes_friction_less_for_larger_loads_and_shorter_slips():
-    found = slide(contact(), load=["0.3 mN", "3 mN"], kept=0.0, weakening_slip="3 nm")
+    found = slide(contact(), load=["0.3 mN", "3 mN"], residual_strength=0.0, weakening_slip="3 nm")
     small, large = found["friction_efficiency"].values
     assert 0.3 < large < small < 1.0
-    shorter = slide(contact(), load="3 mN", kept=0.0, weakening_slip="1.5 nm")
+    shorter = slide(contact(), load="3 mN", residual_strength=0.0, weakening_slip="1.5 nm")
     assert float(shorter["friction_efficiency"]) < large
-    half = slide(contact(), load="3 mN", kept=0.5, weakening_slip="3 nm")
+    half = slide(contact(), load="3 mN", residual_strength=0.5, weakening_slip="3 nm")
     assert max(large, 0.5) < float(half["friction_efficiency"]) < 1.0
     ratio = half["largest_tangential_force"] / half["friction_force"]
     assert float(ratio) == pytest.approx(float(half["friction_efficiency"]), rel=1e-12)
-    long = slide(contact(), load="3 mN", kept=0.0, weakening_slip="10 um")
+    long = slide(contact(), load="3 mN", residual_strength=0.0, weakening_slip="10 um")
     assert float(long["friction_efficiency"]) == pytest.approx(1.0, abs=0.001)
 
 
 def test_a_map_that_does_not_resolve_the_loss_says_so():
     """l_c = D_c G/(2 tau_p) of like bodies; a tenth of a point's width here, where 3 points are wanted."""
-    found = slide(contact(), kept=0.0, weakening_slip="0.05 nm", displacement=["0.1 nm"])
+    found = slide(contact(), residual_strength=0.0, weakening_slip="0.05 nm", displacement=["0.1 nm"])
     silicon = contact().first
     rigidity = silicon.youngs_modulus / (2.0 * (1.0 + silicon.poissons_ratio))
     expected = 0.05e-9 * rigidity / (2.0 * 200e6) / (1e-5 / 64)
@@ -78,10 +78,10 @@ def test_a_film_of_the_same_material_changes_nothing():
 
 def test_half_of_what_weakening_takes_is_refused():
     with refusal("weakening_slip", "not given", "1 nm for monolayers"):
-        slide(contact(), kept=0.5)
-    with refusal("weakening_slip", "1 nm", "kept < 1"):
+        slide(contact(), residual_strength=0.5)
+    with refusal("weakening_slip", "1 nm", "residual_strength < 1"):
         slide(contact(), weakening_slip="1 nm")
     with refusal("tangential", "none", "tangential law"):
         slide(contact(), tangential="none")
     with refusal("weakening_slip", "1 nm", "boundary_elements"):
-        st.slide(contact(), load="1 mN", weakening_slip="1 nm", kept=0.5)
+        st.slide(contact(), load="1 mN", weakening_slip="1 nm", residual_strength=0.5)

@@ -80,7 +80,7 @@ def slide(
     ranges: Ranges = None,
     asperity: Asperity = None,
     tangential: Tangential = None,
-    kept: float = option("Residual strength of a sliding asperity or point, as a fraction.", 1.0),
+    residual_strength: float | None = option("Residual strength of a sliding asperity or point, as a fraction."),
     weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
     **beside: str | None,
 ) -> None:
@@ -94,7 +94,7 @@ def slide(
     with solving():
         from stiction.studies.case_results import slide_case
 
-        data = slide_case(chosen, laws, kept, weakening_slip)
+        data = slide_case(chosen, laws, residual_strength=residual_strength, weakening_slip=weakening_slip)
     from stiction.report.views.sliding import sliding_view
 
     present(sliding_view(chosen, data), out, json, details)

@@ -48,6 +48,8 @@ class Contact(Subject):
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results take its medians.
     peeling, strength_variation : float, optional
         Mode-mixity share of an adhesive asperity, by default 1; coefficient of variation of the strength of junctions.
+    weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
+        Slip over which the strength of the interface falls, and the fraction of it that stays; the slip needs the fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
         Liquid that condenses between asperities; strengthening of the interface at rest, all three or none.
 
@@ -83,6 +85,8 @@ class Contact(Subject):
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
     strength_variation: OptionalNumber = None
+    weakening_slip: OptionalNumber = None
+    residual_strength: OptionalNumber = None
     hold_time: OptionalNumber = None
     reference_time: OptionalNumber = None
     ageing_rate: OptionalNumber = None
@@ -97,6 +101,8 @@ class Contact(Subject):
         left_out = [name for name in rest if getattr(self, name) is None]
         if 0 < len(left_out) < len(rest):
             raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
+        if self.weakening_slip is not None and self.residual_strength is None:
+            raise InputError("residual_strength", None, "0 to 1 beside weakening_slip: the fraction of the strength that stays")
         return self
 
     def _check_adhesion(self) -> None:
@@ -215,6 +221,8 @@ class Contact(Subject):
             "reference_time": "waiting",
             "ageing_rate": "ageing_rate",
             "strength_variation": "strength_variation",
+            "weakening_slip": "weakening_slip",
+            "residual_strength": "residual_strength",
         }
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}

@@ -26,7 +26,7 @@ from stiction.solving.on_map import OnMap
 from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.sliding_on_map import slide_on_map
+from stiction.solving.sliding_on_map import slide_on_map, used_by_sliding
 
 if TYPE_CHECKING:
     import xarray
@@ -50,7 +50,7 @@ def slide(
     separation: "QuantityLike | None" = None,
     load: "QuantityLike | None" = None,
     displacement: "QuantityLike | None" = None,
-    kept: float = 1.0,
+    residual_strength: float | None = None,
     weakening_slip: "QuantityLike | None" = None,
     model: str | None = None,
     heights: Heights | str | None = None,
@@ -67,10 +67,11 @@ def slide(
     displacement : float [m], str with a unit, or array, optional
         Tangential displacements from rest, 0 or more; over sigma for Indices. By default 61 of them, up to 1.5 times the
         largest sliding displacement.
-    kept : float
-        Share of its strength that an asperity has once it slides, 0 to 1; 1 is Coulomb's law.
+    residual_strength : float, optional
+        Fraction of its strength that an asperity, or a point, retains once it slides, 0 to 1; 1 is Coulomb's law. By default
+        that of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
-        For a map with kept < 1: slip over which a point loses the rest of its strength, linearly.
+        For a map: slip over which a point loses the rest of its strength, linearly. By default that of the contact.
     model : str, optional
         As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map.
     heights : Heights or str, optional
@@ -83,7 +84,7 @@ def slide(
     xarray.Dataset
         friction_force [N] and friction_coefficient, the sum of all strengths, which the force cannot exceed;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for kept = 1,
+        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for a residual strength of 1,
         energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest force over the sum of
         strengths, and over `displacement` sticking_share.
 
@@ -107,16 +108,17 @@ def slide(
     True
     """
     subject = as_subject(contact)
-    share = _share(kept)
+    residual = _residual(subject, residual_strength)
     if model is not None and isinstance(on_map := make_problem(contact, choice_of(model, laws, subject), heights), OnMap):
-        return slide_on_map(on_map, points_of(on_map, load, separation), displacement, share, weakening_slip)
+        slip = getattr(subject, "weakening_slip", None) if weakening_slip is None else weakening_slip
+        return slide_on_map(on_map, points_of(on_map, load, separation), displacement, residual, slip)
     if weakening_slip is not None:
         raise InputError("weakening_slip", weakening_slip, "nothing: only points of a map take it, model = boundary_elements")
     if subject.has_film:
         raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
-    sliding = Sliding(problem, share)
+    sliding = Sliding(problem, residual)
     points = points_of(problem, load, separation)
     subject, name, point, factors, dims = problem.subject, points.name, points.value, points.factors, points.dims
     with in_words(points):
@@ -135,10 +137,12 @@ def slide(
     return data.assign_attrs(sliding.summary(static))
 
 
-def _share(kept: Any) -> float:
-    value = floats(kept, "kept", "a number from 0 to 1")
+def _residual(subject: Subject, given: Any) -> float:
+    """Return the residual strength: the given one, else that of the contact, else 1."""
+    stated = getattr(subject, "residual_strength", None) if given is None else given
+    value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
     if value.ndim or not 0.0 <= value <= 1.0:
-        raise InputError("kept", kept, "a number from 0 to 1")
+        raise InputError("residual_strength", stated, "a number from 0 to 1")
     return float(value)
 
 
@@ -175,10 +179,10 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
 
 @dataclass(frozen=True)
 class Sliding:
-    """A problem whose asperities are moved aside; kept: the share of its strength that one keeps once it slides."""
+    """A problem whose asperities are moved aside; residual: the fraction of its strength that one retains once it slides."""
 
     problem: Sum
-    kept: float
+    residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
         """Return force and energy lost in a cycle, normalised (2, *shape).
@@ -204,7 +208,7 @@ class Sliding:
     def _summed(self, row: np.ndarray, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
         chosen = self.problem.chosen
         assert chosen.tangential is not None
-        law = slipping_law(chosen.tangential, displacement, self.kept)
+        law = slipping_law(chosen.tangential, displacement, self.residual)
         moved = replace(self.problem, groups=self.problem.groups[row], chosen=chosen.without("presliding", tangential=law))
         return moved.forces(h, np.arange(h.size))
 
@@ -214,7 +218,7 @@ class Sliding:
         wide = np.broadcast_to(h.reshape(h.shape + (1,) * (displacement.ndim - h.ndim)), displacement.shape)
         force, loss = self.at(wide, displacement)
         # What the branches of a cycle are like when asperities have let go is not known.
-        return {"tangential_force": force} | ({"energy_loss": loss} if self.kept == 1.0 else {})
+        return {"tangential_force": force} | ({"energy_loss": loss} if self.residual == 1.0 else {})
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Return the largest force and its displacement.
@@ -224,7 +228,7 @@ class Sliding:
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
         unit = np.where(held, quotient(1.5 * strength, stiffness), 1.0)
-        if self.kept == 1.0:
+        if self.residual == 1.0:
             where, largest = self._nearly(h, unit, _NEARLY * strength), strength
         else:
             where, largest = self._peak(h, unit)
@@ -259,7 +263,7 @@ class Sliding:
         return where, self.at(h, where)[0]
 
     def summary(self, static: dict[str, np.ndarray]) -> dict[str, Any]:
-        known = summary_of(self.problem.subject, self.problem, static)
-        how = "all of its strength" if self.kept == 1.0 else f"{self.kept:g} of its strength"
+        known = summary_of(self.problem.subject, self.problem, static) | used_by_sliding(self.problem, ("residual_strength",))
+        how = "all of its strength" if self.residual == 1.0 else f"{self.residual:g} of its strength"
         title = f"Tangential force up to sliding after {known['model']}"
-        return known | {"title": title, "kept": self.kept, "sliding": f"an asperity that slides keeps {how}"}
+        return known | {"title": title, "residual_strength": self.residual, "sliding": f"an asperity that slides keeps {how}"}

@@ -12,7 +12,9 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
 from stiction.solving.on_map import OnMap
 from stiction.solving.points import Points, coordinates_of, points_asked, solve_points
+from stiction.solving.problem_base import Problem
 from stiction.solving.results import labelled, summary_of
+from stiction.solving.unused import as_attributes, unused_inputs
 
 if TYPE_CHECKING:
     import xarray
@@ -26,12 +28,12 @@ _NEARLY = 0.99  # of a force that is only tended to
 _KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
 
 
-def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float, weakening_slip: Any) -> "xarray.Dataset":
+def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: float, weakening_slip: Any) -> "xarray.Dataset":
     """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
     from stiction.solvers.shear.path import full_shift
 
     contact, factors = problem.contact, problem.factors
-    weakening = _weakening(problem, kept, weakening_slip)
+    weakening = _weakening(problem, residual, weakening_slip)
     static = solve_points(points).tables
     loads = static["load"]
     contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
@@ -47,7 +49,7 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
         raise InputError("displacement", contact.show(float(shifts.min()), "displacement"), "0 or more")
     paths = [_path(operator, one, strength, shifts, weakening) for one, strength in zip(contacts, strengths, strict=True)]
     whole = contact.nominal_area / contacts[0].nominal_area
-    ends = _ends(operator, paths, whole, kept, factors)
+    ends = _ends(operator, paths, whole, residual, factors)
     if weakening is not None:
         ends["points_in_weakening"] = _points_in_loss(problem, operator, strengths, weakening)
     ends = {name: values.reshape(loads.shape) for name, values in ends.items()}
@@ -64,7 +66,13 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, kept: float,
     for name in {"displacement", points.name} & set(data.coords):
         data[name].attrs = problem.subject.attributes(str(name))
     known = summary_of(problem.subject, problem, static | ends)
-    return data.assign_attrs(known | _said(known, kept, weakening, paths))
+    known |= used_by_sliding(problem, ("residual_strength", "weakening_slip"))
+    return data.assign_attrs(known | _said(known, residual, weakening, paths))
+
+
+def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
+    """Return the attributes that name unused inputs, without those that only sliding uses."""
+    return as_attributes(one for one in unused_inputs(problem) if one.input not in names)
 
 
 def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
@@ -75,17 +83,17 @@ def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
     return np.concatenate([np.linspace(0.0, elastic, _STEPS - _STEPS // 3 + 1), after])
 
 
-def _weakening(problem: OnMap, kept: float, slip: Any) -> "Weakening | None":
+def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None":
     """Return how strength falls with slip, None if it does not. Raises InputError for half of what that takes."""
     from stiction.solvers.shear.path import Weakening
 
-    if kept == 1.0:
-        if slip is not None:
-            raise InputError("weakening_slip", slip, "nothing, where a point keeps all of its strength: give kept < 1")
-        return None
     if slip is None:
-        raise InputError("weakening_slip", None, _KNOWN)
-    return Weakening(float(problem.subject.read(slip, "weakening_slip")), kept)
+        if residual < 1.0:
+            raise InputError("weakening_slip", None, _KNOWN)
+        return None
+    if residual == 1.0:
+        raise InputError("weakening_slip", slip, "nothing, where a point keeps all of its strength: residual_strength < 1")
+    return Weakening(float(problem.subject.read(slip, "weakening_slip")), residual)
 
 
 def _operator(problem: OnMap) -> "ShearOperator":
@@ -103,14 +111,16 @@ def _path(operator, one: "MapContact", strength: np.ndarray, shifts: np.ndarray,
     return slide_map(operator, strength, shifts.tolist(), pixel=one.nominal_area / strength.size, weakening=weakening)
 
 
-def _ends(operator, paths: "list[SlidingPath]", whole: float, kept: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
+def _ends(
+    operator, paths: "list[SlidingPath]", whole: float, residual: float, factors: dict[str, Any]
+) -> dict[str, np.ndarray]:
     """Return stiffness at rest, the largest force, where it is, and its share of the sum of strengths, normalised (m,)."""
     from stiction.solvers.shear.path import stuck_stiffness
 
     sums = np.array([path.strength.sum() * path.pixel for path in paths])
-    largest = sums if kept == 1.0 else np.array([path.peak.force * path.pixel for path in paths])
+    largest = sums if residual == 1.0 else np.array([path.peak.force * path.pixel for path in paths])
     stiffness = np.array([stuck_stiffness(operator, path.strength > 0.0) * path.pixel for path in paths])
-    where = np.array([_nearly(path) if kept == 1.0 else path.peak.shift for path in paths])
+    where = np.array([_nearly(path) if residual == 1.0 else path.peak.shift for path in paths])
     return {
         "tangential_stiffness": stiffness * whole / factors["N/m"],
         "largest_tangential_force": largest * whole / factors["N"],
@@ -139,12 +149,12 @@ def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weake
     return np.array([weakening_length(operator, float(one.max()), weakening) / pitch for one in strengths])
 
 
-def _said(known: dict[str, Any], kept: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:
+def _said(known: dict[str, Any], residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:
     """Return what the result says of itself: what a point keeps, and what did not converge."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
-        how = f"a point that slips {weakening.slip:.3g} m keeps {kept:g} of its strength"
+        how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"
     settled = all(state.converged for path in paths for state in path.states)
     remarks = [known["remarks"], "" if settled else "the force did not converge at some displacements"]
     title = f"Tangential force up to sliding after {known['model']}"
-    return {"title": title, "kept": kept, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}
+    return {"title": title, "residual_strength": residual, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}

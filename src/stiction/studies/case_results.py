@@ -92,7 +92,7 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
 def slide_case(
     case: "CaseLike",
     choice: Choice | None = None,
-    kept: float = 1.0,
+    residual_strength: float | None = None,
     weakening_slip: "QuantityLike | None" = None,
 ) -> "xarray.Dataset":
     """Slide a case at its points, at most five of them.
@@ -103,7 +103,7 @@ def slide_case(
         One contact; with uncertain numbers the nominal ones are taken.
     choice : Choice, optional
         Model and laws that replace the own ones of the case.
-    kept : float
+    residual_strength : float, optional
         As in `slide`, 0 to 1.
     weakening_slip : float [m] or str with a unit, optional
         As in `slide`.
@@ -133,7 +133,7 @@ def slide_case(
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
     subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
-    data = slide(subject, **points, kept=kept, weakening_slip=weakening_slip, **given)
+    data = slide(subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip, **given)
     return _said(data, case).assign_attrs(case.subject.groups())
 
 

@@ -33,7 +33,7 @@ def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     """Yield notes on a result, one line each."""
     used = data.attrs
     yield f"mu: the whole contact at its strength together; {used['sliding']}"
-    if used["kept"] == 1.0:
+    if used["residual_strength"] == 1.0:
         yield "the force then tends to that, and the displacement is where it has come to 99 % of it"
     yield from run_notes(data)
 

@@ -29,6 +29,8 @@ _INTERFACE = (
     "pressure_coefficient",
     "peeling",
     "strength_variation",
+    "weakening_slip",
+    "residual_strength",
     "hold_time",
     "reference_time",
     "ageing_rate",
