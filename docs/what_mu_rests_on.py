@@ -27,15 +27,18 @@ BULK = CONTACT.first.hardness / (2.8 * 3.0**0.5)
 
 @dataclass(frozen=True)
 class Switch:
-    """One assumption switched. contact: what is replaced of the contact; laws: of the laws, model and options; kept: the share
-    of its strength that an asperity keeps once it slides, and friction the maximum of the sliding curve; None: all together;
-    spread: friction is the mean and, either side of it, the standard deviation from one contact to the next; exponent: of
-    Weibull's distribution of heights, where that is chosen."""
+    """One assumption switched.
+
+    contact: what is replaced of the contact; laws: of the laws, model and options; residual: the fraction of its strength that
+    an asperity retains once it slides, and friction the maximum of the sliding curve; None: all together; spread: friction is
+    the mean and, either side of it, the standard deviation from one contact to the next; exponent: of Weibull's distribution of
+    heights, where that is chosen.
+    """
 
     words: str
     laws: Mapping[str, str] = field(default_factory=dict)
     contact: Mapping[str, Any] = field(default_factory=dict)
-    kept: float | None = None
+    residual: float | None = None
     load: str = LOAD
     spread: bool = False
     exponent: float | None = None
@@ -96,7 +99,7 @@ def assumptions() -> dict[str, list[Switch]]:
                    contact={"strength_variation": 0.5, "nominal_area": "0.01 mm^2"}, load="10 mN", spread=True),
         ],
         "asperities slide alone": [
-            Switch(f"one after another, {kept:.0%} kept in sliding", kept=kept) for kept in (1.0, 0.7, 0.4)
+            Switch(f"one after another, {residual:.0%} kept in sliding", residual=residual) for residual in (1.0, 0.7, 0.4)
         ],
         "peeling, elastic": [
             *(_peeling("savkoor_briggs_1977", zeta, "savkoor_briggs_1977") for zeta in (1.0, 0.1)),
@@ -138,8 +141,8 @@ def solve(switch: Switch) -> Answer:
     laws = {name: law for name, law in (LAWS | dict(switch.laws)).items() if law}
     contact, heights = CONTACT.replace(**switch.contact), laws.pop("heights", "gaussian")
     chosen = st.height_distribution(heights, **({} if switch.exponent is None else {"exponent": switch.exponent}))
-    if switch.kept is not None:
-        found = st.slide(contact, load=switch.load, kept=switch.kept, heights=chosen, **laws)
+    if switch.residual is not None:
+        found = st.slide(contact, load=switch.load, residual_strength=switch.residual, heights=chosen, **laws)
         mu = [float(found["largest_friction_coefficient"])]
     else:
         found = st.solve(contact, load=switch.load, heights=chosen, **laws)

@@ -5,9 +5,10 @@
 writes slides.csv beside this file; half an hour on one core, less where rows are kept in truth/work. Elastic maps
 of 128 x 128 points of gradient .1, spots of one strength, like bodies of nu 0.3. Columns: design, held: whether the row is for
 judging, not for fits; edges: whether nothing is beside the map, or its next period; pressure over E* h'; share: contact over
-nominal area; radius: of spots, weighted by their area, over the side; spread: standard deviation over the contact of the
-displacement under its strength, over strength, compliance and side; length: l_c over the side; residual: share of the strength
-that stays; efficiency.
+nominal area; radius: of spots, weighted by their area, over the side; numbers: that of `spot_radius` from the numbers of the
+asperities; spread: standard deviation over the contact of the displacement under its strength, over strength, compliance S and
+side; length: l_c over the side; residual: share of the strength that stays; efficiency. Then it prints the constants of
+stiction.solving.sliding_efficiency that fit the rows, and what they leave on rows that are held out.
 """
 
 import csv
@@ -19,7 +20,9 @@ from pathlib import Path
 
 import numpy as np
 from scipy.ndimage import label
+from scipy.optimize import least_squares
 
+import stiction as st
 import surfaces as design
 from solve import WORK
 from stiction.solvers.boundary_elements.measures import waves
@@ -27,6 +30,8 @@ from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 from stiction.solvers.shear.operators import FreeShear, PeriodicShear
 from stiction.solvers.shear.path import Weakening, full_shift, slide_map, weakening_length
+from stiction.solving import sliding_efficiency as law
+from stiction.solving.sliding_efficiency import spot_radius
 
 FILE = Path(__file__).parent / "slides.csv"
 POINTS = 128
@@ -36,7 +41,7 @@ SIZES = (0.5, 2.0, 6.0, 12.0)  # of the nominal side times the share of contact,
 RESIDUALS = (0.0, 0.5, 0.8)
 LEAST_POINTS = 3.0  # in l_c
 _STRONG = 0.93  # efficiency above which no point has lost all that it can: the residual strength does not matter
-COLUMNS = ("design", "held", "edges", "pressure", "share", "radius", "spread", "length", "residual", "efficiency")
+COLUMNS = ("design", "held", "edges", "pressure", "share", "radius", "numbers", "spread", "length", "residual", "efficiency")
 _STEPS = 20
 _BODY = HalfSpace(2.6, 0.3)  # of G = 1
 
@@ -53,7 +58,7 @@ def some() -> Iterator[design.Surface]:
         yield design.Surface(kind, 3, 0.6, ratio, points=POINTS, fineness=fineness, change=change, design=960 + number)
 
 
-def spot_radius(touching: np.ndarray, periodic: bool) -> float:
+def radius_of_spots(touching: np.ndarray, periodic: bool) -> float:
     """Radius of the spots of a map, weighted by their area, over its side."""
     spots, count = label(touching)
     if periodic:  # join spots across the sides
@@ -88,7 +93,7 @@ def _moved(surface: design.Surface) -> Iterator[list]:
         share = float(strength.mean())
         for edges, boundary in ((False, PeriodicShear), (True, FreeShear)):
             operator = boundary(compliance, strength.shape, (1.0, 1.0))
-            radius = spot_radius(strength > 0.0, not edges)
+            radius = radius_of_spots(strength > 0.0, not edges)
             unit = weakening_length(operator, 1.0, Weakening(1.0))  # l_c of a slip of 1
             spread = float(np.std(operator(strength[None])[0][strength > 0.0])) * unit
             for size in SIZES if edges else RADII:
@@ -108,8 +113,40 @@ def _moved(surface: design.Surface) -> Iterator[list]:
 def rows() -> Iterator[list]:
     """Every row."""
     for surface in some():
-        yield from rows_of(surface)
+        yield from _with_numbers(surface, rows_of(surface))
         print(surface.name, flush=True)
+
+
+def _with_numbers(surface: design.Surface, found: list[list]) -> Iterator[list]:
+    """Add the radius of spots that the numbers of the asperities give."""
+    made = surface.made()
+    area = made.size[0] ** 2
+    rough = st.Contact(first="silicon", second="silicon", roughness=made, nominal_area=area).as_numbers().roughness
+    numbers = rough.asperity_height_deviation, rough.asperity_radius, rough.asperity_density
+    at = COLUMNS.index("numbers")
+    for row in found:
+        yield [*row[:at], float(spot_radius(row[COLUMNS.index("share")], *numbers)) / made.size[0], *row[at:]]
+
+
+def fit(table: dict[str, np.ndarray]) -> None:
+    """Print constants that fit the rows, and the error of the law on those held out."""
+    used, held = table["held"] == 0, table["held"] == 1
+    spread, residual, wanted = table["spread"] / table["length"], table["residual"], np.log(table["efficiency"])
+
+    def error(constants: np.ndarray) -> np.ndarray:
+        return (np.log(law.efficiency(spread / (1.0 - residual), residual, constants)) - wanted)[used]
+
+    print("b, m, w:", least_squares(error, law.FITTED).x)
+    left = np.log(law.efficiency(spread / (1.0 - residual), residual)) - wanted
+    for name, some in (("fitted", used), ("held out", held)):
+        rms, largest = np.sqrt(np.mean(left[some] ** 2)), abs(left[some]).max()
+        print(f"{name}: {np.count_nonzero(some)} rows, {rms:.4f} rms, {largest:.4f} at most")
+    endless, first = table["edges"] == 0, np.unique(table["spread"], return_index=True)[1]
+    one = np.intersect1d(np.flatnonzero(endless), first)
+    ratio = np.log(table["spread"][one] / table["numbers"][one] / (1.0 - 0.5 * _BODY.poisson))
+    open_share = np.column_stack([np.ones(len(one)), np.log1p(-table["share"][one])])
+    constants = np.linalg.lstsq(open_share, ratio, rcond=None)[0]
+    print(f"k_a {np.exp(constants[0]):.3f}, q {constants[1]:.3f}, deviation {np.std(ratio - open_share @ constants):.3f}")
 
 
 if __name__ == "__main__":
@@ -120,3 +157,6 @@ if __name__ == "__main__":
             [value if isinstance(value, str) else int(value) if isinstance(value, bool) else f"{value:.5g}" for value in row]
             for row in rows()
         )
+    with FILE.open(encoding="utf-8") as file:
+        found = list(csv.DictReader(file))
+    fit({name: np.array([float(row[name]) for row in found]) for name in COLUMNS[1:]})

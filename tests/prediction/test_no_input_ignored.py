@@ -32,7 +32,8 @@ FILM = {
 BARE = {
     "first": BODY, "second": {**BODY, "hardness": "2.02 GPa"}, "roughness": {**SURFACE, "kind": "worn"},
     "work_of_adhesion": "0.3 J/m^2", "nominal_area": "1 mm^2", "interfacial_shear_strength": "100 MPa",
-    "pressure_coefficient": 0.05, "strength_variation": 0.4, "hold_time": "100 s", "reference_time": "1 s",
+    "pressure_coefficient": 0.05, "strength_variation": 0.4, "weakening_slip": "5 nm",
+    "residual_strength": 0.6, "hold_time": "100 s", "reference_time": "1 s",
     "ageing_rate": 0.02, "liquid": LIQUID,
 }  # fmt: skip
 CONTACTS = {

@@ -30,6 +30,7 @@ _NAMES = {
     "adhesion": "adhesion and liquid",
     "junctions": "plastic junctions",
     "chance": "chance, few asperities",
+    "sliding": "size of the contact spots",
 }
 
 
@@ -61,6 +62,7 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
         "friction_force_interval": ends(_FORCE),
         "contact_area": float(here[_AREA]),
         "contact_area_interval": ends(_AREA),
+        "efficiency": float(here["friction_efficiency"]) if "friction_efficiency" in here else None,
         "regime": data.attrs["regime"],
         "shares": dict(data.attrs["shares"]),
         "warnings": list(data.attrs["warnings"]),
@@ -124,6 +126,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
+        ("sliding", _sliding(here)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
         ("bare metal", _bare(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
@@ -132,6 +135,13 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("next", attrs["next_step"]),
     ]
     return [(head, text) for head, text in rows if text]
+
+
+def _sliding(here: "xarray.Dataset") -> str:
+    """Return how much of its strength the contact bears at once, where it loses strength with slip."""
+    if "friction_efficiency" not in here:
+        return ""
+    return f"contact spots slip one after another: {float(here['friction_efficiency']):.0%} of the sum of their strengths"
 
 
 def _along(data: "xarray.Dataset") -> str:

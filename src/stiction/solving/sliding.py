@@ -84,9 +84,9 @@ def slide(
     xarray.Dataset
         friction_force [N] and friction_coefficient, the sum of all strengths, which the force cannot exceed;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for a residual strength of 1,
-        energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest force over the sum of
-        strengths, and over `displacement` sticking_share.
+        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for a
+        residual strength of 1, energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest
+        force over the sum of strengths, and over `displacement` sticking_share.
 
     Raises
     ------

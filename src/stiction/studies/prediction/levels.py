@@ -17,8 +17,10 @@ COLUMNS: Mapping[str, tuple[str, ...]] = {
     "adhesion": ("pull_model", "pull_error"),
     "junctions": ("growth", "confinement"),
     "chance": ("chance",),
+    "sliding": ("spots",),
 }
 PARTS = tuple(COLUMNS)
+_APART = "spots"  # a column that few contacts need: not of the sequence, so that the others keep their levels
 
 
 @dataclass(frozen=True)
@@ -59,8 +61,10 @@ def draw_levels(inputs: int, count: int, seed: int) -> Levels:
     -----
     The sequence is scrambled as Owen (1997) does, so that its points are uniform, and the same seed gives the same draws.
     """
-    names = [name for columns in COLUMNS.values() for name in columns]
+    names = [name for columns in COLUMNS.values() for name in columns if name != _APART]
     points = sobol_points(inputs + len(names), count, seed)
     points = np.clip(points, 1e-9, 1.0 - 1e-9)  # quantiles at 0 and 1 are infinite
     # Inputs last: what has no uncertain number keeps its levels when it gets one.
-    return Levels(points[:, len(names) :], dict(zip(names, points[:, : len(names)].T, strict=True)))
+    others = dict(zip(names, points[:, : len(names)].T, strict=True))
+    others[_APART] = (np.random.default_rng(seed).permutation(count) + 0.5) / count
+    return Levels(points[:, len(names) :], others)

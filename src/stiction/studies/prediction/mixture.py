@@ -10,6 +10,7 @@ from stiction.studies.prediction.area import AreaLaw, area_laws, grown_to
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.junctions import grown, squeezed
 from stiction.studies.prediction.levels import Levels
+from stiction.studies.prediction.onset import Onset
 from stiction.studies.prediction.pull import Pull, pull_of
 from stiction.studies.prediction.strength import Strength
 
@@ -30,7 +31,8 @@ class Samples:
     """Results of the draws, arrays (n, m) over draws and loads, NaN where a draw cannot be.
 
     force [N], area [m2], pull: factor of the area by adhesion and menisci, growth: by shear, strength: tau_0 [Pa] (n, 1),
-    pressure: mean pressure of spots over the hardness, before shear.
+    pressure: mean pressure of spots over the hardness, before shear; efficiency: force over the sum of strengths, 1 where these
+    do not fall with slip.
     """
 
     force: np.ndarray
@@ -39,6 +41,7 @@ class Samples:
     growth: np.ndarray
     strength: np.ndarray
     pressure: np.ndarray
+    efficiency: np.ndarray
 
     def some(self, rows: np.ndarray, loads: int) -> "Samples":
         """Return these rows of the draws, at the first of the loads."""
@@ -54,6 +57,7 @@ class Mixture:
     laws: list[AreaLaw]
     pull: Pull
     strength: Strength
+    onset: Onset | None
 
     @classmethod
     def of(cls, asked: Asked) -> "Mixture":
@@ -62,7 +66,7 @@ class Mixture:
         Raises InputError where no law applies to it, and for a load that presses all of its faces together above the hardness.
         """
         _refuse_flattened(asked)
-        return cls(asked, asked.loads, area_laws(asked), pull_of(asked), Strength(asked))
+        return cls(asked, asked.loads, area_laws(asked), pull_of(asked), Strength(asked), Onset.of(asked))
 
     def at_load(self, at: int) -> "Mixture":
         """Return the parts of one contact at one of its loads."""
@@ -109,7 +113,10 @@ class Mixture:
             growth = np.where(asked.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
         area = np.minimum(area * growth, nominal)
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
-        return Samples(force, area, pull, growth, strength, pressure / hardness)
+        efficiency = np.ones_like(area)
+        if self.onset is not None:
+            efficiency = self.onset.efficiency(force / area, area / nominal, levels["spots"], inputs)
+        return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Return the rows of a column (n, 1), or of one number, for these rows of the inputs."""

@@ -64,7 +64,8 @@ def predict(
     xarray.Dataset
         Over `load`, and over the dimensions of numbers that are several: `friction_coefficient`, `friction_force` [N] and
         `contact_area` [m^2], medians, each with `_low` and `_high`, the ends of the interval; `friction_coefficient_samples`
-        (sample, load). Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
+        (sample, load); where the case states a weakening slip also `friction_efficiency`, the force over the sum of strengths.
+        Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
         of ln mu), `warnings` (a list, the main one first), `inputs_not_used` (a list), `next_step`, `models` (law of the area
         -> weight), `beside_area` (laws of menisci and contamination), `excluded` (share of
         draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
@@ -80,10 +81,12 @@ def predict(
 
     Notes
     -----
-    mu = (tau_0 A + alpha W)/P, with A the contact area under the load P and the pull in addition, W = P + pull. Drawn together
-    are the inputs; tau_0 and alpha, by the state of the interface; the area, by laws whose error on solved surfaces near the
-    contact is known; what pulls; how plastic junctions grow under shear; and chance, where few asperities touch. Bodies bound
-    all: tau_0 is at most the shear strength of the weaker body, A at most the nominal area, pressure at most the hardness.
+    mu = e (tau_0 A + alpha W)/P, with A the contact area under the load P and the pull in addition, W = P + pull. Drawn
+    together are the inputs; tau_0 and alpha, by the state of the interface; the area, by laws whose error on solved surfaces
+    near the contact is known; what pulls; how plastic junctions grow under shear; and chance, where few asperities touch. The
+    efficiency e is 1 unless a weakening slip is stated: then spots slip one after another (docs/explanation/onset.md). Bodies
+    bound all: tau_0 is at most the shear strength of the weaker body, A at most the nominal area, pressure at most the
+    hardness.
 
     Examples
     --------
@@ -194,6 +197,8 @@ def draws_of(case: Case, count: int = COUNT) -> Levels:
 def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
     """Return medians of the results, and both ends of their intervals: name -> values (m,) and attributes."""
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
+    if (samples.efficiency != 1.0).any():
+        tables["friction_efficiency"] = samples.efficiency
     ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
     known = np.isfinite(samples.force)
     found, answered = {}, known.any(axis=0)

@@ -74,6 +74,8 @@ def _of_surface(asked: Asked, touching: np.ndarray) -> Iterator[tuple[str, str]]
         yield from ((f"roughness.{name}", "the map itself is used") for name in contact.measured.stated)
     if contact.strength_variation is not None and not np.isfinite(touching).all():
         yield "strength_variation", "the number of contacts is not known"
+    if contact.residual_strength is not None and contact.weakening_slip is None:
+        yield "residual_strength", "weakening_slip is not stated"
 
 
 def _of_choice(case: Case) -> Iterator[tuple[str, str]]:

@@ -1,0 +1,67 @@
+"""How much of its strength a contact bears at once, where strength falls with slip: a compact law of solved maps.
+
+Spots do not reach their strength together, because elastic bodies move their points by different amounts. With s the standard
+deviation, over the contact, of the displacement that the strengths tau_p cause, and D_c the slip over which strength falls to
+r tau_p, the largest force over the sum of strengths is
+
+    V = (1 - r) s/D_c,    e_0 = [1 + (b V)^m]^(-1/(2 m)),                                                                  (1)
+    e = r + 1/2 {e_0 - r + [(e_0 - r)^2 + w^2 r (1 - r)(1 - e_0) e_0]^(1/2)}                                               (2)
+
+1 for small or weak spots, Griffith's V^(-1/2) for large ones without residual strength, r at least. b, m, w are fitted to
+maps that were moved aside (truth/slides.py): 1.6 % rms there, 1.4 % on 306 rows of maps held out. Without a map, spots of
+radius a and a square nominal area of side L, which ends, with the share c in contact, have, with S = sum (2 - nu_i)/(2 G_i),
+
+    s^2 = (tau_p S)^2 {[k_a a (1 - c)^q]^2 + [k_L c L]^2},    a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),    (3)
+
+F_0, F_1 the share of Gaussian heights above t and their mean excess (Greenwood & Williamson 1966). k_a and q are fitted to the
+same maps, whose s the numbers of their asperities give within 24 % (standard deviation of ln); k_L is that of a uniform
+square. Single discs of 0.3 to 12 l_c, which were not fitted, come out within 1 %. Own formulas (grade C): no
+published law of this was found.
+"""
+
+import math
+
+import numpy as np
+from scipy.special import ndtr
+
+__all__ = ["FITTED", "SPOTS_ERROR", "efficiency", "spot_radius", "spread_of_edges", "spread_of_spots"]
+
+FITTED = (4.137, 1.053, 0.681)
+"""b, m and w of the law."""
+_OF_SPOTS, _POWER, _OF_EDGES = 0.268, 0.820, 0.0590
+SPOTS_ERROR = 0.25
+"""Standard deviation of ln of the displacement of spots that are known by numbers."""
+_DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
+
+
+def efficiency(spread, residual, constants=FITTED):
+    """Return the largest force over the sum of strengths, (1) and (2).
+
+    spread: s/D_c, >= 0; residual: r, 0 to 1; of any shapes that broadcast; constants: b, m and w.
+    """
+    b, m, w = constants
+    alone = (1.0 + (b * (1.0 - residual) * spread) ** m) ** (-0.5 / m)
+    over = alone - residual
+    return residual + 0.5 * (over + np.sqrt(over**2 + w**2 * residual * (1.0 - residual) * (1.0 - alone) * alone))
+
+
+def spot_radius(share, deviation, radius, density):
+    """Return the mean radius a of contact spots (3) [m].
+
+    share: c, 0 to 1; deviation [m], radius [m], density [1/m2]: of asperities; of any shapes that broadcast.
+    """
+    t = np.linspace(_HIGHEST, _DEEPEST, _NODES)
+    tail = ndtr(-t)
+    excess = np.exp(-0.5 * t * t) / math.sqrt(2.0 * math.pi) - t * tail
+    wanted = share / (math.pi * radius * deviation * density)
+    return np.sqrt(radius * deviation * np.interp(wanted, excess, excess / tail))
+
+
+def spread_of_spots(radius, share):
+    """Return s/(tau_p S) [m] of spots of this radius [m] on a contact without ends (3)."""
+    return _OF_SPOTS * radius * (1.0 - share) ** _POWER
+
+
+def spread_of_edges(side, share):
+    """Return s/(tau_p S) [m] of a square of this side [m], of which a share is in contact (3)."""
+    return _OF_EDGES * side * share
