@@ -82,6 +82,14 @@ class ShearCompliance:
         return sum(1.0 / body.shear_modulus for body in bare), sum(body.poisson / body.shear_modulus for body in bare)
 
     @property
+    def mismatch(self) -> float:
+        """Return M [1/Pa], by which pressure and shear feel each other; of two bodies without films."""
+        first, second = (
+            (1.0 - 2.0 * body.poisson) / (2.0 * body.shear_modulus) for body in self.bodies if isinstance(body, HalfSpace)
+        )
+        return first - second
+
+    @property
     def at_zero(self) -> float:
         """Return the displacement under uniform traction [m/Pa]: t/G of films on rigid bases, 0 where that is not defined."""
         films = [body for body in self.bodies if isinstance(body, Film)]

@@ -1,0 +1,139 @@
+"""Pressure and shear that feel each other: bodies that are not alike.
+
+Traction q on the upper body and the pressure p move the faces past each other and apart by (Johnson 1985, Contact Mechanics,
+eqs. 3.22 and 3.75; sign of q as in `compliance`)
+
+    u_t = C q + D p,    u_z = C_n p + D^T q,    D = M/(2 pi) (x, y)/r^2 *,                                                 (1)
+    M = (1 - 2 nu_1)/(2 G_1) - (1 - 2 nu_2)/(2 G_2)
+
+in wavevectors D = -i M k/k^2. M is 0 for like bodies, and for an incompressible one on a rigid one. Pressure and traction are
+found in turns (Panagiotopoulos 1975, Ing.-Arch. 44, 421): the pressure on the heights less D^T q, then the traction within the
+strength that the pressure gives, under the shift less D p, until the pressure stays.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.fft import irfft2, next_fast_len, rfft2
+
+from stiction.quantities.errors import InputError
+from stiction.solvers.boundary_elements.operators import components
+from stiction.solvers.shear.compliance import ShearCompliance
+from stiction.solvers.shear.minimise import shear, size_of
+from stiction.solvers.shear.operators import ShearOperator
+
+_MOST_TURNS = 60
+
+Press = Callable[[np.ndarray], np.ndarray]
+"""From the displacement (rows, columns) [m] that shear adds between the faces to the pressure (rows, columns) [Pa]."""
+
+
+class Coupling:
+    """The operator D of (1), of a map that is periodic or has nothing outside.
+
+    compliance: of bodies without films; shape: (rows, columns); size: (y, x) [m]; periodic. Raises InputError for films.
+    """
+
+    def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):
+        if compliance.layered:
+            raise InputError(
+                "film", "between bodies that are not alike", "none: how a film couples pressure and shear is not solved"
+            )
+        self.shape, mismatch = shape, compliance.mismatch
+        if periodic:
+            self._grid = shape
+            ky, kx = components(shape, size)
+            square = kx**2 + ky**2
+            square[0, 0] = math.inf
+            self._symbol = [-1j * mismatch * part / square for part in (kx, ky)]
+        else:
+            self._grid = tuple(next_fast_len(2 * count, real=True) for count in shape)
+            pitch = size[0] / shape[0], size[1] / shape[1]
+            self._symbol = [mismatch * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
+
+    def dragged(self, pressure: np.ndarray) -> np.ndarray:
+        """Return the tangential displacement D p [m] (2, rows, columns) under the pressure [Pa] (rows, columns)."""
+        waves = rfft2(pressure, s=self._grid)
+        return self._cut(irfft2(np.stack([symbol * waves for symbol in self._symbol]), s=self._grid))
+
+    def parted(self, traction: np.ndarray) -> np.ndarray:
+        """Return the normal displacement D^T q [m] (rows, columns) under the traction [Pa] (2, rows, columns)."""
+        waves = rfft2(traction, s=self._grid)
+        both = sum(symbol.conj() * wave for symbol, wave in zip(self._symbol, waves, strict=True))
+        return self._cut(irfft2(both, s=self._grid))
+
+    def _cut(self, field: np.ndarray) -> np.ndarray:
+        return field[..., : self.shape[0], : self.shape[1]].copy()
+
+
+@dataclass(frozen=True)
+class CoupledState:
+    """Pressure and shear of a map after a step.
+
+    pressure [Pa] (rows, columns); traction [Pa], slip: since rest [m] (2, rows, columns); stick: share of the touching points;
+    loss: work lost to slip since rest, sum over points [Pa m]; turns; change: of the pressure in the last turn, summed over
+    points, over their sum; converged.
+    """
+
+    pressure: np.ndarray = field(repr=False)
+    traction: np.ndarray = field(repr=False)
+    slip: np.ndarray = field(repr=False)
+    stick: float
+    loss: float
+    turns: int
+    change: float
+    converged: bool
+
+
+def at_rest(shape: tuple[int, int]) -> CoupledState:
+    """Return the state before faces touch."""
+    zero = np.zeros((2, *shape))
+    return CoupledState(zero[0], zero, zero, 1.0, 0.0, 0, 0.0, True)
+
+
+def press_and_shear(
+    operator: ShearOperator, coupling: Coupling, state: CoupledState, press: Press,
+    strength: Callable[[np.ndarray], np.ndarray],
+    shift: Sequence[float] = (0.0, 0.0), *, tolerance: float = 1e-5, most: int = 2000,
+) -> CoupledState:  # fmt: skip
+    """Return the state after a step from another: pressed anew, at a rigid shift (x, y) [m] since rest.
+
+    press: solves the normal problem; strength: of points under a pressure [Pa]; tolerance: of the change of the pressure in a
+    turn; most: steps of the traction. Points that part keep no slip.
+    """
+    traction, before = state.traction, state.pressure
+    rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
+    for turn in range(1, _MOST_TURNS + 1):  # noqa: B007
+        pressure = press(coupling.parted(traction))
+        left = strength(pressure)
+        found = shear(operator, left, rigid - coupling.dragged(pressure), traction, tolerance=0.1 * tolerance, most=most)
+        change = float(np.abs(pressure - before).sum() / pressure.sum())
+        traction, before = found.traction, pressure
+        if change <= tolerance:
+            break
+    touching = left > 0.0
+    sliding = touching & (size_of(traction) >= left * (1.0 - 1e-9))
+    # Where faces are apart they take up no load, and slip freely: what they have moved by counts when they touch.
+    apart = np.where(touching, found.slip, rigid - coupling.dragged(pressure) - operator(traction))
+    loss = state.loss + float(np.sum(traction * found.slip))
+    stick = 1.0 - np.count_nonzero(sliding) / np.count_nonzero(touching)
+    return CoupledState(
+        pressure, traction, state.slip + apart, stick, loss, turn, change, change <= tolerance and found.converged
+    )
+
+
+def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:
+    """Return (x, y)/(2 pi r^2) integrated over a pixel, on a periodic grid of distances."""
+    y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
+    kernels = [np.zeros(shape), np.zeros(shape)]
+    for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):
+        for down, sign_y in ((0.5, 1.0), (-0.5, -1.0)):
+            at_x, at_y = x + across * pitch[1], (y + down * pitch[0])[:, None]
+            logarithm, sign = 0.5 * np.log(at_x**2 + at_y**2), sign_x * sign_y / (2.0 * math.pi)
+            kernels[0] += sign * (at_x * np.arctan(at_y / at_x) + at_y * logarithm)
+            kernels[1] += sign * (at_y * np.arctan(at_x / at_y) + at_x * logarithm)
+    kernels[0][:, shape[1] // 2] = 0.0  # as far to either side: odd
+    kernels[1][shape[0] // 2] = 0.0
+    return kernels
