@@ -78,7 +78,7 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
-    """Draw friction along the load, the prediction at its working load, and the legend above the figure."""
+    """Draw friction along the load, the prediction at its working load, and the legend below the figure, where no title is."""
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
     here = at_working_load(prediction)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
@@ -90,7 +90,7 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
     finish(axes, legend=False)
     if legend := axes.get_legend():
         legend.remove()
-    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside upper left", ncols=3, frameon=False, fontsize=8)
+    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False, fontsize=8)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
