@@ -166,7 +166,7 @@ def test_errors_far_too_small_change_no_value(series):
 def test_a_model_that_is_not_near_the_data_is_said_so(series):
     free = {STRENGTH: {"low": "1 Pa", "high": "2 Pa"}}
     assert (
-        "the model is not near the data: what is left is 107% of the values"
+        "the model does not fit the data: residuals are 107% of the values"
         in fit(case(free=free), series(exact())).attrs["verdict"]
     )
     assert "not near" not in fit(case(), series(exact() * np.linspace(0.9, 1.1, 8))).attrs["verdict"]
@@ -217,7 +217,7 @@ def test_numbers_that_cannot_be_told_apart_are_said_so(series):
 
 def test_a_number_that_is_not_asked_for_is_said_so(series):
     found = fit(case("persson_2001", BOTH), series(exact(model="persson_2001"), 0.01))
-    assert f"these data say nothing of {ADHESION}: every value from 100 µJ/m^2 to 1 J/m^2 fits" in found.attrs["verdict"]
+    assert f"these data do not determine {ADHESION}: every value from 100 µJ/m^2 to 1 J/m^2 fits" in found.attrs["verdict"]
     assert STRENGTH not in found.attrs["verdict"]
     assert found["open_low"].values.tolist() == [False, True] and found["open_high"].values.tolist() == [False, True]
 
@@ -231,7 +231,7 @@ def test_a_number_that_is_uncertain_and_not_free_is_said_so(series):
     table = case(free={ADHESION: BOTH[ADHESION]})
     table["contact"][STRENGTH] = "200 +/- 20 MPa"
     found = fit(table, series(exact(), 0.01))
-    assert f"{STRENGTH}: uncertain, and taken as the nominal value" in found.attrs["verdict"]
+    assert f"{STRENGTH}: uncertain, but fixed at the nominal value" in found.attrs["verdict"]
     assert float(found["value"][0]) == pytest.approx(50e-3, rel=1e-4)
 
 

@@ -63,7 +63,7 @@ def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress
     not compared. progress: callable(label) that returns an iterator wrapper. Raises InputError.
     """
     if case.is_several and load is not None:
-        raise InputError("--load", load, "nothing, where numbers of the case are several: it is solved at its own points")
+        raise InputError("--load", load, "not supported with array parameters; the case is solved at its own points")
     at = None if case.is_several else working_load(case, load)
     why = "numbers of the case are several, and models are compared for one contact" if case.is_several else ""
     why = why or ("" if at is not None else "nothing presses at any of its points, and models are judged at a load above 0")

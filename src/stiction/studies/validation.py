@@ -53,7 +53,7 @@ class Band(Input):
         if not 0.0 < self.low <= self.high:
             raise InputError("low", self.low, f"above 0 and at most high, {self.high:g}")
         if not to_si(self.load, "load") > 0.0:
-            raise InputError("load", self.load, "above 0 N: mu is friction over load")
+            raise InputError("load", self.load, "above 0 N")
         return self
 
 
@@ -126,7 +126,7 @@ def read_entry(path: Any) -> Entry:
         raise InputError("measured", table, f"a table [measured] that says who measured what, in {path}")
     unknown = [name for name in content if name not in _TABLES]
     if unknown:
-        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}: loads are those of the measured values")
+        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}; loads come from the measured values")
     with field_below("measured"):
         origin = Origin(**table)
     load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
@@ -136,7 +136,7 @@ def read_entry(path: Any) -> Entry:
     uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
     if len(uncertain) < len(several):
         one = next(one for one in several.values() if not isinstance(one, Uncertain))
-        raise InputError(one.where, one.words, "one number; what differs from row to row is a column of the file")
+        raise InputError(one.where, one.words, "a single number; numbers that vary by row are columns of the file")
     values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, asked)
     _check(values, origin.file)
     entry = Entry(str(content.get("title", "")), origin, asked, values, tuple(named(list(uncertain))))
@@ -156,7 +156,7 @@ def _of_bands(bands: list[Band]) -> Measurements:
 def _check(values: Measurements, file: str) -> None:
     for quantity, value, line in zip(values.quantity, values.value, values.line, strict=True):
         if quantity in _NOT_COMPARED:
-            raise InputError(f"{file}, {quantity}", "a column", "a positive quantity, for a ratio")
+            raise InputError(f"{file}, {quantity}", "a column", "a positive quantity; predictions are compared by ratio")
         if not value > 0.0:
             raise InputError(f"{file}, line {line}, {quantity}", float(value), "above 0")
 

@@ -101,7 +101,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
     plain, several = opened(without_studies(content), folder)
     for one in several.values():
         if not isinstance(one, Uncertain):
-            raise InputError(one.where, one.words, "one number; of several one is chosen under [design.choose]")
+            raise InputError(one.where, one.words, "a single number; lists to choose from go under [design.choose]")
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
     objectives, targets = _objectives(design)
@@ -133,11 +133,11 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
         if isinstance(entry, list):
             options.append(_options(path, entry, where))
         elif path[-1] in _NAMED:
-            raise InputError(where, entry, "a list of choices")
+            raise InputError(where, entry, "a list to choose from")
         else:
             free.append(read_free(path, entry, where))
             if free[-1].each_sample:
-                raise InputError(f"{where}.each_sample", True, "not here: a design has no samples")
+                raise InputError(f"{where}.each_sample", True, "not supported: a design has no samples")
     if not free and not options:
         raise InputError(
             "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'
@@ -146,7 +146,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
         raise InputError("design.choose", f"{len(free)} numbers with ends", f"{_MOST_FREE} at most")
     ways = int(np.prod([float(len(one.entries)) for one in options if not one.is_number] or [1.0]))
     if ways > _MOST_WAYS:
-        raise InputError("design.choose", f"{ways} combinations of what is no number", f"{_MOST_WAYS} at most")
+        raise InputError("design.choose", f"{ways} combinations of materials and bodies", f"{_MOST_WAYS} at most")
     return tuple(free), tuple(options)
 
 

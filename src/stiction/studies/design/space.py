@@ -70,7 +70,7 @@ class Space:
             ends = ("friction_coefficient_low", "friction_coefficient_high")
             self.names = list(dict.fromkeys([*self.names, *ends]))
         if self.case.load is None and LOAD not in (one.path for one in self.plan.unknowns):
-            raise InputError("solve.separation", self.case.separation, "a load in its place, or one that is chosen")
+            raise InputError("solve.separation", self.case.separation, "a load, stated in [solve] or chosen in [design.choose]")
         self.choice = self._choice()
 
     @property
@@ -94,7 +94,7 @@ class Space:
         solved = solve_batch(subject, choice, load=float(points["load"].values.flat[0]))
         for name in [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
-                raise InputError("design", name, f"a result that {choice.model_key} gives here, or a group of the contact")
+                raise InputError("design", name, f"a result of {choice.model_key}, or a group of the contact")
         return choice
 
     def _prediction(self, content: Mapping, numbers: Mapping, points: Mapping) -> Choice:

@@ -22,7 +22,7 @@ class Objective(Input):
         if len(given) != 1:
             raise InputError("", given or None, 'one of minimise, maximise, target, e.g. { minimise = "friction_coefficient" }')
         if (self.target is None) != (self.value is None):
-            raise InputError("value", self.value, "a value beside target, and only there")
+            raise InputError("value", self.value, "a value with target; no value with minimise or maximise")
         return self
 
     @property

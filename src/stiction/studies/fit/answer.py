@@ -146,7 +146,7 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
     if len(data.quantities) > 1:
         missing = data.quantity[int(np.flatnonzero(~there)[0])]
         raise InputError(
-            "--data", f"{missing} without errors", f"a column {missing}_error, where several quantities were measured"
+            "--data", f"{missing} without errors", f"a column {missing}_error, because several quantities were measured"
         )
     size = np.abs(data.value).max()
     return np.full(len(data), 0.05 * size if size > 0.0 else 1.0), False
@@ -189,10 +189,10 @@ def verdicts(one: Fitted) -> list[str]:
             found += _of_one(one, at, profile)
     size = float(np.sqrt(np.mean(one.forward.data.value**2)))
     if not one.stated and one.errors[0] > _FAR_OFF * size:
-        found.append(f"the model is not near the data: what is left is {one.errors[0] / size:.0%} of the values")
+        found.append(f"the model does not fit the data: residuals are {one.errors[0] / size:.0%} of the values")
     named = one.forward.plan.uncertain
     if named:
-        found.append(f"{', '.join(named)}: uncertain, and taken as the nominal value; the intervals do not hold what that adds")
+        found.append(f"{', '.join(named)}: uncertain, but fixed at the nominal value; the intervals leave this uncertainty out")
     return found
 
 
@@ -200,11 +200,11 @@ def _of_one(one: Fitted, at: int, profile: Profile) -> list[str]:
     name, free = one.parameters[at].name, one.parameters[at].free
     low, high = (free.show(float(free.at(np.asarray(end)))) for end in (profile.low, profile.high))
     if profile.open_low and profile.open_high:
-        return [f"these data say nothing of {name}: every value from {low} to {high} fits"]
+        return [f"these data do not determine {name}: every value from {low} to {high} fits"]
     if profile.open_low:
-        return [f"these data say of {name} only that it is below {high}; down to {low}, its low end, every value fits"]
+        return [f"these data bound {name} only from above: every value from its low end, {low}, to {high} fits"]
     if profile.open_high:
-        return [f"these data say of {name} only that it is above {low}; up to {high}, its high end, every value fits"]
+        return [f"these data bound {name} only from below: every value from {low} to its high end, {high}, fits"]
     if min(one.best.shares[at], 1.0 - one.best.shares[at]) < _AT_END:
         return [f"{name} is best at its end {free.show(float(one.values[at]))}: give it wider ends"]
     return [f"{name} is badly determined: from {low} to {high}"] if _is_wide(one, at) else []

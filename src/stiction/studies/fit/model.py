@@ -191,4 +191,4 @@ def _check_answers(forward: Forward, subject: Any) -> None:
     known = set(solve_batch(subject, forward.choice, **point).variables)
     for name in forward.data.quantities:
         if result_of(name) not in known:
-            raise InputError("model", forward.choice.model_key, f"a model that knows {name}, which was measured")
+            raise InputError("model", forward.choice.model_key, f"a model that computes the measured {name}")

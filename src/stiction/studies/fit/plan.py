@@ -55,7 +55,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     for one in several.values():
         if isinstance(one, Uncertain):
             continue  # its nominal value stands for it, which is said
-        raise InputError(one.where, one.words, "one number in [contact]; several go under [fit.predict]")
+        raise InputError(one.where, one.words, "a single number in [contact]; arrays go under [fit.predict]")
     plain = as_numbers(plain)
     free = free_numbers(fit, plain)
     measured = read_measurements(data, plain)
@@ -98,13 +98,17 @@ def _check(plan: FitPlan) -> None:
     known = {path for row in plan.data.known for path in row}
     for one in plan.free:
         if one.path in known:
-            raise InputError(f"fit.free.{one.name}", "free", f"not free: the data give {one.name} in a column")
+            raise InputError(
+                f"fit.free.{one.name}", "free", f"a number that the data do not state; they have a column {one.name}"
+            )
         if one.path[:2] == ("contact", "roughness") and _has_scans(plan.given):
-            raise InputError(f"fit.free.{one.name}", "free", "not free: scans say the roughness")
+            raise InputError(f"fit.free.{one.name}", "free", "a number other than roughness, which is measured by scans")
     resistance = "contact_resistance" in plan.data.quantities
     has = plan.resistance is not None or any(one.path == RESISTANCE for one in plan.free)
     if resistance and not has:
-        raise InputError(".".join(RESISTANCE), None, "a number with its unit, or a free one, where resistance was measured")
+        raise InputError(
+            ".".join(RESISTANCE), None, "a number with its unit, or a free number, because resistance was measured"
+        )
     if not resistance and has:
         raise InputError(".".join(RESISTANCE), "given", "nothing: no contact_resistance was measured")
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)

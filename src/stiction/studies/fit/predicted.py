@@ -44,7 +44,7 @@ def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], A
     asked = [name for name in ("models", "predict", "specific_contact_resistance") if getattr(fit, name)]
     asked += [f"free.{one.name}.each_sample" for one in free if one.each_sample]
     if asked:
-        raise InputError(f"fit.{asked[0]}", "given", "none where no model is named", "name one as solve.model")
+        raise InputError(f"fit.{asked[0]}", "given", "not supported without a named model", "name one as solve.model")
     return {one.path: _between(one.path, one.low, one.high, "log" if one.log else "linear") for one in free}
 
 

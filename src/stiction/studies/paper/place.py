@@ -34,7 +34,7 @@ def place_of(subject: Subject) -> Place:
     subject.require_single("one number, for one place")
     groups = subject.indices().resolved()
     if groups.theta is None:
-        raise InputError("work_of_adhesion", None, "above 0: without adhesion both indices are infinite")
+        raise InputError("work_of_adhesion", None, "above 0 J/m^2; without adhesion both indices are infinite")
     film = groups.film() if groups.has_film else None
     psi = 0.75 * math.pi / float(hardness_group(groups.theta, groups.lam))
     return Place(

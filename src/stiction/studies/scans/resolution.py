@@ -77,7 +77,7 @@ class _Friction:
             raise InputError("choice", self.choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
         if (self.contact is None) != (self.load is None):
             missing, given = ("load", "contact") if self.load is None else ("contact", "load")
-            raise InputError(missing, None, f"both contact and load, for friction too, or neither ({given} is given)")
+            raise InputError(missing, None, f"both contact and load, or neither; {given} is given")
         if self.contact is None:
             return
         if not isinstance(self.contact, Contact):
@@ -85,7 +85,7 @@ class _Friction:
         groups, _ = Groups.of(self.contact.indices())
         tangential = with_interface(self.choice, groups).tangential or find(self.choice.model_key, RoughSurface).tangential
         if tangential == "none":
-            raise InputError("model", self.choice.model_key, "a model of friction, or a model with a tangential law")
+            raise InputError("model", self.choice.model_key, "a model with friction")
         for name, array in self.contact.arrays():
             raise InputError(f"contact.{name}", f"array of shape {array.shape}", "one number")
         asked = to_si(self.load, "load")

@@ -71,7 +71,7 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
     """
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
     if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):
-        raise InputError("load", load, "a load or separation at which asperities press: nothing is stressed here")
+        raise InputError("load", load, "a load or separation at which asperities touch")
     factors = subject.scales().factors()
     one, force = area / count / factors["m^2"] * factors["count"], load / count / factors["N"] * factors["count"]
     radius = contact_over_thickness(groups, one)

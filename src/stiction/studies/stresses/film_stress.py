@@ -93,11 +93,9 @@ def film_stresses(
     require_film(subject)
     groups, dims = Groups.of(subject.indices())
     if dims:
-        raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, of plain numbers")
+        raise InputError("contact", f"arrays along {', '.join(dims)}", "one contact, with single numbers")
     if groups.film_aspect is None or not np.isfinite(groups.film_aspect[0]):
-        raise InputError(
-            "film_aspect", None, "t/sqrt(R sigma), a number of 0 or more: how thick the film is under its asperities"
-        )
+        raise InputError("film_aspect", None, "film thickness over sqrt(R sigma), 0 or more")
     if (film := laws.get("film") or _FILM) != _FILM:
         raise InputError("film", film, f"{_FILM}, which solves film and body as one")
     laws["film"] = _FILM
@@ -113,13 +111,13 @@ def film_stresses(
 def require_film(subject: Subject) -> None:
     """Raise InputError unless the contact has a film."""
     if not subject.has_film:
-        raise InputError("coating", None, "a film with its material and thickness: its stresses are computed")
+        raise InputError("coating", None, "a film with material and thickness")
 
 
 def require_proportion(radius: float) -> None:
     """Raise InputError for a contact radius, over the thickness of the film, at which stresses were not compared."""
     if not LEAST <= radius <= MOST:
-        raise InputError("thickness", f"a/t = {radius:.3g}", f"{LEAST:g} to {MOST:g} times as wide a contact")
+        raise InputError("thickness", f"a/t = {radius:.3g}", f"contact radius over film thickness, {LEAST:g} to {MOST:g}")
 
 
 def part_that_yields(subject: Subject, where: str) -> str:

@@ -24,7 +24,9 @@ def locked(path: Path):
             try:
                 fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
-                raise InputError("--out", str(path), "a store that no other sweep is writing to") from None
+                raise InputError(
+                    "--out", str(path), "a store that no other sweep writes to; wait for that sweep, or choose another folder"
+                ) from None
         yield
     finally:
         os.close(handle)

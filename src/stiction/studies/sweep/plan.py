@@ -190,9 +190,7 @@ def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[
 def _lengths(plan: Plan) -> dict[str, int]:
     """Return the length of every dimension of the contacts. Raises InputError."""
     if not plan.several:
-        raise InputError(
-            "contact", "single numbers only", "numbers that are several, a list or {start, stop, count}, for a sweep"
-        )
+        raise InputError("contact", "single numbers only", "at least one array parameter: a list or {start, stop, count}")
     sample = plan.sweep.sample
     if sample.is_drawn:
         assert sample.count is not None  # the validator has seen to it

@@ -182,7 +182,7 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
         raise InputError("--out", str(path), f"a new store: this one was begun by {attributes.get('program')}")
     if attributes["identity"] != plan.identity():
         where = _difference(json.loads(attributes["identity"]), json.loads(plan.identity()))
-        raise InputError("--out", str(path), f"a new store, or the one of this case: in the case of this store {where} differs")
+        raise InputError("--out", str(path), f"a new store, or the store of this case; {where} differs")
     return store
 
 
@@ -226,14 +226,14 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
     """Return the choice, and case and results of the first contact that is not refused."""
     from stiction.studies.case_results import choice_of_case
 
-    refused: Exception = InputError("contact", None, "contacts that the model takes")
+    refused: Exception = InputError("contact", None, "contacts that the model can solve")
     for block in range(min(plan.blocks, 3)):
         for one in islice(pieces(plan.region(block), 1), 5):
             try:
                 case = case_of(plan.tables(one), plan.arrays(one))
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
                 if choice.model == RECOMMENDED and case.load is None:
-                    raise InputError("solve.separation", "given", "load in its place, or a named model, which takes both")
+                    raise InputError("solve.separation", "given", "load, or a named model, which accepts separations")
                 for _, solved in solved_of(plan, choice, one, None):  # a prediction may be refused at some of the loads
                     if solved is not None:
                         return choice, (case, solved)
@@ -257,7 +257,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
     if len(solved.rules) > _MOST_RULES:
-        raise InputError("model", case.choice.model_key, f"laws with {_MOST_RULES} ranges of validity at most, for a sweep")
+        raise InputError("model", case.choice.model_key, f"at most {_MOST_RULES} validity ranges in a sweep")
     group = zarr.create_group(str(path), zarr_format=3)
     said: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.size)}
     if solved.attributes:

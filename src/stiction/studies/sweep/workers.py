@@ -54,7 +54,9 @@ def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterat
         except BrokenProcessPool:
             deaths += 1
             if deaths == _DEATHS:
-                raise InputError("--workers", workers, "fewer: they die again and again, for want of memory?") from None
+                raise InputError(
+                    "--workers", workers, "fewer processes; they died repeatedly, perhaps for lack of memory"
+                ) from None
 
 
 def _in_pool(store: "Store", blocks: list[int], workers: int) -> Iterator[tuple[int, int]]:
@@ -142,9 +144,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
                         future.result()  # waits, or raises what went wrong
                     yield store.plan.contacts(block) * store.plan.points
         except KilledWorker:
-            raise InputError(
-                "--scheduler", address, "workers that live: they die again and again, for want of memory?"
-            ) from None
+            raise InputError("--scheduler", address, "workers with enough memory; they died repeatedly") from None
 
 
 class _Room:
