@@ -13,7 +13,7 @@ from stiction.case.read import read_case
 from stiction.quantities.errors import InputError
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import canvas, finish, friction_panel
-from stiction.report.prediction_pictures import rests_panel
+from stiction.report.prediction_pictures import prediction_figure, rests_panel
 from stiction.report.regime_pictures import negligible_load_of_jkr, pressure_of_first_flow, regime_figure
 from stiction.report.view import regime_picture
 
@@ -133,3 +133,14 @@ def test_a_film_has_no_plasticity_map_of_bare_bodies():
     (figure,) = regime_picture(adhering, data, "").values()
     (adhesion,) = figure.draw().axes
     assert "Tabor" in adhesion.get_xlabel()
+
+
+def test_the_legend_of_a_prediction_covers_no_title(path):
+    figure = prediction_figure(st.predict(path), "A title as wide as the picture, of a contact that has a long name")
+    figure.canvas.draw()
+    (title,) = (text for text in figure.texts if text.get_text().startswith("A title"))
+    (legend,) = figure.legends
+    assert not legend.get_window_extent().overlaps(title.get_window_extent())
+    (axes,) = figure.axes
+    low, high = axes.get_ylim()
+    assert all(low <= y <= high for line in axes.lines for y in line.get_ydata())
