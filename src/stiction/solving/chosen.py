@@ -133,7 +133,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
         return
     for law in () if tangential is None else tangential.parts(options):
         if isinstance(law, TangentialLaw) and (reason := friction_incompatibility(film, law)):
-            raise InputError(JUNCTIONS, law.key, f"{NO_JUNCTIONS}, or what goes with the film: {reason}")
+            raise InputError(JUNCTIONS, law.key, f"{NO_JUNCTIONS}, or a law that suits the film: {reason}")
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -156,9 +156,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
         return find(brought[0], FilmLaw)
     key = choice.film or model.default_film
     if not key:
-        raise InputError(
-            "model", model.key, "a model of coated contacts, or a model with a film law, because the contact has a film"
-        )
+        raise InputError("model", model.key, "a model of coated contacts, or one with a film law: the contact has a film")
     film = find(key, FilmLaw)
     if not film.interchangeable:
         raise InputError("film", key, "another film law; this one belongs to one variant of its model")
@@ -170,13 +168,13 @@ def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw
     if coated and not model.on_film:
         raise InputError("model", model.key, "an asperity model, because the contact has a film")
     if model.on_film and not coated:
-        raise InputError("model", model.key, "another model: this one is of surfaces with a film, and this contact has none")
+        raise InputError("model", model.key, "a model of bare contacts: this contact has no film")
     if coated and choice.film:
-        raise InputError("film", choice.film, f"nothing: {model.key} has its own")
+        raise InputError("film", choice.film, f"no film law: {model.key} has its own")
     if choice.asperity:
-        raise InputError("asperity", choice.asperity, f"nothing: {model.key} is not a sum over asperity laws")
+        raise InputError("asperity", choice.asperity, f"no asperity law: {model.key} is not a sum over asperities")
     if model.of_map is not None and choice.film:
-        raise InputError("film", choice.film, f"nothing: {model.key} solves the film of the contact itself")
+        raise InputError("film", choice.film, f"no film law: {model.key} solves the film itself")
     if tangential is not None and not tangential.interfacial:
-        why = "no single asperities" if model.of_map is None else "patches of contact of any shape, and no spheres"
-        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} knows {why}")
+        why = "no single asperities" if model.of_map is None else "contact patches of any shape, not spheres"
+        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} has {why}")

@@ -81,7 +81,7 @@ def _elastic_on_a_film(problem: Problem) -> bool:
     return any(rule.quantity == "plasticity_index" for rule in asperity.validity)
 
 
-_FEW = "so few make no average: from one contact to the next their number alone scatters by 1/sqrt(n)"
+_FEW = "too few contacts for an average: their number n scatters by 1/sqrt(n)"
 
 RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _by_numbers) for rule in OUT_OF_PROPORTION),
@@ -89,27 +89,27 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
     (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
     (Validity("strength_over_bodies", 0.0, 1.0 + _ROUNDING,
-              "no interface is stronger than the bodies: mu is that of the weaker body's strength"), _shears_the_interface),
+              "the interface is stronger than the bodies: mu follows the weaker body"), _shears_the_interface),
     (Validity("grown_area_ratio", 1.0, 2.0, "junctions grow under shear, which is left out: mu is too low", "effect"),
      _does_not_grow),
     (Validity("pressure_over_body_below", 0.0, 1.05, "the body below a hard film yields: mu is too low", "effect"), _any),
     (Validity("pressure_over_body_below", 0.0, 0.8, "the body below yields: its film may crack, and mu rise"), _any),
     (Validity("pressure_over_punching", 0.0, 1.1, "the film would be punched through: mu is too low", "impossible"), _any),
-    (Validity("film_plasticity_index", 0.0, 0.6, "asperities are taken as elastic, and the film, or what it meets, yields",
+    (Validity("film_plasticity_index", 0.0, 0.6, "asperities are modelled as elastic, but film or counterbody yields",
               "effect"), _elastic_on_a_film),
     (Validity("load_share_without_friction", 0.0, 0.5, "most of the load is on asperities without friction", "effect"), _any),
-    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, and pulls with much of the load", "effect"), _does_not_adhere),
-    (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, and its menisci pull with much of the load", "effect"),
+    (Validity("adhesion_share", 0.0, 0.1, "adhesion is left out, but is a large share of the load", "effect"), _does_not_adhere),
+    (Validity("meniscus_share", 0.0, 0.1, "the liquid is left out, but its pull is a large share of the load", "effect"),
      leaves_out_liquid),
     (KELVIN, _solves_menisci),
-    (Validity("area_fraction", 0.0, 0.1, "asperities no longer act alone"), _of_asperities),
+    (Validity("area_fraction", 0.0, 0.1, "asperities interact, which is left out"), _of_asperities),
     (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
-    (Validity("sharpness", 0.0, 0.3, "asperities are too pointed for paraboloids that are pressed a little"), _by_numbers),
+    (Validity("sharpness", 0.0, 0.3, "asperities are too sharp for the theory of small contacts"), _by_numbers),
     (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
     (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
-    (Validity("size_effect", 0.0, 10.0, "no metal is known to be so much harder under small asperities"), _any),
-    (Validity("longest_waves_on_a_side", LEAST_WAVES, inf, "the map is no sample of its surface", "statistics"), _any),
+    (Validity("size_effect", 0.0, 10.0, "no measured metal is that much harder under small asperities"), _any),
+    (Validity("longest_waves_on_a_side", LEAST_WAVES, inf, "the map is too small a sample of its surface", "statistics"), _any),
     (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
 )  # fmt: skip
 
@@ -129,11 +129,8 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
         return []
     where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
-    why = (
-        f"the load asked for is lost {where} in the rounding of the adhesion and pressure that it is the difference of: the "
-        f"load that is carried, to which friction is compared, differs by up to {off:.2g} times what was asked for"
-    )
-    return [ValidityWarning(why, kind="impossible")]  # for the load asked for, nothing was found
+    why = f"the requested load is below round-off {where}: the computed load differs by up to {off:.2g} times"
+    return [ValidityWarning(why, kind="impossible")]  # at the requested load there is no result
 
 
 # What a point of a curve may be: as its model claims; outside of a range; not possible at all.

@@ -64,9 +64,7 @@ class OnMap(Problem):
         Raises InputError where there is no map, or a number is an array.
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
-            raise InputError(
-                "roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves its contact"
-            )
+            raise InputError("roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves a map")
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
 
@@ -84,7 +82,7 @@ class OnMap(Problem):
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
-            allowed = f"above 0: {self.record.key} knows no adhesion, unless that is chosen"
+            allowed = f"above 0: {self.record.key} has no adhesion by default; option adhesion adds it"
             raise InputError("load", contact.show(float(load.min() * unit), "load"), allowed)
         assert self.record.of_map is not None
         options = select_options(self.record, self.options)
@@ -150,7 +148,7 @@ class OnMap(Problem):
         whole = self.contact.nominal_area / one.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None and one.pressure is None:
-            raise InputError("shear", self.options["shear"], "law, where faces adhere: pressures there are not all of contact")
+            raise InputError("shear", self.options["shear"], "law where surfaces adhere: their pressures include adhesion")
         if of_points is not None:
             return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.factors["N"]
         force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
@@ -165,12 +163,12 @@ class OnMap(Problem):
         Raises InputError without a tangential law, and where strengths are not known point by point.
         """
         if self.chosen.tangential is None:
-            raise InputError("tangential", "none", "a tangential law, which says what a point withstands")
+            raise InputError("tangential", "none", "a tangential law, which gives each point its strength")
         if self.options.get("shear", "law") != "law":
-            raise InputError("shear", self.options["shear"], "law: of others only the sum over points is known")
+            raise InputError("shear", self.options["shear"], "law: other options have only a sum over points")
         if one.pressure is None:
             raise InputError(
-                "adhesion", self.options["adhesion"], "left_out: pressures that adhere are not known of contact alone"
+                "adhesion", self.options["adhesion"], "left_out: adhesive pressures cannot be separated from contact"
             )
         strength = np.zeros_like(one.pressure)
         hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf

@@ -49,7 +49,7 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
-            "pressure_coefficient", None, "a number: shear = lesser is the lesser of it times the pressure and tau_0"
+            "pressure_coefficient", None, "a number: shear = lesser takes the lesser of coefficient times pressure and tau_0"
         )
     parts = (np.minimum(coefficient * pressure * pixel, strength * area) for _, pressure, pixel, area in points_of(one))
     return float(sum(part.sum() for part in parts))
@@ -61,14 +61,14 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
 
     strength = _strength(contact)
     if law != "bowden_tabor_1943":
-        raise InputError("tangential", law, "bowden_tabor_1943: contacts grow under one strength of the interface")
+        raise InputError("tangential", law, "bowden_tabor_1943: junction growth needs a constant interface strength")
     if contact.coating is not None:
-        raise InputError("shear", "junction_growth", "law or lesser: how a film grows with its contacts is not known")
+        raise InputError("shear", "junction_growth", "law or lesser: junction growth is not available for films")
     hardness = float(pair_of(contact.first, contact.second).hardness)
     if strength**2 * _TABOR >= hardness**2:
         raise InputError(
             "interfacial_shear_strength", contact.show(strength, "interfacial_shear_strength"),
-            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, from where they grow without end",
+            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, above which junctions grow without limit",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
     parts = (np.maximum(area, pressure * pixel / bearing) for _, pressure, pixel, area in points_of(one))

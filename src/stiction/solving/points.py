@@ -64,7 +64,7 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     if problem.needs_load and load is None:
-        raise InputError("separation", separation, f"a load in its place: {problem.record.key} knows no separation")
+        raise InputError("separation", separation, f"a load instead: {problem.record.key} has no separation")
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
     return points_at(problem, name, points_asked(problem.subject, name, given))
 
@@ -170,7 +170,7 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
     problem = points.problem
     if (points.wanted < 0.0).any() and not problem.adheres:
         least = float(np.min(points.value))
-        allowed = f"0 or more: {problem.record.key} knows no adhesion"
+        allowed = f"0 or more: {problem.record.key} has no adhesion"
         raise InputError("load", problem.subject.show(least, "load"), allowed)
     return problem.at_load(points.table)
 

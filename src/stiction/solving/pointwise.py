@@ -25,8 +25,8 @@ Region = dict[str, slice]
 # The first validity warnings of every point: bit 0 to 2. What is refused or not carried has no results.
 WHY_NOT = (
     "the contact is refused: a number of it is out of bounds, or the model does not converge",
-    "the load is nowhere carried",
-    "the load is lost in the rounding of the adhesion and pressure that it is the difference of",
+    "the load is carried at no separation",
+    "the load is below round-off: it is the small difference of large adhesive and compressive loads",
 )
 REFUSED, _NOT_CARRIED, _LOST = range(3)
 # The last bit: nothing is known of a point yet.

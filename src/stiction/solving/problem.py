@@ -226,7 +226,7 @@ class ClosedForm(Problem):
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         if not (load >= 0.0).all():
-            unknown = "says nothing of tension" if self.adheres else "knows no adhesion"
+            unknown = "has no results under tension" if self.adheres else "has no adhesion"
             raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
         return self._results(load, self._area(load))
 
@@ -328,9 +328,9 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
     if isinstance(problem, OnMap) and not own_heights:
-        raise InputError("heights", heights.key, f"nothing: {problem.record.key} takes those of the map")
+        raise InputError("heights", heights.key, f"no distribution: {problem.record.key} takes the heights of the map")
     if isinstance(problem, ClosedForm) and heights.key != "gaussian":
-        raise InputError("heights", heights.key, f"gaussian: {problem.record.key} knows no other heights")
+        raise InputError("heights", heights.key, f"gaussian: {problem.record.key} supports no other distribution")
     refuse_ignored_strength(problem, choice)
     return problem
 

@@ -115,7 +115,7 @@ class Problem(ABC):
 
     def refuse_separation(self) -> NoReturn:
         """Raise the InputError of a model without separations."""
-        raise InputError("separation", None, f"a load: {self.record.key} knows no separation")
+        raise InputError("separation", None, f"a load: {self.record.key} has no separation")
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:

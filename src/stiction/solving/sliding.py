@@ -113,9 +113,9 @@ def slide(
         slip = getattr(subject, "weakening_slip", None) if weakening_slip is None else weakening_slip
         return slide_on_map(on_map, points_of(on_map, load, separation), displacement, residual, slip)
     if weakening_slip is not None:
-        raise InputError("weakening_slip", weakening_slip, "nothing: only points of a map take it, model = boundary_elements")
+        raise InputError("weakening_slip", weakening_slip, "no value, except with model = boundary_elements")
     if subject.has_film:
-        raise InputError("contact", "with a film", "a bare contact: how film and substrate share a displacement is not known")
+        raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, residual)
@@ -150,12 +150,12 @@ def _checked(problem: Problem) -> Sum:
     """Return the problem, if its asperities can slip. Raises InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
-        wanted = f"a tangential law, which says what an asperity withstands: {model.key} takes none by itself"
+        wanted = f"a tangential law, which gives each asperity its strength: {model.key} has none"
         raise InputError("tangential", "none", wanted)
     assert isinstance(problem, Sum)  # theories in closed form know no presliding
     for name, values in model.own_options.items() if model.regimes is not None else ():
         if problem.options[name] != values[0]:
-            raise InputError(name, problem.options[name], f"{values[0]}: of other readings single asperities are not known")
+            raise InputError(name, problem.options[name], f"{values[0]}: slide() supports only this variant of the model")
     return problem
 
 
@@ -167,7 +167,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
         if not farthest > 0.0:
-            raise InputError("displacement", None, "displacements: this contact has no friction, and none at which it slides")
+            raise InputError("displacement", None, "displacements: this contact has no friction, so no default exists")
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
     moved = points_asked(subject, "displacement", given)
     if not np.size(moved):

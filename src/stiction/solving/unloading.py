@@ -226,23 +226,23 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """Return the unloading under these laws; raise InputError where it is not known."""
     if choice.options.get("branch") is not None:
-        raise InputError("branch", choice.options["branch"], "nothing here: what was pressed unloads")
+        raise InputError("branch", choice.options["branch"], "no value: unload() always takes the unloading branch")
     for name, key in choice.laws().items():
         if key is not None and name not in ("model", "asperity", "tangential"):
-            raise InputError(name, key, "nothing: of what unloads there is no such option")
+            raise InputError(name, key, "no value: not supported by unload()")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
-        reason = f"{tangential} speaks of asperities as they are pressed"
+        reason = f"{tangential} holds for loading only"
         raise InputError("tangential", tangential, f"none, or a law of the interface: {reason}")
     if as_subject(contact).indices().meniscus_index is not None:
-        raise InputError("contact", "with a liquid", "a dry contact: how menisci that were made let go is not known")
+        raise InputError("contact", "with a liquid", "a dry contact: unload() does not support menisci")
     if as_subject(contact).has_film:
-        raise InputError("contact", "with a film", "a bare contact: no film law says how it unloads")
+        raise InputError("contact", "with a film", "a bare contact: unload() does not support films")
     model = find(choice.model_key, RoughSurface)
     if not model.asperity:
-        raise InputError("model", choice.model_key, "a sum over an asperity law: a theory in closed form has no history")
+        raise InputError("model", choice.model_key, "a sum over an asperity law: closed forms have no loading history")
     if model.regimes is not None:
-        reason = f"of what {choice.model_key} adds to that, its source does not say how it unloads"
+        reason = f"the source of {choice.model_key} does not state how it unloads"
         raise InputError("model", choice.model_key, f"a plain sum over an asperity law: {reason}")
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, Sum)  # of a model with an asperity law
@@ -262,8 +262,8 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     if "no adhesion" in law.traits:
         how = "elastic spheres, flattened to what their load and area had been when they were pressed hardest"
         return (lambda groups, distance, **options: drawn_apart(law.pieces(groups, **options), distance)), how
-    reason = f"the source of {law.key}, which yields and adheres, does not say how it unloads"
-    raise InputError("asperity", law.key, f"a law that is elastic, or does not adhere, or has a law of unloading: {reason}")
+    reason = f"the source of {law.key} does not state how it unloads"
+    raise InputError("asperity", law.key, f"an elastic law, one without adhesion, or one with an unloading law: {reason}")
 
 
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
@@ -296,7 +296,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
         given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))
         if is_increase:
             raise InputError("separation_increase", given, "0 or more")
-        raise InputError("separation", given, f"{pressed} or more: the surfaces were pressed to there")
+        raise InputError("separation", given, f"{pressed} or more, the smallest separation that was reached")
     return np.maximum(distance, 0.0)
 
 

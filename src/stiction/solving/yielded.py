@@ -14,11 +14,11 @@ YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 def require_states(problem: Problem, name: str) -> Sum:
     """Return the problem if its model counts asperities by state, as the share of this name needs. Raises InputError."""
     if not isinstance(problem, Sum):
-        allowed = "a model of asperities, e.g. greenwood_williamson_1966; this one does not tell which have yielded"
+        allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
         raise InputError(name, problem.record.key, allowed)
     film = problem.chosen.film
     if name != YIELDED[0] and film is not None and not any(one.body == "substrate" for one in problem.regimes):
-        raise InputError(name, film.key, "a film law that tells film and substrate apart: sequential, printed")
+        raise InputError(name, film.key, "a film law that separates film and substrate: sequential, printed")
     return problem
 
 

@@ -127,7 +127,7 @@ def slide_case(
     """
     case = as_case(case)
     if case.is_several:
-        raise InputError("contact", "numbers of the contact are several", "one contact; st.slide takes any number")
+        raise InputError("contact", "array parameters", "a single contact; st.slide accepts arrays")
     choice = choice_of_case(case, choice or case.choice)
     given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
@@ -143,7 +143,7 @@ def _check_size(case: Case) -> None:
     count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
     count *= 1 if hasattr(points, "dims") else np.size(points)
     if count > _MOST:
-        raise InputError("contact", f"{count} points", f"{_MOST} at most in memory; `stiction sweep` takes any number")
+        raise InputError("contact", f"{count} points", f"at most {_MOST}; `stiction sweep` computes more, on disk")
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":

@@ -50,10 +50,10 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
         raise InputError("level", level, "a quantile above 0 and below 1, e.g. 0.05")
     case = case_given(contact, load)
     if case.is_several:
-        raise InputError("contact", "numbers are several", "one contact: a table is of one pair of surfaces")
+        raise InputError("contact", "array parameters", "a single contact for each table")
     stated, at = pressing_loads(case)
     if not stated.size:
-        raise InputError("load", None, "above 0: nothing presses at any point of the case")
+        raise InputError("load", None, "above 0: no point of the case has a pressing load")
     loads, mu = _predicted(case, np.unique(stated), level)
     numbers: Any = case.subject.as_numbers()
     area = float(np.squeeze(numbers.nominal_area))

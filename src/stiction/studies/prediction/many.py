@@ -154,7 +154,9 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
     import xarray
 
     if case.load is None:
-        raise InputError("solve.separation", "given", "load in its place: a prediction is at loads; a named model takes both")
+        raise InputError(
+            "solve.separation", "given", "solve.load: predictions take loads; a named model also takes separations"
+        )
     loads = xarray.DataArray(case.load, dims=("load",))
     sizes = dimensions([*case.several.values(), loads])
     count = count_of(math.prod(sizes.values()))

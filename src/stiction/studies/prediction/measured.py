@@ -34,11 +34,13 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
         raise InputError(
             "--data",
             ", ".join(sorted(others)),
-            "friction_coefficient or friction_force where no model is named",
+            "friction_coefficient or friction_force unless a model is named",
             "name one as solve.model",
         )
     if any(found.known):
-        raise InputError("--data", "numbers of the contact", "none of them where no model is named", "name one as solve.model")
+        raise InputError(
+            "--data", "numbers of the contact", "no numbers of the contact unless a model is named", "name one as solve.model"
+        )
     force = np.array([one == "friction_force" for one in found.quantity])
     mu = np.where(force, found.value / found.load, found.value)
     if not (mu > 0.0).all():

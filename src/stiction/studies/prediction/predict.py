@@ -109,13 +109,13 @@ def predict(
         from stiction.studies.prediction.many import predict_several  # which draws with what is below
 
         if measured is not None:
-            raise InputError("--data", str(measured), "one contact, where numbers of the case are several")
+            raise InputError("--data", str(measured), "a single contact: the case has array parameters")
         return predict_several(case, level)
     stated = case.uncertain
     case, (loads, at) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
         given = None if case.load is None else case.subject.show(float(case.load.max()), "load")
-        raise InputError("load", given, "above 0: nothing presses at any point of the case")
+        raise InputError("load", given, "above 0: no point of the case has a pressing load")
     if measured is None:
         levels = draws_of(case)
         mixture = Mixture.of(Asked(case, loads, levels.inputs))

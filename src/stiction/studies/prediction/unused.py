@@ -28,7 +28,7 @@ def refusal_of(case: Case) -> InputError | None:
     for name, model in _DECIDE.items():
         if name in given and (name != "peeling" or contact.adheres):
             return InputError(
-                name, InWords(given[name]), "none where no model is named: no prediction uses it", f"name {model}"
+                name, InWords(given[name]), "no value unless a model is named: predictions do not use it", f"name {model}"
             )
     return None
 

@@ -64,7 +64,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
     if not case.uncertain:
         return data
     if solves_maps(choice):
-        why = f"what is uncertain has no band: {choice.model_key} would have to solve the map for every point that is drawn"
+        why = f"no interval is given: {choice.model_key} would have to solve the map for every sample"
         return with_warnings(data, [ValidityWarning(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]
@@ -93,11 +93,11 @@ def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
     lost = sum(found.shares().get(why, 0.0) for why in WHY_NOT[:2])
     impossible = found.impossible_share
     if lost:
-        why = f"in {lost:.2g} of the points that are drawn from what is uncertain nothing is known: bands are of the others"
+        why = f"{lost:.0%} of the samples have no result: intervals are over the others"
         data = with_warnings(data, [ValidityWarning(why)])
     if impossible > _MANY:
-        why = f"{impossible:.0%} of the draws are impossible, above the nominal area or the hardness, and are excluded"
-        left = "there is no band" if impossible > 1.0 - _LEAST_KNOWN else "the band of mu is of the others"
+        why = f"{impossible:.0%} of the samples exceed nominal area or hardness and are excluded"
+        left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu is over the others"
         data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
         drawing_said(case),

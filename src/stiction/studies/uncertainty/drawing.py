@@ -100,9 +100,7 @@ def draw(
     """
     for one in variants:
         if solves_maps(one.choice):
-            raise InputError(
-                "model", one.choice.model_key, "a model that solves many contacts at once, where numbers are uncertain"
-            )
+            raise InputError("model", one.choice.model_key, "a model that solves many contacts at once: numbers are uncertain")
     found = _layout(case, variants, names)
     count = len(shares)
     if count * found.points > _MOST:
