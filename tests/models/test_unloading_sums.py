@@ -362,7 +362,7 @@ def test_every_asperity_law_is_known_or_refused():
         try:
             assert np.all(np.isfinite(unload(key, separation_increase=[0.0, 0.2])["load"]))
         except InputError as error:
-            assert "a law of unloading" in str(error) and "no adhesion" not in record.traits and key not in KNOWN
+            assert "an unloading law" in str(error) and "no adhesion" not in record.traits and key not in KNOWN
 
 
 def test_energy_given_back_is_that_of_the_asperities():

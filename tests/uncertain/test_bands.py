@@ -166,7 +166,7 @@ def test_contacts_that_are_refused_are_left_out_and_said():
     nearest = int(np.argmin(np.abs(density - 2e10)))
     assert mu[nearest] == pytest.approx(float(solve_case(alone)["friction_coefficient"][0]), rel=0.02)
     data = solve_case(found)
-    assert "nothing is known" in data.attrs["outside_validity"]
+    assert "of the samples have no result" in data.attrs["outside_validity"]
     assert json.loads(data.attrs["validity_warnings_of_points"])[
         "the contact is refused: a number of it is out of bounds, or the model does not converge"
     ] == pytest.approx(lost.mean(), abs=0.03)
@@ -194,7 +194,7 @@ def test_a_map_is_solved_once_and_has_no_band(tmp_path):
     np.save(tmp_path / "scan.npy", st.gaussian_surface((32, 32), (40e-6, 40e-6), spectrum, seed=1).heights)
     scan = {"file": str(tmp_path / "scan.npy"), "size": "40 um", "unit": "m"}
     data = solve_case(case({"roughness": {"first": scan}}, {"load": "0.1 N", "model": "boundary_elements"}))
-    assert "quantile" not in data.dims and "what is uncertain has no band" in data.attrs["outside_validity"]
+    assert "quantile" not in data.dims and "no interval is given" in data.attrs["outside_validity"]
 
 
 def test_a_number_beside_a_scan_is_not_uncertain(tmp_path):

@@ -68,7 +68,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
     if strength**2 * _TABOR >= hardness**2:
         raise InputError(
             "interfacial_shear_strength", contact.show(strength, "interfacial_shear_strength"),
-            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, above which junctions grow without limit",
+            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, where junctions grow without limit",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
     parts = (np.maximum(area, pressure * pixel / bearing) for _, pressure, pixel, area in points_of(one))
