@@ -293,4 +293,4 @@ def test_quantiles_are_of_those_that_are_known_while_these_are_half():
 @pytest.mark.parametrize("why", WHY_NOT[:2])
 def test_points_of_which_nothing_is_known_are_told_whatever_the_reason(why, monkeypatch):
     monkeypatch.setattr(drawing.Draws, "shares", lambda found: {why: 0.25})
-    assert "in 0.25 of the points" in solve_case(case(uncertainty={"count": 64})).attrs["outside_validity"]
+    assert "25% of the samples" in solve_case(case(uncertainty={"count": 64})).attrs["outside_validity"]

@@ -155,7 +155,7 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
 
     if case.load is None:
         raise InputError(
-            "solve.separation", "given", "solve.load: predictions take loads; a named model also takes separations"
+            "solve.separation", "given", "a load: predictions take loads only; a named model also takes separations"
         )
     loads = xarray.DataArray(case.load, dims=("load",))
     sizes = dimensions([*case.several.values(), loads])
