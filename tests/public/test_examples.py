@@ -33,7 +33,7 @@ curve = st.solve(contact, separation=np.linspace(0.0, 1e-7, 5), tangential="tabo
 several = st.solve(contact, load=st.axis("load", ["1 mN", "2 mN"]), threads=2)
 answer = st.predict(contact, load="1 N", level=0.5)
 table = st.compare(contact, load="1 N")
-moved = st.slide(contact, load="1 N", kept=0.5)
+moved = st.slide(contact, load="1 N", residual_strength=0.5)
 back = st.unload(contact, max_load="1 N", separation_increase=[0.0, 1e-9])
 stresses = st.film_stresses(contact, load="1 N", film="layered")
 case = {"indices": {"theta": 40, "lam": 10}, "solve": {"load": 1.0}}
