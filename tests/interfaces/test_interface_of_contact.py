@@ -148,7 +148,7 @@ def test_a_case_states_it_and_keeps_it_in_its_text(state, median):
     tables = tomllib.loads(CASE.format(state=state))
     case = parse_case(tables)
     assert median is None or case.subject.interface_at()[0] == median
-    assert parse_case(tomllib.loads(as_toml(case.tables))).subject.interface == case.subject.interface
+    assert parse_case(tomllib.loads(as_toml(tables))).subject.interface == case.subject.interface
     assert case.subject.replace(nominal_area="2 mm^2").interface == case.subject.interface
 
 

@@ -60,11 +60,11 @@ def test_a_row_of_many_is_the_prediction_of_one(kind):
 def test_contacts_along_sample_are_no_draws(kind):
     """As those of a sweep whose points are a list or drawn: each is its own prediction, whatever their dimension is called."""
     contact, name, values = CONTACTS[kind]
-    tables, found = as_case({"contact": with_value(contact, name, values[0]), "solve": {"load": "1 N"}}).tables, {}
+    case, found = as_case({"contact": with_value(contact, name, values[0]), "solve": {"load": "1 N"}}), {}
     for dim in ("sample", "place"):
         array = DataArray([to_si(value, name) for value in values], dims=dim)
         numbers = {("contact", *PLACES.get(name, ()), name): array}
-        ((region, _, solved),) = predict_many(tables, numbers, np.array([1.0]))
+        ((region, _, solved),) = predict_many(case, numbers, np.array([1.0]))
         dims, found[dim], _ = solved.variables["friction_coefficient"]
         assert dims == (dim, "load") and region[dim] == slice(0, len(values))
     np.testing.assert_array_equal(found["sample"], found["place"])
@@ -77,9 +77,9 @@ def test_contacts_that_all_answer_are_not_divided(kind, monkeypatch):
     contact, name, values = CONTACTS[kind]
     together, sizes = many._together, []
 
-    def counted(tables, numbers, *rest):
+    def counted(case, numbers, *rest):
         sizes.append(next(iter(numbers.values())).size)
-        return together(tables, numbers, *rest)
+        return together(case, numbers, *rest)
 
     monkeypatch.setattr(many, "_together", counted)
     st.predict({"contact": with_value(contact, name, values), "solve": {"load": ["1 N"]}})

@@ -8,7 +8,6 @@ from xarray import DataArray
 
 import stiction as st
 from stiction.case.read import case_in
-from stiction.case.uncertain import expanded
 from stiction.studies.prediction.many import predict_many
 
 
@@ -55,9 +54,9 @@ def test_many_random_contacts_at_once_have_no_fault():
         fields, load = script().contact_of(rng)
         while "asperity_radius" not in fields["roughness"] or "interface" in fields:
             fields, load = script().contact_of(rng)
-        tables = expanded(case_in({"contact": st.Contact(**fields), "solve": {"load": ["1 N"]}}).tables)
+        case = case_in({"contact": st.Contact(**fields), "solve": {"load": ["1 N"]}})
         numbers, loads = scattered(fields, load, rng, 24)
-        for region, _, found in predict_many(tables, numbers, loads, count=128):
+        for region, _, found in predict_many(case, numbers, loads, count=128):
             if found is None:
                 continue
             answered = found.validity_warnings[1].ravel() == 0

@@ -17,7 +17,6 @@ from typer.testing import CliRunner
 
 from refusals import refusal
 from stiction import cli
-from stiction.case.read import case_of
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies import evaluate_many
@@ -49,7 +48,7 @@ MANY_BLOCKS = (
 
 
 def _contacts(plan, region):
-    return case_of(plan.content, plan.arrays(region)).subject
+    return plan.case.at(plan.arrays(region)).subject
 
 
 def changed(case, **tables):

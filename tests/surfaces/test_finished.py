@@ -165,8 +165,8 @@ model = "persson_widened"
     ],
 )
 def test_a_case_states_it(rough):
-    case = parse_case(tomllib.loads(CASE.replace("ROUGH", rough)))
-    again = parse_case(tomllib.loads(as_toml(case.tables)))
+    tables = tomllib.loads(CASE.replace("ROUGH", rough))
+    case, again = parse_case(tables), parse_case(tomllib.loads(as_toml(tables)))
     assert numbers(again.subject.roughness) == numbers(case.subject.roughness)
     assert again.subject.roughness.unknowns == case.subject.roughness.unknowns != ()
     assert any("as of a ground surface: h' 0.11 (90 % within 0.05 to 0.25, grade C)" in line for line in case.subject.remarks())

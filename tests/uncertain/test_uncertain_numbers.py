@@ -10,9 +10,9 @@ import scipy.stats
 
 from cases import BARE
 from refusals import refusal
-from stiction.case.read import case_of, json_schema, parse_case, read_case
+from stiction.case.read import json_schema, parse_case, read_case
 from stiction.case.text import as_toml
-from stiction.case.uncertain import expanded, read_distribution
+from stiction.case.uncertain import read_distribution
 from stiction.quantities.errors import InputError
 from stiction.studies.case_results import solve_case
 from stiction.studies.sweep.plan import make_plan
@@ -34,7 +34,7 @@ def case(changes, folder=None, **tables):
 
 
 def _drawn(found, shares):
-    return case_of(expanded(found.tables), found.numbers_at(shares))
+    return found.at(found.numbers_at(shares))
 
 
 @pytest.mark.parametrize(
@@ -247,7 +247,7 @@ def test_a_sweep_draws_from_distributions_and_says_where_it_cannot():
         "sweep": {"sample": {"method": "sobol", "count": 256}},
     }
     plan = make_plan(content)
-    hardness = case_of(plan.content, plan.arrays(plan.region(0))).subject.second.hardness
+    hardness = plan.case.at(plan.arrays(plan.region(0))).subject.second.hardness
     np.testing.assert_allclose([hardness.mean(), hardness.std()], [7e9, 0.5e9], rtol=0.02)
     other = json.loads(json.dumps(content).replace("0.5 GPa", "0.6 GPa"))
     assert plan.identity() == make_plan(content).identity() != make_plan(other).identity()

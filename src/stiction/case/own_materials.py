@@ -5,8 +5,8 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
-from stiction.case.places import BODIES, entry_at
-from stiction.case.several import with_values
+from stiction.case.places import BODIES, entry_at, with_numbers
+from stiction.case.several import Address
 from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError, field_as, field_below
 
@@ -48,8 +48,9 @@ def with_own_materials(content: Mapping) -> Mapping:
     if given is None:
         return content
     own = _materials(given)
-    named = {path: body for path in BODIES if (body := entry_at(content, path)) is not None}
-    return {**with_values(content, {path: _found(body, own, ".".join(path)) for path, body in named.items()}), "materials": own}
+    named: dict[Address, Any] = {path: body for path in BODIES if (body := entry_at(content, path)) is not None}
+    found = {path: _found(body, own, ".".join(path)) for path, body in named.items()}
+    return with_numbers(content, {**found, ("materials",): own})
 
 
 def _materials(tables: Any) -> dict[str, Material]:

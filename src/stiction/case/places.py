@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from stiction.case.several import Address, with_values
+from stiction.case.several import Address
 from stiction.contact.contact import Coating, Contact, Indices, Liquid
 from stiction.contact.materials import Material
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError, field_below, nearest
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
 from stiction.surfaces.roughness import Roughness
@@ -29,7 +29,7 @@ BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "m
 def entry_at(content: Any, path: Address) -> Any:
     """Return what stands at a path of tables and records; None if nothing does."""
     for key in path:
-        content = content.get(key) if isinstance(content, Mapping) else getattr(content, key, None)
+        content = content.get(key) if isinstance(content, Mapping) else getattr(content, "part", lambda _: None)(key)
     return content
 
 
@@ -46,8 +46,7 @@ def _known(content: Mapping) -> list[str]:
     """Dotted names of all numbers that this case may have."""
     if subject_table(content) == "indices":
         return _numbers_of(Indices)
-    contact: Any = content.get("contact", {})
-    absent = [part for part in ("coating", "liquid") if not (isinstance(contact, Mapping) and part in contact)]
+    absent = [part for part in ("coating", "liquid") if entry_at(content, ("contact", part)) is None]
     parts = [part for part in _PARTS if part.partition(".")[0] not in absent]
     return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
 
@@ -75,24 +74,25 @@ def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
             yield str(key), value
 
 
-def with_numbers(content: Mapping, numbers: Mapping[Address, Any]) -> Mapping:
-    """The tables of a case with these numbers, floats or labelled arrays in SI units, in their places; a body that is named by
-    its preset keeps all its others."""
-    changed = dict(content)
-    for path in numbers:
-        for depth in range(1, len(path)):
-            changed = _as_table(changed, path[:depth])
-    return with_values(changed, numbers)
+def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
+    """Return tables or a record with these entries at their addresses.
+
+    A body that is named by its preset keeps its other numbers. Records are checked. Raises InputError.
+    """
+    changes: dict[str, Any] = {}
+    for key in dict.fromkeys(path[0] for path in numbers):
+        inner = {path[1:]: entry for path, entry in numbers.items() if path[0] == key}
+        part = inner.pop((), entry_at(content, (key,)))
+        with field_below(key):
+            changes[key] = with_numbers(_as_table(part), inner) if inner else part
+    if not isinstance(content, Input):
+        return {**content, **changes}
+    return content.replace(**changes)
 
 
-def _as_table(content: Any, path: Address) -> Any:
-    """With what stands at the path as a table: the name of a preset as one that starts from it, and nothing as an empty one."""
-    if isinstance(content, Input):
-        return content
-    inner = content.get(path[0], {})
-    if len(path) > 1:
-        return {**content, path[0]: _as_table(inner, path[1:])}
-    return {**content, path[0]: {"preset": inner} if isinstance(inner, str) else inner}
+def _as_table(entry: Any) -> Any:
+    """Return a preset by its name as a table that starts from it, and nothing as an empty table."""
+    return {"preset": entry} if isinstance(entry, str) else {} if entry is None else entry
 
 
 def roughness_in(content: Mapping) -> Any:
@@ -100,9 +100,9 @@ def roughness_in(content: Mapping) -> Any:
     return entry_at(content, ("contact", "roughness"))
 
 
-def with_roughness(content: Mapping, roughness: Any) -> dict[str, Any]:
+def with_roughness(content: Mapping, roughness: Any) -> Any:
     """Return the tables of a case with another roughness of the contact."""
-    return with_values(content, {("contact", "roughness"): roughness})
+    return with_numbers(content, {("contact", "roughness"): roughness})
 
 
 def as_numbers(content: Mapping) -> Mapping:

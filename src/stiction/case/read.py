@@ -15,7 +15,7 @@ from pydantic import Field, create_model, model_validator
 from stiction.case.distribution import Distribution, is_law
 from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.case.places import roughness_in, with_numbers, with_roughness
-from stiction.case.several import Address, Points, Several, numbers_schema, points_of, several_numbers, with_values
+from stiction.case.several import Address, Points, Several, numbers_schema, points_of, several_numbers
 from stiction.case.study_tables import study_tables
 from stiction.case.uncertain import (
     FORMS,
@@ -56,7 +56,8 @@ class Case:
     load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
     K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
     array. choice: the model, other laws than its own, and options, as the registry knows them. uncertain: numbers that are so,
-    of which the subject has the nominal ones; uncertainty: how they are drawn. tables, several: what it was read from.
+    of which the subject has the nominal ones; uncertainty: how they are drawn. several: address -> array, of the numbers that
+    are so. points: the separations as they were written, which may be over sigma.
     """
 
     title: str
@@ -66,8 +67,19 @@ class Case:
     choice: Choice
     uncertain: tuple[Uncertain, ...] = ()
     uncertainty: Uncertainty = field(default_factory=lambda: Uncertainty(**{}))
-    tables: Mapping[str, Any] = field(default_factory=dict, repr=False)
     several: Mapping[Address, Any] = field(default_factory=dict, repr=False)
+    points: Any = field(default=None, repr=False)
+
+    @property
+    def tables(self) -> dict[str, Subject]:
+        """Return the subject under the key of its table: addresses of numbers begin with it."""
+        return {"contact" if isinstance(self.subject, Contact) else "indices": self.subject}
+
+    def at(self, numbers: Mapping[Address, Any]) -> "Case":
+        """Return the case with these entries at their addresses: SI floats, labelled arrays, names. Raises InputError."""
+        (subject,) = with_numbers(self.tables, numbers).values()
+        points = None if self.separation is None else self.points
+        return replace(self, subject=subject, separation=_separations(points, subject))
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
@@ -274,7 +286,7 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
     arrays = {path: one.array(one.numbers()) for path, one in several.items() if not isinstance(one, Uncertain)}
-    return replace(case_of(content, arrays), uncertain=tuple(uncertain), tables=content, several=arrays)
+    return replace(case_of(content, arrays), uncertain=tuple(uncertain), several=arrays)
 
 
 def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Several]]:
@@ -288,7 +300,7 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Sever
         found = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)
         used = {one.path: one for one in placed(found, content)}
         nominal = {path: float(one.values[0]) for path, one in (numbers | found).items()}
-        content = with_own_materials(with_values(content, nominal))
+        content = with_own_materials(with_numbers(content, nominal))
     content = _measured(content, folder)
     _refuse_beside_scans(content, numbers, used)
     if wants_ranges(content):
@@ -325,11 +337,16 @@ def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> C
     return Case(
         title=file.title,
         subject=subject,
-        separation=points_of(solve.separation, "mean_separation", subject, "solve.separation"),
+        separation=_separations(solve.separation, subject),
+        points=solve.separation,
         load=points_of(solve.load, "load", subject, "solve.load"),
         choice=Choice.of(solve.model, solve.options | {name: getattr(solve, name) for name in LAWS if name != "model"}),
         uncertainty=file.uncertainty or Uncertainty(**{}),
     )
+
+
+def _separations(points: Any, subject: Subject) -> Any:
+    return points_of(points, "mean_separation", subject, "solve.separation")
 
 
 def _measured(content: Mapping, folder: Path) -> Mapping:

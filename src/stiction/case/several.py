@@ -232,17 +232,6 @@ def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
     return low, high
 
 
-def with_values(content: Any, arrays: Mapping[Address, Any]) -> Any:
-    """The tables with these arrays in the places of their paths; a table may be a record already."""
-    if isinstance(content, Input):
-        return content.replace(**{path[0]: array for path, array in arrays.items()})
-    changed = dict(content)
-    for key in {path[0] for path in arrays}:
-        inner = {path[1:]: array for path, array in arrays.items() if path[0] == key}
-        changed[key] = inner[()] if () in inner else with_values(content[key], inner)
-    return changed
-
-
 def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
     """The points of [solve] as numbers (n,), in SI units for a Contact and dimensionless for Indices; None for none.
 

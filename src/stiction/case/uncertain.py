@@ -21,14 +21,12 @@ from stiction.case.distribution import (
 )
 from stiction.case.places import BODIES, entry_at
 from stiction.case.several import Address, Along, Point, Several, number_of, numbers_in, read_ends, with_error
-from stiction.contact.interfaces import interface
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords, field_below, field_named
 from stiction.quantities.inputs import Input
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
-from stiction.surfaces.finished import is_finished, roughness_of_finish
 
 SAMPLE = "sample"  # the dimension along which numbers are drawn
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -263,10 +261,12 @@ def placed(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[U
 
 
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
-    """The numbers of materials that have ranges, but for those at the paths that are taken. Within its range a number is as
-    likely by its logarithm, where it is above 0; two bodies of one material vary together."""
+    """Yield the numbers of materials that have ranges, but for those at the addresses that are taken.
+
+    Within its range a number is as likely by its logarithm, where it is above 0; two bodies of one material vary together.
+    """
     for body in BODIES:
-        material = body_at(content, body)
+        material = _material_of(entry_at(content, body))
         if material is None:
             continue
         for name, (low, high) in material.range.items():
@@ -276,33 +276,10 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
                 yield Uncertain.of(path, in_range(name, low, high, nominal, low > 0.0), f"{material.name}.{name}")
 
 
-def body_at(content: Mapping, path: Address) -> Material | None:
-    """The material of a body, where there is one."""
-    body = entry_at(content, path)
-    found = as_material(body) if body is not None else None
+def _material_of(body: Any) -> Material | None:
+    """Return the material of a body, where there is one."""
+    found = as_material(body)
     return Material(**found) if isinstance(found, Mapping) else found
-
-
-def expanded(content: Mapping) -> Mapping:
-    """The tables with records in place of bodies, a state of the interface and a finish, whose numbers may then be replaced."""
-    contact = content.get("contact")
-    if contact is None:
-        return content
-    tables = _as_tables(contact)
-    tables |= {path[-1]: body_at(content, path) for path in BODIES[:2]}
-    if tables.get("coating") is not None:
-        tables["coating"] = _as_tables(tables["coating"]) | {"material": body_at(content, BODIES[2])}
-    if isinstance(tables.get("interface"), str):
-        tables["interface"] = interface(tables["interface"])
-    if is_finished(tables.get("roughness")):
-        tables["roughness"] = roughness_of_finish(tables["roughness"])
-    return {**content, "contact": tables}
-
-
-def _as_tables(record: Any) -> dict[str, Any]:
-    if isinstance(record, Mapping):
-        return dict(record)
-    return {name: getattr(record, name) for name in record.model_fields_set}
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:

@@ -103,6 +103,10 @@ class Input(BaseModel):
         given = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**given | changes)
 
+    def part(self, name: str) -> Any:
+        """Return the field of this name; None where there is none."""
+        return getattr(self, name) if name in type(self).model_fields else None
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Return a copy as `replace` does; without an update, the same record."""
         return self.replace(**update) if update else super().model_copy(deep=deep)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.read import Case, case_of
+from stiction.case.read import Case
 from stiction.case.several import Address
 from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
@@ -19,7 +19,7 @@ Numbers = Mapping[Address, Any]
 
 
 def evaluate_together(
-    tables: Mapping[str, Any],
+    case: Case,
     numbers: Numbers,
     points: Mapping[str, Any] | None,
     model: Choice,
@@ -29,8 +29,8 @@ def evaluate_together(
 
     Parameters
     ----------
-    tables : the tables of a case file.
-    numbers : place in the tables, ("contact", "first", "hardness") -> float or labelled array, in SI units.
+    case : the case, with its nominal numbers.
+    numbers : address, ("contact", "first", "hardness") -> float or labelled array, in SI units.
     points : {"load": ...} or {"separation": ...}; by default those of the case.
     model : the model with its laws and options.
     keep : names of results, by default all.
@@ -46,13 +46,13 @@ def evaluate_together(
         Where a number is out of bounds, or the model refuses all contacts.
     """
     with np.errstate(all="ignore"):
-        case = case_of(tables, numbers)
+        case = case.at(numbers)
         points = {"separation": case.separation, "load": case.load} if points is None else points
         return case, solve_batch(case.subject, model, **points, keep=keep)
 
 
 def evaluate_many(
-    tables: Mapping[str, Any],
+    case: Case,
     numbers: Numbers,
     points: Mapping[str, Any] | None,
     model: Choice,
@@ -71,7 +71,7 @@ def evaluate_many(
     def evaluated(region: Region) -> tuple[Case, BatchResult]:
         part = {dim: some for dim, some in region.items() if some != slice(0, sizes[dim])}
         some = None if points is None else {name: _part(value, part) for name, value in points.items()}
-        return evaluate_together(tables, {path: _part(value, part) for path, value in numbers.items()}, some, model, keep)
+        return evaluate_together(case, {path: _part(value, part) for path, value in numbers.items()}, some, model, keep)
 
     for region, found in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
         yield (region, None, None) if isinstance(found, Exception) else (region, *found)

@@ -13,7 +13,6 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of, opened, read_content
 from stiction.case.uncertain import Uncertain, named
 from stiction.contact.contact import Contact
@@ -113,8 +112,7 @@ class Entry:
         found = []
         for one in dict.fromkeys(known):
             rows = np.array([at for at, other in enumerate(known) if other == one])
-            tables = with_numbers(self.content, dict(one))
-            found.append((replace(case_of(tables), tables=tables, uncertain=self.uncertain), rows))
+            found.append((replace(case_of(self.content, dict(one)), uncertain=self.uncertain), rows))
         return found
 
 

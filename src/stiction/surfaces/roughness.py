@@ -85,8 +85,14 @@ class Roughness(Input):
 
         The roughness of a finish also accepts another height.
         """
-        of_finish = self._finished is not None and changes.keys() & {"finish", "rms_height", "mean_height"}
-        return self._finished.with_first(**changes).roughness() if of_finish else super().replace(**changes)
+        if self._finished is None or not changes.keys() & {"finish", "rms_height", "mean_height", "first", "second"}:
+            return super().replace(**changes)
+        changed = self._finished.replace if changes.keys() & {"first", "second"} else self._finished.with_first
+        return changed(**changes).roughness()
+
+    def part(self, name: str) -> Any:
+        """Return the field of this name, or a body with a finish; None where there is none."""
+        return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 
     @property
     def unknowns(self) -> tuple[str, ...]:

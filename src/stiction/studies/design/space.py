@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import with_numbers
 from stiction.case.read import Case, case_of, wants_ranges
 from stiction.case.several import Address
 from stiction.case.uncertain import Uncertain, with_ranges
@@ -83,10 +82,10 @@ class Space:
         Raises InputError where it does not compute an objective or a limited result.
         """
         shares = np.full((1, self.dimension), 0.5)
-        content, numbers, points = self._contacts(shares, np.arange(1))
+        numbers, points = self._contacts(shares, np.arange(1))
+        subject = self.case.at(numbers).subject
         if self.is_predicted:
-            return self._prediction(content, numbers, points)
-        subject = case_of(content, numbers).subject
+            return self._prediction(subject)
         given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
         choice = choice_of(self.case.choice.model, given, subject)
         for name in set(self.names) & set(YIELDED):
@@ -97,20 +96,19 @@ class Space:
                 raise InputError("design", name, f"a result of {choice.model_key}, or a group of the contact")
         return choice
 
-    def _prediction(self, content: Mapping, numbers: Mapping, points: Mapping) -> Choice:
+    def _prediction(self, subject: Any) -> Choice:
         """Refuse results that a prediction does not compute, by the first design."""
-        subject = case_of(content, numbers).subject
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
                 allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be objectives"
                 raise InputError("design", name, allowed)
         return Choice(RECOMMENDED)
 
-    def _evaluated(self, content: Mapping, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
+    def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Yield regions of designs with case and results: of a model, or of the prediction."""
         if not self.is_predicted:
-            return evaluate_many(content, numbers, points, self.choice, self._kept, along=(_DESIGN,))
-        return predict_many(content, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
+            return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
+        return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
         """Return the uncertain numbers of the case that are not chosen, nor of a material that is."""
@@ -155,10 +153,10 @@ class Space:
         known = {name: np.full(count, np.nan) for name in self.names}
         for some in self._alike(shares):
             try:
-                content, numbers, points = self._contacts(shares, some)
+                numbers, points = self._contacts(shares, some)
             except InputError:
                 continue  # what is taken together makes no contact
-            for region, case, solved in self._taken(content, numbers, points):
+            for region, case, solved in self._taken(numbers, points):
                 if solved is None or case is None:
                     continue
                 rows = some[region.get(_DESIGN, slice(None))]
@@ -168,10 +166,10 @@ class Space:
                     known[name][rows] = values
         return Answers(objectives, broken, known)
 
-    def _taken(self, content: Mapping, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
+    def _taken(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Yield the same, nothing where all are refused."""
         try:
-            yield from self._evaluated(content, numbers, points)
+            yield from self._evaluated(numbers, points)
         except (InputError, ArithmeticError):
             return
 
@@ -183,8 +181,8 @@ class Space:
     def violations(self, shares: np.ndarray) -> list[str]:
         """Return what one design (d,) breaks, in words: limits with the value found, and ranges of validity."""
         try:
-            content, numbers, points = self._contacts(shares[None, :], np.arange(1))
-            case, solved = next((case, solved) for _, case, solved in self._evaluated(content, numbers, points))
+            numbers, points = self._contacts(shares[None, :], np.arange(1))
+            case, solved = next((case, solved) for _, case, solved in self._evaluated(numbers, points))
         except InputError as error:
             return [reason_of(error)]
         except ArithmeticError as error:
@@ -221,26 +219,26 @@ class Space:
                 product = product * free.at(shares[:, at])
         return product
 
-    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[Mapping, dict[Address, Any], dict[str, Any]]:
-        """Tables, numbers and loads of some designs, which take the same of what is no number."""
+    def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
+        """Return entries of the case and loads of some designs, which take the same of what is no number."""
         from xarray import DataArray
 
-        content = self.plan.content
+        named: dict[Address, Any] = {}
         numbers: dict[Address, Any] = {}
         for at, one in enumerate(self.plan.options):
             index = one.index(shares[some, at])
             if one.is_number:
                 numbers[one.path] = DataArray(np.array(one.entries)[index], dims=(_DESIGN,))
             else:
-                content = with_numbers(content, {one.path: one.entries[int(index[0])]})
+                named[one.path] = one.entries[int(index[0])]
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             numbers[free.path] = DataArray(free.at(shares[some, at]), dims=(_DESIGN,))
-        for path, values in self._sampled(content, list(numbers)).items():
+        for path, values in self._sampled(named, list(numbers)).items():
             numbers[path] = DataArray(values, dims=(_SAMPLE,))
         load = numbers.pop(LOAD, None)
-        return content, numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
+        return named | numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
-    def _sampled(self, content: Mapping, chosen: list[Address]) -> dict[Address, np.ndarray]:
+    def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
         """Return samples of the uncertain numbers that are not chosen, (samples,) each.
 
         Designs of the same materials share them. A chosen material brings its own ranges.
@@ -249,7 +247,7 @@ class Space:
             return {}
         kept = self._uncertain(chosen)
         if wants_ranges(self.plan.given):
-            kept += [one for one in with_ranges(content, [*chosen, *(one.path for one in kept)])]
+            kept += [one for one in with_ranges(self.case.at(named).tables, [*chosen, *(one.path for one in kept)])]
         together = list(dict.fromkeys(one.dimension for one in kept))
         if not kept:
             return {}

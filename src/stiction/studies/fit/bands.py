@@ -157,7 +157,7 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
     along = {path: xarray.DataArray(v, dims=(_SET,)) for path, v in numbers.items() if path != RESISTANCE}
     together, keep = {**plan.data.known[0], **along, **arrays}, [*map(result_of, names), "load"]
-    case, solved = evaluate_together(plan.content, together, None, one.forward.choice, keep)
+    case, solved = evaluate_together(plan.case, together, None, one.forward.choice, keep)
     coords = {}
     for array in arrays.values():
         for name, value in getattr(array, "coords", {}).items():

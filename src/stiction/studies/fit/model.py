@@ -15,7 +15,7 @@ from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_batch
 from stiction.studies.evaluate_many import evaluate_many
-from stiction.studies.fit.plan import RESISTANCE, FitPlan
+from stiction.studies.fit.plan import RESISTANCE, FitPlan, middle_of
 
 if TYPE_CHECKING:
     from stiction.case.read import Case
@@ -71,7 +71,7 @@ class Forward:
         some = self.data.some(group.rows)
         names = {result_of(name) for name in some.quantity}
         contact = {path: values for path, values in numbers.items() if path != RESISTANCE}
-        tables = solved_sets(self.plan.content, self.choice, contact, group.known, some.load, sorted(names))
+        tables = solved_sets(self.plan.case, self.choice, contact, group.known, some.load, sorted(names))
         resistance = numbers.get(RESISTANCE, self.plan.resistance)
         columns = [derived(tables, name, resistance)[:, at] for at, name in enumerate(some.quantity)]
         return np.column_stack(columns)
@@ -96,7 +96,7 @@ def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.
 
 
 def solved_sets(
-    content: Mapping[str, Any],
+    case: "Case",
     choice: Choice,
     numbers: Mapping[Address, np.ndarray],
     known: Mapping[Address, np.ndarray],
@@ -114,7 +114,7 @@ def solved_sets(
     arrays: dict[Address, Any] = {path: DataArray(values, dims=(_SET,)) for path, values in numbers.items()}
     arrays |= {path: float(v[0]) if (v == v[0]).all() else DataArray(v, dims=(_ROW,)) for path, v in known.items()}
     points: dict[str, Any] = {"load": DataArray(load, dims=(_ROW,))} if np.isfinite(load).all() else {"separation": 0.0}
-    for region, _, solved in evaluate_many(content, arrays, points, choice, keep, along=(_SET,)):
+    for region, _, solved in evaluate_many(case, arrays, points, choice, keep, along=(_SET,)):
         for name in keep:
             if solved is not None and name in solved.variables:
                 dims, values, _ = solved.variables[name]
@@ -139,10 +139,7 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
     """Return the case with free numbers in the middle between their ends, at the loads of the data."""
-    from stiction.case.read import case_of
-
-    middle = {one.path: float(one.at(np.array(0.5))) for one in plan.free if one.path != RESISTANCE}
-    case = case_of(plan.content, {**data.known[0], **middle})
+    case = plan.case.at({**data.known[0], **middle_of(plan.free)})
     load = np.sort(data.load[np.isfinite(data.load)])
     return replace(case, load=load, separation=None) if load.size else case
 

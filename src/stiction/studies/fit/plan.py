@@ -1,6 +1,7 @@
 """What a fit is of: the table [fit] of a case, read and checked against the measured series."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import numpy as np
 from stiction.case.free import Free, read_free
 from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.places import as_numbers, flat, placed, roughness_in
-from stiction.case.read import opened, without_studies
+from stiction.case.read import Case, case_of, opened, without_studies
 from stiction.case.several import Address, number_of
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import Uncertain
@@ -27,11 +28,13 @@ _MOST_FREE = 8
 class FitPlan:
     """Hold a fit that is ready to be computed.
 
-    content: the tables of the case without [fit], its scans and own materials read; given: the tables as they were written.
-    predict: tables of the contact with the numbers to predict for. uncertain: numbers that are uncertain and not free.
+    content: the tables of the case without [fit], its scans and own materials read; case: that of them; given: the tables as
+    they were written. predict: tables of the contact with the numbers to predict for. uncertain: numbers that are uncertain and
+    not free.
     """
 
     content: Mapping[str, Any]
+    case: Case
     given: Mapping[str, Any]
     folder: Path
     title: str
@@ -63,12 +66,35 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     if fit.specific_contact_resistance is not None:
         resistance = number_of(fit.specific_contact_resistance, RESISTANCE[1], ".".join(RESISTANCE))
     plan = FitPlan(
-        plain, given, folder, str(given.get("title", "")), free, tuple(fit.models), fit.predict, resistance, measured
+        plain,
+        _complete(plain, free, measured),
+        given,
+        folder,
+        str(given.get("title", "")),
+        free,
+        tuple(fit.models),
+        fit.predict,
+        resistance,
+        measured,
     )
     _check(plan)
     taken = {one.path for one in free} | {path for row in measured.known for path in row}
     names = tuple(".".join(path[1:]) for path, one in several.items() if isinstance(one, Uncertain) and path not in taken)
     return replace(plan, uncertain=names)
+
+
+def middle_of(free: Iterable[Free]) -> dict[Address, float]:
+    """Return the middle between the ends of every free number of the contact."""
+    return {one.path: float(one.at(np.array(0.5))) for one in free if one.path != RESISTANCE}
+
+
+def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
+    """Return the case of these tables, where numbers that are free, or in every row of the data, may be left out."""
+    known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
+    for numbers in ({}, middle_of(free)):
+        with suppress(InputError):
+            return case_of(content, numbers)
+    return case_of(content, {**known, **middle_of(free)})
 
 
 def read_fit(content: Mapping[str, Any]) -> Fit:

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.read import Case, case_of
-from stiction.case.uncertain import SAMPLE, expanded
+from stiction.case.read import Case
+from stiction.case.several import Address
+from stiction.case.uncertain import SAMPLE
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
 from stiction.contact.pair import pair_of
@@ -92,8 +93,7 @@ class Asked:
         for at in (0, -1):
             some = {path: value.isel({dim: [at] for dim in value.dims}) for path, value in self.case.several.items()}
             load = self.load.isel({dim: [at] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
-            subject = case_of(expanded(self.case.tables), some).subject
-            case = replace(self.case, subject=subject, several=some, uncertain=())
+            case = replace(self.case.at(some), several=some, uncertain=())
             found.append(replace(self, case=case, load=load, levels=np.zeros((1, 0))))
         return found
 
@@ -120,9 +120,7 @@ class Asked:
 
     def by_numbers(self) -> "Asked":
         """Return the same without the map of its surface: of every draw a map would be solved anew."""
-        tables = expanded(self.case.tables)
-        numbers = {**tables["contact"], "roughness": self.contact.as_numbers().roughness}
-        return replace(self, case=replace(self.case, tables={**tables, "contact": numbers}))
+        return replace(self, case=replace(self.case, subject=self.contact.as_numbers()))
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
@@ -135,9 +133,8 @@ class Asked:
         """Return the same with at least as many asperities as a Gaussian surface has."""
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
-        return replace(
-            self, case=replace(self.case, several={**self.case.several, path: np.maximum(rough.asperity_density, least)})
-        )
+        density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
+        return replace(self, case=replace(self.case.at(density), several={**self.case.several, **density}))
 
     def variation(self, choice: Choice) -> np.ndarray:
         """Return the area (n, m) of a model on the drawn contacts, over that on the nominal one."""
@@ -146,9 +143,7 @@ class Asked:
 
     def nominal(self, model: str) -> Contact:
         """Return the nominal contact without adhesion, liquid and interface, as the model of this key takes it."""
-        bare = _without(self.case, _INTERFACE + PULLS)
-        case = case_of(bare.tables, bare.several)
-        return _contact(case.with_surface_moments(model))
+        return _contact(_without(self.case, _INTERFACE + PULLS).with_surface_moments(model))
 
     @property
     def on_map(self) -> bool:
@@ -172,8 +167,7 @@ class Asked:
     @cached_property
     def drawn(self) -> Contact:
         """Return the contact whose uncertain numbers are arrays along the draws."""
-        numbers = self.case.numbers_at(self.levels) if self.case.unknowns else self.case.several
-        return _contact(case_of(expanded(self.case.tables), numbers))
+        return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case)
 
     @cached_property
     def bodies(self) -> Bodies:
@@ -204,14 +198,20 @@ def _contact(case: Case) -> Contact:
 
 def _without(case: Case, names: Sequence[str]) -> Case:
     """Return the case without these fields of its contact, and without their uncertain numbers."""
-    tables = expanded(case.tables)
-    contact = {name: value for name, value in tables["contact"].items() if name not in names}
-    if "work_of_adhesion" in names and isinstance(contact.get("coating"), Mapping):
-        contact["coating"] = {name: value for name, value in contact["coating"].items() if name != "work_of_adhesion"}
-    uncertain = tuple(one for one in case.uncertain if not (set(one.path[1:]) & set(names)))
-    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & set(names))}
-    tables = {**tables, "contact": contact, "solve": {"load": ["1 N"]}}
-    return replace(case, tables=tables, uncertain=uncertain, several=several)
+    return _changed(case, dict.fromkeys(names))
+
+
+def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
+    """Return the case with these fields of its contact, of which nothing is uncertain or several.
+
+    With the work of adhesion that of the film goes.
+    """
+    contact = _contact(case)
+    if "work_of_adhesion" in fields and contact.coating is not None:
+        fields = {**fields, "coating": contact.coating.replace(work_of_adhesion=None)}
+    uncertain = tuple(one for one in case.uncertain if not (set(one.path[1:]) & fields.keys()))
+    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & fields.keys())}
+    return replace(case, subject=contact.replace(**fields), uncertain=uncertain, several=several)
 
 
 _FAINT = 1e-6  # of the work of adhesion
@@ -219,10 +219,4 @@ _FAINT = 1e-6  # of the work of adhesion
 
 def _faint(case: Case) -> Case:
     """Return the case with a millionth of its work of adhesion, which pulls with nothing: laws of adhesion alone refuse 0."""
-    contact = dict(case.tables["contact"])
-    contact["work_of_adhesion"] = _FAINT * float(np.mean(_contact(case).work_of_adhesion))
-    if isinstance(contact.get("coating"), Mapping):
-        contact["coating"] = {name: value for name, value in contact["coating"].items() if name != "work_of_adhesion"}
-    uncertain = tuple(one for one in case.uncertain if "work_of_adhesion" not in one.path)
-    several = {path: value for path, value in case.several.items() if "work_of_adhesion" not in path}
-    return replace(case, tables={**case.tables, "contact": contact}, uncertain=uncertain, several=several)
+    return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(_contact(case).work_of_adhesion))})

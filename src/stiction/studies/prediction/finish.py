@@ -6,7 +6,7 @@ import numpy as np
 
 from stiction.case.distribution import of_samples
 from stiction.case.read import Case
-from stiction.case.uncertain import Uncertain, expanded
+from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.sampling import sobol_points
 
@@ -28,6 +28,4 @@ def with_finish(case: Case) -> Case:
     order = np.argsort(drawn[1], kind="stable")  # by radius, so that a level has a meaning
     paths = [("contact", "roughness", name) for name in _NUMBERS]
     more = [Uncertain.of(path, of_samples(path[-1], row[order], False), _NAME) for path, row in zip(paths, drawn, strict=True)]
-    tables = expanded(case.tables)
-    tables = {**tables, "contact": {**tables["contact"], "roughness": contact.roughness}}
-    return replace(case, tables=tables, uncertain=(*case.uncertain, *more))
+    return replace(case, uncertain=(*case.uncertain, *more))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.case.read import Case, case_of
+from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
@@ -38,7 +38,7 @@ def count_of(points: int) -> int:
 
 
 def predict_many(
-    tables: Mapping[str, Any],
+    case: Case,
     numbers: Mapping[tuple[str, ...], Any],
     load: Any,
     uncertain: Sequence[Uncertain] = (),
@@ -51,10 +51,10 @@ def predict_many(
 
     Parameters
     ----------
-    tables : dict
-        The tables of a case.
+    case : Case
+        The case, with its nominal numbers; what is uncertain in it is not drawn.
     numbers : dict
-        Place in the tables, ("contact", "first", "hardness") -> labelled array, in SI units.
+        Address, ("contact", "first", "hardness") -> labelled array, in SI units.
     load : numpy.ndarray or xarray.DataArray
         Loads [N] of every contact, or along dimensions of the contacts.
     uncertain : sequence of Uncertain
@@ -80,7 +80,7 @@ def predict_many(
 
     def predicted(region: Region) -> tuple[Case, BatchResult]:
         some = {path: _part(value, region) for path, value in numbers.items()}
-        return _together(tables, some, _part(load, region), tuple(uncertain), level, count)
+        return _together(case, some, _part(load, region), tuple(uncertain), level, count)
 
     refusal, taken = None, False
     sizes = dimensions([*numbers.values(), load])
@@ -122,16 +122,17 @@ def _part(value: Any, region: Region) -> Any:
 
 
 def _together(
-    tables: Mapping[str, Any], numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
+    case: Case, numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
 ) -> tuple[Case, BatchResult]:
     """Return the case with these numbers, and its results. Raises InputError, ArithmeticError where any contact is refused."""
     with np.errstate(all="ignore"):
-        case = case_of(tables, numbers)
+        case = case.at(numbers)
         if not isinstance(case.subject, Contact):
             raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
         if (refusal := refusal_of(case)) is not None:
             raise refusal
-        case = with_uncertain(replace(case, tables=tables, several=dict(numbers), uncertain=uncertain))
+        several = {path: value for path, value in numbers.items() if hasattr(value, "dims")}
+        case = with_uncertain(replace(case, several=several, uncertain=uncertain))
         loads = load.values if load.dims == ("load",) else load
         levels = draws_of(case, count)
         asked = Asked(case, loads, levels.inputs)
@@ -162,7 +163,7 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
     count = count_of(math.prod(sizes.values()))
     found: dict[str, tuple] = {}
     refused = 0
-    for region, _, solved in predict_many(case.tables, case.several, loads, case.uncertain, level=level, count=count):
+    for region, _, solved in predict_many(case, case.several, loads, case.uncertain, level=level, count=count):
         if solved is None:
             refused += 1
             continue

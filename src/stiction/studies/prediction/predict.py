@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from stiction.case.read import Case, as_case, case_in
-from stiction.case.uncertain import Uncertain, expanded, named, with_ranges
+from stiction.case.uncertain import Uncertain, named, with_ranges
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
@@ -163,7 +163,7 @@ def case_given(given: Any, load: Any) -> Case:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
         several = {("contact", *name.split(".")): array for name, array in given.arrays()}
         case = case_in({"contact": given, "solve": {"load": ["1 N"]}})
-        case = replace(case, tables=expanded(case.tables), several=several)
+        case = replace(case, several=several)
     else:
         case = as_case(given)
     if not isinstance(case.subject, Contact):

@@ -58,9 +58,8 @@ class _Steps:
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
     """Every number of the contact above 0, by name: those that are uncertain together are one."""
     together = {one.path: one for one in case.uncertain}
-    table = "contact" if case.tables.get("contact") is not None else "indices"
     found = []
-    for path, value in _numbers(case.subject, (table,)):
+    for path, value in _numbers(case.subject, (*case.tables,)):
         if path in case.several or path[-1] in _LEFT_OUT or (path[1] == "roughness" and case.measured is not None):
             continue
         alone = Distribution(path[-1], value, "values", (value,), "")
@@ -96,7 +95,7 @@ def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number, over steps of 20 %."""
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
-    for region, _, solved in predict_many(case.tables, numbers, np.array([load])):
+    for region, _, solved in predict_many(case, numbers, np.array([load])):
         if solved is not None:
             mu[region[SAMPLE]] = solved.variables["friction_coefficient"][1].ravel()
     low, high = np.log(mu.reshape(-1, 2)).T

@@ -53,14 +53,14 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
     """Yield regions within a piece with their results: of a model, or of the prediction."""
     try:
-        tables, arrays = plan.tables(piece), plan.arrays(piece)
+        case, arrays = plan.case_at(piece), plan.arrays(piece)
     except InputError:  # of a map that cannot be read, or has no asperities
         yield piece, None
         return
     if choice.model == RECOMMENDED:
-        found = predict_many(tables, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
+        found = predict_many(case, arrays, plan.load, plan.uncertain, count=count_of(plan.size))
     else:
-        found = evaluate_many(tables, arrays, None, choice, keep, along=tuple(piece))
+        found = evaluate_many(case, arrays, None, choice, keep, along=tuple(piece))
     yield from ((region, _along_places(solved) if plan.maps and solved else solved) for region, _, solved in found)
 
 

@@ -9,18 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import roughness_in, with_roughness
-from stiction.case.read import case_of, opened
-from stiction.case.several import Address, Several, with_values
+from stiction.case.places import roughness_in, with_numbers, with_roughness
+from stiction.case.read import Case, case_of, opened
+from stiction.case.several import Address, Several
 from stiction.case.study_tables import study_table
-from stiction.case.uncertain import SAMPLE, Uncertain, expanded
+from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, require_names
+from stiction.quantities.inputs import require_names
 from stiction.solving.pointwise import Region, pieces, tiles
 from stiction.studies.prediction.predict import is_predicted
 from stiction.studies.sweep.maps import PLACE, MapOfPlace, maps_of
 from stiction.studies.sweep.table import LARGEST_BLOCK, Sample, Sweep
-from stiction.surfaces.roughness import Roughness
 
 AT_ONCE = 131_072  # points of a block: half a second of work; and of what is solved together, of larger ones
 _MOST_BLOCKS = 50_000_000  # 10^12 points in blocks of the usual size are 7.6 million
@@ -31,14 +30,14 @@ _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quic
 class Plan:
     """A sweep, ready to be computed block by block, by whoever and in whatever order: the same bits follow.
 
-    content: the tables of the case without [sweep], several: its numbers that are several, sweep: what is computed and kept.
+    case: with the first of several numbers, several: its numbers that are several, sweep: what is computed and kept.
     dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
     of them; points: of a contact; load: loads of every contact, None for separations. uncertain: numbers that a
     prediction draws for every contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes
     one. maps: those of an ensemble, one for each contact.
     """
 
-    content: Mapping[str, Any]
+    case: Case
     several: Mapping[Address, Several]
     sweep: Sweep
     dims: Mapping[str, int] = field(default_factory=dict)
@@ -75,9 +74,11 @@ class Plan:
         """How many contacts are in a block."""
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
-    def tables(self, region: Mapping[str, slice]) -> Mapping[str, Any]:
-        """Return the tables of the contacts in a region, which with maps has one."""
-        return with_roughness(self.content, self.maps[region[PLACE].start].roughness()) if self.maps else self.content
+    def case_at(self, region: Mapping[str, slice]) -> Case:
+        """Return the case of the contacts in a region, which with maps has one."""
+        if not self.maps:
+            return self.case
+        return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
         """Return the array parameters in a region, as labelled arrays."""
@@ -100,15 +101,17 @@ class Plan:
 
     def identity(self) -> str:
         """Return what decides the results as text, equal for equal cases."""
-        content = {key: value for key, value in self.content.items() if key != "title"}
-        plain = json.loads(json.dumps(content, default=_plain))
-        plain = with_values(plain, {path: one.as_table() for path, one in self.several.items()})
+        case = self.case
+        solve = {"separation": case.separation, "load": case.load, **case.choice.arguments()}
+        plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
+        plain = with_numbers(plain, {path: one.as_table() for path, one in self.several.items()})
+        plain |= {"solve": solve, "uncertainty": case.uncertainty.model_dump(), "sweep": self.sweep.model_dump()}
         files = {"maps": list(dict.fromkeys(one.content for one in self.maps))} if self.maps else {}
-        return json.dumps(plain | files | {"sweep": self.sweep.model_dump()}, sort_keys=True)
+        return json.dumps(plain | files, sort_keys=True, default=_plain)
 
 
 def _plain(value: Any) -> Any:
-    return value.model_dump() if isinstance(value, Input) else str(value)
+    return value.tolist() if isinstance(value, np.ndarray) else str(value)
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
@@ -137,18 +140,14 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     if sweep.roughness:
         return _plan_of_maps(content, folder, sweep)
     content, several = opened(content, folder)
-    plain: Mapping[str, Any] = {key: value for key, value in content.items() if key != "sweep"}
-    if any(isinstance(one, Uncertain) for one in several.values()):
-        plain = expanded(plain)
-    plain, scans = _without_scans(plain)
+    case, scans = _without_scans(case_of({key: value for key, value in content.items() if key != "sweep"}))
     uncertain: tuple[Uncertain, ...] = ()
-    if not sweep.sample.is_drawn and is_predicted(case_of(plain)):
+    if not sweep.sample.is_drawn and is_predicted(case):
         uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
         several = {path: one for path, one in several.items() if not isinstance(one, Uncertain)}
-    plan = Plan(plain, several, sweep, scans=scans, uncertain=uncertain)
+    plan = Plan(case, several, sweep, scans=scans, uncertain=uncertain)
     lengths = _lengths(plan)
-    first = case_of(plain, replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
-    case_of(plain, {path: one.array(one.values[:1]) for path, one in several.items()})
+    first = case.at(replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
     points: Any = first.load if first.load is not None else first.separation
     size = int(np.size(points)) if not hasattr(points, "dims") else points.sizes["separation"]
     return _cut(replace(plan, points=size, load=first.load), lengths)
@@ -168,23 +167,18 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
         raise InputError("sweep.sample", sweep.sample.method, "nothing, where the sweep is over maps")
     if sweep.block is not None:
         raise InputError("sweep.block", sweep.block, "nothing, where the sweep is over maps: each is a block")
-    plain = {key: value for key, value in opened_content.items() if key != "sweep"}
-    case = case_of(plain)
-    shared: Mapping[str, Any] = {**plain, "contact": {**plain["contact"], "roughness": None}}
+    case = case_of({key: value for key, value in opened_content.items() if key != "sweep"})
     scans = {"maps": "\n".join(one.name for one in maps)}
     points = case.load if case.load is not None else case.separation
-    return Plan(shared, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(points), case.load, scans=scans, maps=maps)
+    case = replace(case, subject=case.subject.as_numbers())
+    return Plan(case, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(points), case.load, scans=scans, maps=maps)
 
 
-def _without_scans(content: Mapping[str, Any]) -> tuple[Mapping[str, Any], dict[str, str]]:
-    """Replace scans by the numbers of their standing method, and return their history.
-
-    Maps are too large to be sent to every worker.
-    """
-    rough = roughness_in(content)
-    if not isinstance(rough, Roughness) or rough.measured is None:
-        return content, {}
-    return with_roughness(content, rough.as_numbers()), rough.measured.attributes()
+def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
+    """Return the case with the numbers of the chosen method alone, as maps are not for every worker; and what scans say."""
+    if case.measured is None:
+        return case, {}
+    return replace(case, subject=case.subject.as_numbers()), case.measured.attributes()
 
 
 def _lengths(plan: Plan) -> dict[str, int]:

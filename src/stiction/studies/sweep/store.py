@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
-from stiction.case.read import case_of
 from stiction.engine.tiers import all_compiled
 from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.paths import require_place
@@ -230,7 +229,7 @@ def _first(plan: Plan) -> tuple[Choice, Any]:
     for block in range(min(plan.blocks, 3)):
         for one in islice(pieces(plan.region(block), 1), 5):
             try:
-                case = case_of(plan.tables(one), plan.arrays(one))
+                case = plan.case_at(one).at(plan.arrays(one))
                 choice = Choice(RECOMMENDED) if is_predicted(case) else choice_of_case(case, case.choice)
                 if choice.model == RECOMMENDED and case.load is None:
                     raise InputError("solve.separation", "given", "load, or a named model, which accepts separations")

@@ -1,14 +1,14 @@
 """Many contacts that are drawn from what is uncertain, solved together: by one model, or each by the one drawn for it."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.case.uncertain import SAMPLE, expanded
+from stiction.case.uncertain import SAMPLE
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import sobol_points
@@ -31,10 +31,9 @@ class Variant:
     choice: Choice
     roughness: Any = None
 
-    def tables(self, case: Case) -> Mapping[str, Any]:
-        """Return the tables of the case, every body as a table whose numbers may be replaced."""
-        tables = expanded(case.tables)
-        return tables if self.roughness is None else {**tables, "contact": {**tables["contact"], "roughness": self.roughness}}
+    def case(self, case: Case) -> Case:
+        """Return the case as it is asked."""
+        return case if self.roughness is None else case.at({("contact", "roughness"): self.roughness})
 
 
 @dataclass
@@ -107,10 +106,10 @@ def draw(
         raise InputError("uncertainty.count", count, f"{_MOST // found.points} at most at {found.points} points of a contact")
     found.tables = {name: np.full((count, *table.shape), np.nan) for name, table in found.tables.items()}
     rows = np.zeros(count, dtype=int) if rows is None else rows
-    tables, points = [one.tables(case) for one in variants], _points(case)
+    cases, points = [one.case(case) for one in variants], _points(case)
     for at, some in progress(_steps(variants, rows, found.points)):
         numbers, choice = case.numbers_at(shares[some]), variants[at].choice
-        for region, _, solved in evaluate_many(tables[at], numbers, points, choice, names, along=(SAMPLE,)):
+        for region, _, solved in evaluate_many(cases[at], numbers, points, choice, names, along=(SAMPLE,)):
             _keep(found, some[region.get(SAMPLE, slice(None))], solved)
     return found
 
@@ -130,7 +129,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     found = Draws()
     for at, one in enumerate(variants):
         try:
-            _, solved = evaluate_together(one.tables(case), case.several, _points(case), one.choice, names)
+            _, solved = evaluate_together(one.case(case), case.several, _points(case), one.choice, names)
         except (InputError, ArithmeticError):
             if at == 0:
                 raise
