@@ -70,13 +70,14 @@ def evaluate_many(
 
     def evaluated(region: Region) -> tuple[Case, BatchResult]:
         part = {dim: some for dim, some in region.items() if some != slice(0, sizes[dim])}
-        some = None if points is None else {name: _part(value, part) for name, value in points.items()}
-        return evaluate_together(case, {path: _part(value, part) for path, value in numbers.items()}, some, model, keep)
+        some = None if points is None else {name: part_of(value, part) for name, value in points.items()}
+        return evaluate_together(case, {path: part_of(value, part) for path, value in numbers.items()}, some, model, keep)
 
     for region, found in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
         yield (region, None, None) if isinstance(found, Exception) else (region, *found)
 
 
-def _part(value: Any, region: Region) -> Any:
+def part_of(value: Any, region: Region) -> Any:
+    """Return the part of a labelled array in a region; anything else as it is."""
     mine = {dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())}
     return value.isel(mine) if mine else value

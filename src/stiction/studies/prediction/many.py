@@ -14,6 +14,7 @@ from stiction.quantities.dimensions import arranged, coordinates, dimensions
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
+from stiction.studies.evaluate_many import part_of
 from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
@@ -79,8 +80,8 @@ def predict_many(
     numbers, load = {path: _apart(value) for path, value in numbers.items()}, _apart(load)
 
     def predicted(region: Region) -> tuple[Case, BatchResult]:
-        some = {path: _part(value, region) for path, value in numbers.items()}
-        return _together(case, some, _part(load, region), tuple(uncertain), level, count)
+        some = {path: part_of(value, region) for path, value in numbers.items()}
+        return _together(case, some, part_of(load, region), tuple(uncertain), level, count)
 
     refusal, taken = None, False
     sizes = dimensions([*numbers.values(), load])
@@ -115,10 +116,6 @@ def _named_back(found: BatchResult) -> BatchResult:
         variables=variables,
         validity_warnings=(tuple(map(_named, found.validity_warnings[0])), found.validity_warnings[1]),
     )
-
-
-def _part(value: Any, region: Region) -> Any:
-    return value.isel({dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())})
 
 
 def _together(
