@@ -106,7 +106,10 @@ class Plan:
         plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
         plain = with_numbers(plain, {path: one.as_table() for path, one in self.several.items()})
         plain |= {"solve": solve, "uncertainty": case.uncertainty.model_dump(), "sweep": self.sweep.model_dump()}
-        files = {"maps": list(dict.fromkeys(one.content for one in self.maps))} if self.maps else {}
+        files = {}
+        if self.maps:
+            plain = with_roughness(plain, None)
+            files = {"maps": list(dict.fromkeys(one.content for one in self.maps))}
         return json.dumps(plain | files, sort_keys=True, default=_plain)
 
 
