@@ -264,6 +264,11 @@ def read_content(path) -> dict[str, Any]:
         raise _not_a_case(path, "this one is out of all proportion") from None
 
 
+def tables_of(given: Any) -> tuple[Mapping[str, Any], Path]:
+    """Return the unchecked tables of a case, a path or a dict, and the folder its files are relative to. Raises InputError."""
+    return (given, Path()) if isinstance(given, Mapping) else (read_content(given), Path(given).parent)
+
+
 def _tables(path) -> Mapping:
     """The tables of a TOML file, every number that needs a unit with its unit."""
     content = read_content(path)

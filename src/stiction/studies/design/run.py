@@ -1,13 +1,13 @@
 """Design: the coating, thickness, roughness and load that come nearest to the objective, and keep all limits."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.case.read import read_content
+from stiction.case.read import tables_of
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.sampling import sobol_points
 from stiction.studies.design.designed import dataset_of, designed_case
@@ -135,9 +135,7 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
 
 def plan_of_design(case: Any) -> DesignPlan:
     """Return the plan of a design. Raises InputError."""
-    if isinstance(case, Mapping):
-        return make_design_plan(case)
-    return make_design_plan(read_content(case), Path(case).parent)
+    return make_design_plan(*tables_of(case))
 
 
 def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:

@@ -60,21 +60,17 @@ def _left_out(plan: FitPlan, one: Fitted) -> float:
     if len(folds) < 2:
         return float("nan")
     errors = one.errors / one.scale if one.stated else (np.abs(data.value).max() or 1.0)
-    total = np.empty(len(data))
+    total, name = np.empty(len(data)), one.name or None
     for fold in folds:
         rest = np.setdiff1d(np.arange(len(data)), fold)
         try:
-            other = refitted(one, forward_of(plan, _model(plan, one), data.some(rest)))
-            said = forward_of(plan, _model(plan, one), data.some(fold)).values(other.best.shares)[0]
+            other = refitted(one, forward_of(plan, name, data.some(rest)))
+            said = forward_of(plan, name, data.some(fold)).values(other.best.shares)[0]
         except InputError:
             return float("inf")
         total[fold] = said - data.value[fold]
     total /= errors
     return float(np.sqrt(np.mean(total**2))) if np.isfinite(total).all() else float("inf")
-
-
-def _model(plan: FitPlan, one: Fitted) -> str | None:
-    return one.name or None
 
 
 def _folds(plan: FitPlan) -> list[np.ndarray]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from stiction import __version__
 from stiction.case.places import as_numbers, with_numbers
-from stiction.case.read import Case, case_in, opened, read_content, without_studies
+from stiction.case.read import Case, case_in, opened, read_content, tables_of, without_studies
 from stiction.case.text import case_text, show_exactly
 from stiction.quantities.errors import InputError
 from stiction.studies.fit.plan import WANTED, free_numbers, read_fit
@@ -24,8 +24,8 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
     given: path of a case file or its tables; data: path of the measured series; folder: from which the tables name files. A
     case without a table [fit] has no free numbers. Raises InputError.
     """
-    content = given if isinstance(given, Mapping) else read_content(given)
-    folder = folder or (Path() if isinstance(given, Mapping) else Path(given).parent)
+    content, own_folder = tables_of(given)
+    folder = folder or own_folder
     plain: Mapping[str, Any] = without_studies(content)
     if not is_predicted(case_in(plain, folder)):
         if "fit" not in content:

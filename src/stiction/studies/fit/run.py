@@ -1,6 +1,6 @@
 """Calibration: numbers of a case fitted to measured series, with what the data cannot tell."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction import __version__
-from stiction.case.read import read_content, without_studies
+from stiction.case.read import tables_of, without_studies
 from stiction.case.text import case_text, with_written
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
@@ -105,9 +105,8 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
     """Return the plan of a fit. Raises InputError."""
-    plan = (
-        make_fit_plan(case, data) if isinstance(case, Mapping) else make_fit_plan(read_content(case), data, Path(case).parent)
-    )
+    content, folder = tables_of(case)
+    plan = make_fit_plan(content, data, folder)
     check_models(plan)
     check_predicted(plan)
     return plan

@@ -2,12 +2,12 @@
 
 import errno
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from stiction.case.read import read_content
+from stiction.case.read import tables_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import require
 from stiction.studies.sweep.plan import make_plan
@@ -89,10 +89,8 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
         raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
     if workers > 1 and scheduler is None:
         make_ready()
-    if isinstance(case, Mapping):
-        content, folder, text = case, Path(), json.dumps(case, default=str)
-    else:
-        content, folder, text = read_content(case), Path(case).parent, Path(case).read_text(encoding="utf-8-sig")
+    content, folder = tables_of(case)
+    text = json.dumps(case, default=str) if content is case else Path(case).read_text(encoding="utf-8-sig")
     plan = make_plan(content, folder)
     from stiction.studies.sweep.guards import locked
     from stiction.studies.sweep.store import opened_store
