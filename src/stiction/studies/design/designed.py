@@ -23,39 +23,39 @@ if TYPE_CHECKING:
 _SHOWN = 200  # designs of a front at most
 
 
-def dataset_of(found: "Designing") -> "xarray.Dataset":
+def dataset_of(search: "Designing") -> "xarray.Dataset":
     import xarray
 
-    best = found.best()
-    data = xarray.Dataset(_columns(found, best, "design"), coords={"design": np.arange(len(best))})
-    data["violated"] = ("design", _violated(found, best), {"long_name": "limits and ranges of validity that are broken"})
-    if len(found.plan.objectives) == 2:
-        front = found.front()
+    best = search.best()
+    data = xarray.Dataset(_columns(search, best, "design"), coords={"design": np.arange(len(best))})
+    data["violated"] = ("design", _violated(search, best), {"long_name": "limits and ranges of validity that are broken"})
+    if len(search.plan.objectives) == 2:
+        front = search.front()
         chosen = (
             front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
             if front.size
             else front
         )
-        more = {f"front_{name}": column for name, column in _columns(found, chosen, "front").items()}
+        more = {f"front_{name}": column for name, column in _columns(search, chosen, "front").items()}
         data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
-    _, objectives, worst, _ = found.archive.table()
+    _, objectives, worst, _ = search.archive.table()
     good = np.where(worst <= TOLERANCE, objectives[:, 0], np.inf)
-    every = _columns(found, np.arange(len(worst)), "asked")
+    every = _columns(search, np.arange(len(worst)), "asked")
     data = data.merge(xarray.Dataset({f"asked_{name}": column for name, column in every.items()}))
     data["best_so_far"] = (
         "asked",
         np.minimum.accumulate(good),
         {"long_name": "first objective of the best design, less is better"},
     )
-    return data.assign_attrs(_attributes(found, best))
+    return data.assign_attrs(_attributes(search, best))
 
 
-def _columns(found: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
+def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
     """Return the choices and results of some designs of the archive as columns."""
-    shares, _, worst, known = found.archive.table()
+    shares, _, worst, known = search.archive.table()
     shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}
-    for at, one in enumerate(found.plan.unknowns):
+    for at, one in enumerate(search.plan.unknowns):
         name = "load" if one.path == LOAD else one.name
         if isinstance(one, Options):
             index = one.index(shares[:, at])
@@ -69,37 +69,37 @@ def _columns(found: "Designing", rows: np.ndarray, along: str) -> dict[str, tupl
     for name, values in known.items():
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
-    for name, off in off_targets(found.plan, known):
+    for name, off in off_targets(search.plan, known):
         columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
     columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
     columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
     return columns
 
 
-def _violated(found: "Designing", rows: np.ndarray) -> np.ndarray:
+def _violated(search: "Designing", rows: np.ndarray) -> np.ndarray:
     """Return what each of these designs of the archive breaks, in words, one a line; "" where it keeps all limits."""
-    shares, _, worst, _ = found.archive.table()
-    return np.array(["\n".join(found.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
+    shares, _, worst, _ = search.archive.table()
+    return np.array(["\n".join(search.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
 
 
-def _attributes(found: "Designing", best: np.ndarray) -> dict[str, Any]:
-    _, _, worst, known = found.archive.table()
-    plan = found.plan
+def _attributes(search: "Designing", best: np.ndarray) -> dict[str, Any]:
+    _, _, worst, known = search.archive.table()
+    plan = search.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
-        "model": RECOMMENDED if found.space.is_predicted else found.space.choice.name,
+        "model": RECOMMENDED if search.space.is_predicted else search.space.choice.name,
         "objectives": "\n".join(one.words for one in plan.objectives),
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
-        "asked": found.archive.count,
+        "asked": search.archive.count,
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
         "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
-        "stopped": int(found.stopped),
+        "stopped": int(search.stopped),
     }
 
 
@@ -110,15 +110,15 @@ def _uncertain(plan: DesignPlan) -> str:
     return ", ".join([*own, *ranges])
 
 
-def designed_case(found: "Designing", out: Path) -> str:
-    plan = found.plan
-    best = int(found.best()[0])
-    shares, _, worst, known = found.archive.table()
+def designed_case(search: "Designing", out: Path) -> str:
+    plan = search.plan
+    best = int(search.best()[0])
+    shares, _, worst, known = search.archive.table()
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
-        comments += [f"It breaks a limit: {words}." for words in found.space.violations(shares[best])]
-    content = _with_numbers(without_studies(plan.given), found.space.numbers(shares[best]))
+        comments += [f"It breaks a limit: {words}." for words in search.space.violations(shares[best])]
+    content = _with_numbers(without_studies(plan.given), search.space.numbers(shares[best]))
     return case_text(content, comments, plan.folder, out)
 
 

@@ -158,9 +158,9 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
     return found
 
 
-def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
+def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
     """Evaluate designs (n, d) and add them to the archive."""
-    answers, archive = found.space.answers(shares), found.archive
+    answers, archive = search.space.answers(shares), search.archive
     archive.shares.append(shares.copy())
     archive.objectives.append(answers.objectives)
     archive.worst.append(answers.worst)
@@ -170,9 +170,9 @@ def _ask(found: Designing, shares: np.ndarray, tell: Tell) -> Answers:
     return answers
 
 
-def _drawn(found: Designing) -> np.ndarray:
+def _drawn(search: Designing) -> np.ndarray:
     """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
-    plan, most = found.plan, _FEW_DRAWN * len(found.plan.objectives) ** 2 if found.space.is_predicted else _DRAWN
+    plan, most = search.plan, _FEW_DRAWN * len(search.plan.objectives) ** 2 if search.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
         return sobol_points(len(plan.free), most, plan.seed)
@@ -188,30 +188,30 @@ def _drawn(found: Designing) -> np.ndarray:
     return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
 
 
-def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
+def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
     """Search one objective by differential evolution (Storn & Price 1997).
 
     Designs that meet all constraints rank before all others (Deb 2000). The search continues from the best known designs, once
     for each of the best combinations of list entries. ceiling: upper bound of the other objective.
     """
-    if not found.plan.free and found.archive.count:
+    if not search.plan.free and search.archive.count:
         return  # every design was asked
     from scipy.optimize import differential_evolution
 
-    rng = np.random.default_rng([found.plan.seed, found.archive.count])
-    for members in _seeds(found, number, ceiling, rng):
+    rng = np.random.default_rng([search.plan.seed, search.archive.count])
+    for members in _seeds(search, number, ceiling, rng):
         ends = np.tile([0.0, 1.0], (members.shape[1], 1))
-        ends[found.space.named] = members[0, found.space.named, None]
+        ends[search.space.named] = members[0, search.space.named, None]
         differential_evolution(
-            lambda shares: _cost(found, number, ceiling, shares.T, tell),
+            lambda shares: _cost(search, number, ceiling, shares.T, tell),
             ends,
             strategy="randtobest1bin",
-            maxiter=found.plan.effort if ceiling is None else max(1, found.plan.effort // 3),
+            maxiter=search.plan.effort if ceiling is None else max(1, search.plan.effort // 3),
             tol=_ALIKE,
             mutation=(0.4, 0.9),
             recombination=0.8,
             rng=rng,
-            callback=_ends(found, number),
+            callback=_ends(search, number),
             polish=False,
             init=members,
             updating="deferred",
@@ -219,11 +219,11 @@ def _searched(found: Designing, number: int, ceiling: float | None, tell: Tell) 
         )
 
 
-def _ends(found: Designing, number: int) -> "_Quiet":
+def _ends(search: Designing, number: int) -> "_Quiet":
     """Return what ends the search of an objective."""
-    if not found.space.is_predicted:
+    if not search.space.is_predicted:
         return _Quiet(_GAIN, _QUIET)
-    met = _MET * abs(found.plan.targets[number]) if found.plan.objectives[number].target else -np.inf
+    met = _MET * abs(search.plan.targets[number]) if search.plan.objectives[number].target else -np.inf
     return _Quiet(_GAIN_OF_DRAWS, _QUIET_OF_DRAWS, met)
 
 
@@ -247,9 +247,9 @@ class _Quiet:
         return bool(self.generations > self.most or now[0] <= self.met)
 
 
-def _cost(found: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
+def _cost(search: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
     """Return the objective of designs (n, d); those beyond constraints and ceiling cost more than all others."""
-    answers = _ask(found, shares, tell)
+    answers = _ask(search, shares, tell)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
@@ -265,43 +265,43 @@ def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: flo
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
-def _seeds(found: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
+def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
     """For each of the best ways to choose from lists the best designs that are known, and some at random (size, d)."""
-    shares, objectives, worst, _ = found.archive.table()
+    shares, objectives, worst, _ = search.archive.table()
     order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
-    few = found.space.is_predicted
-    size = max(_FEW if few else _POPULATION, (3 if few else 6) * found.space.dimension)
-    _, first, which = np.unique(found.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
+    few = search.space.is_predicted
+    size = max(_FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
+    _, first, which = np.unique(search.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
     for way in np.argsort(first)[:_WAYS]:
         known = shares[order[which.ravel() == way][: size // 2]]
-        some = rng.random((size - len(known), found.space.dimension))
-        some[:, found.space.named] = known[0, found.space.named]
+        some = rng.random((size - len(known), search.space.dimension))
+        some[:, search.space.named] = known[0, search.space.named]
         members.append(np.concatenate([known, some]))
     return members
 
 
-def _refined(found: Designing, number: int, tell: Tell) -> None:
+def _refined(search: Designing, number: int, tell: Tell) -> None:
     """Refine the numbers of the best designs by COBYQA (Ragonneau 2022).
 
     A quadratic model of the neighbourhood finds the optimum to its last digit where a constraint or an end decides.
     """
-    if not found.plan.free or found.space.is_predicted:  # draws are known to two digits
+    if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
-    shares = found.archive.table()[0]
-    for at in _best_ways(found, number)[:_REFINED]:
-        _refine(found, number, shares[at], tell)
+    shares = search.archive.table()[0]
+    for at in _best_ways(search, number)[:_REFINED]:
+        _refine(search, number, shares[at], tell)
 
 
-def _refine(found: Designing, number: int, start: np.ndarray, tell: Tell) -> None:
+def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> None:
     from scipy.optimize import NonlinearConstraint, minimize
 
-    first, known = len(found.plan.options), dict[bytes, Answers]()
+    first, known = len(search.plan.options), dict[bytes, Answers]()
 
     def at(x: np.ndarray) -> Answers:
         whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
         if whole.tobytes() not in known:  # the objective and the limits are asked for one after the other
-            known[whole.tobytes()] = _ask(found, whole[None, :], tell)
+            known[whole.tobytes()] = _ask(search, whole[None, :], tell)
         return known[whole.tobytes()]
 
     size = abs(float(at(start[first:]).objectives[0, number])) or 1.0
@@ -311,51 +311,51 @@ def _refine(found: Designing, number: int, start: np.ndarray, tell: Tell) -> Non
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
         constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
-        options={"maxfev": 60 * (1 + len(found.plan.free)), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
+        options={"maxfev": 60 * (1 + len(search.plan.free)), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
 
 
-def _best_ways(found: Designing, number: int) -> list[int]:
-    shares, objectives, worst, _ = found.archive.table()
+def _best_ways(search: Designing, number: int) -> list[int]:
+    shares, objectives, worst, _ = search.archive.table()
     order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
-    _, first = np.unique(found.space.way(shares[order]), axis=0, return_index=True)
+    _, first = np.unique(search.space.way(shares[order]), axis=0, return_index=True)
     return [int(order[at]) for at in np.sort(first)]
 
 
-def _search_front(found: Designing, tell: Tell) -> None:
+def _search_front(search: Designing, tell: Tell) -> None:
     """Search designs between the best for either objective.
 
     The first objective is searched with the other below a ceiling (Haimes, Lasdon & Wismer 1971), for a row of ceilings.
     """
-    front = found.front()
-    if not front.size or not found.plan.free:
+    front = search.front()
+    if not front.size or not search.plan.free:
         return
-    _, objectives, _, _ = found.archive.table()
+    _, objectives, _, _ = search.archive.table()
     low, high = objectives[front, 1].min(), objectives[front, 1].max()
     count = 2 + _FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
-        _searched(found, 0, float(ceiling), tell)
+        _searched(search, 0, float(ceiling), tell)
 
 
-def _spread(found: Designing, tell: Tell) -> None:
+def _spread(search: Designing, tell: Tell) -> None:
     """Search predictions for two objectives by an evolution strategy (Rechenberg 1973).
 
     Each round takes normal steps from the Pareto front, shorter than the last; where no design meets the constraints, from
     those with the least violation.
     """
-    rng = np.random.default_rng(found.plan.seed)
-    step, named = _FIRST_STEP, found.space.named
-    if not found.plan.free:
+    rng = np.random.default_rng(search.plan.seed)
+    step, named = _FIRST_STEP, search.space.named
+    if not search.plan.free:
         return  # every design was asked
-    for _ in range(max(1, found.plan.effort // _PER_ROUND)):
-        shares, _, worst, _ = found.archive.table()
-        front = found.front()
+    for _ in range(max(1, search.plan.effort // _PER_ROUND)):
+        shares, _, worst, _ = search.archive.table()
+        front = search.front()
         parents = shares[front if front.size else np.argsort(worst)[:_FEW]]
         parents = parents[rng.integers(len(parents), size=_TOGETHER)]
         children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
         children[:, named] = parents[:, named]
-        _ask(found, children, tell)
+        _ask(search, children, tell)
         step *= _SHRUNK
 
 

@@ -131,11 +131,11 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
     return replace(one, profiles=tuple(profiles(one.residuals(), best, threshold))) if with_profiles else one
 
 
-def refitted(one: Fitted, forward: Forward) -> Fitted:
+def refitted(fit: Fitted, forward: Forward) -> Fitted:
     """Fit the same model to other values, starting from its best numbers."""
     errors, stated = _errors(forward.data)
-    best = _searched(forward, errors, one.best.shares)
-    return _scaled(one.name, forward, best, (errors, stated), False)
+    best = _searched(forward, errors, fit.best.shares)
+    return _scaled(fit.name, forward, best, (errors, stated), False)
 
 
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
@@ -175,29 +175,29 @@ def _given(content, path):
     return float(found) if isinstance(found, int | float) else None
 
 
-def verdicts(one: Fitted) -> list[str]:
+def verdicts(fit: Fitted) -> list[str]:
     """Return sentences on what these data determine badly or not at all."""
     found = []
-    groups = _not_told_apart(one)
+    groups = _not_told_apart(fit)
     for group in groups:
-        names = [one.parameters[at].name for at in group]
+        names = [fit.parameters[at].name for at in group]
         told = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
-        found.append(f"these data cannot tell {told}: {_ways(one, group)} fit as well")
+        found.append(f"these data cannot tell {told}: {_ways(fit, group)} fit as well")
     entangled = {at for group in groups for at in group}
-    for at, profile in enumerate(one.profiles):
+    for at, profile in enumerate(fit.profiles):
         if at not in entangled:
-            found += _of_one(one, at, profile)
-    size = float(np.sqrt(np.mean(one.forward.data.value**2)))
-    if not one.stated and one.errors[0] > _FAR_OFF * size:
-        found.append(f"the model does not fit the data: residuals are {one.errors[0] / size:.0%} of the values")
-    named = one.forward.plan.uncertain
+            found += _of_one(fit, at, profile)
+    size = float(np.sqrt(np.mean(fit.forward.data.value**2)))
+    if not fit.stated and fit.errors[0] > _FAR_OFF * size:
+        found.append(f"the model does not fit the data: residuals are {fit.errors[0] / size:.0%} of the values")
+    named = fit.forward.plan.uncertain
     if named:
         found.append(f"{', '.join(named)}: uncertain, but fixed at the nominal value; the intervals leave this uncertainty out")
     return found
 
 
-def _of_one(one: Fitted, at: int, profile: Profile) -> list[str]:
-    name, free = one.parameters[at].name, one.parameters[at].free
+def _of_one(fit: Fitted, at: int, profile: Profile) -> list[str]:
+    name, free = fit.parameters[at].name, fit.parameters[at].free
     low, high = (free.show(float(free.at(np.asarray(end)))) for end in (profile.low, profile.high))
     if profile.open_low and profile.open_high:
         return [f"these data do not determine {name}: every value from {low} to {high} fits"]
@@ -205,69 +205,69 @@ def _of_one(one: Fitted, at: int, profile: Profile) -> list[str]:
         return [f"these data bound {name} only from above: every value from its low end, {low}, to {high} fits"]
     if profile.open_high:
         return [f"these data bound {name} only from below: every value from {low} to its high end, {high}, fits"]
-    if min(one.best.shares[at], 1.0 - one.best.shares[at]) < _AT_END:
-        return [f"{name} is best at its end {free.show(float(one.values[at]))}: give it wider ends"]
-    return [f"{name} is badly determined: from {low} to {high}"] if _is_wide(one, at) else []
+    if min(fit.best.shares[at], 1.0 - fit.best.shares[at]) < _AT_END:
+        return [f"{name} is best at its end {free.show(float(fit.values[at]))}: give it wider ends"]
+    return [f"{name} is badly determined: from {low} to {high}"] if _is_wide(fit, at) else []
 
 
-def _is_wide(one: Fitted, at: int) -> bool:
-    profile, free = one.profiles[at], one.parameters[at].free
+def _is_wide(fit: Fitted, at: int) -> bool:
+    profile, free = fit.profiles[at], fit.parameters[at].free
     if profile.open_low or profile.open_high:
         return True
     low, high = (float(free.at(np.asarray(end))) for end in (profile.low, profile.high))
-    return high > _WIDE * low if free.log else high - low > abs(float(one.values[at]))
+    return high > _WIDE * low if free.log else high - low > abs(float(fit.values[at]))
 
 
-def _not_told_apart(one: Fitted) -> list[list[int]]:
+def _not_told_apart(fit: Fitted) -> list[list[int]]:
     """Return groups of numbers that are badly determined because they can change together.
 
     Along the profile of one number the other moves several times as far as it could alone.
     """
     from scipy.sparse.csgraph import connected_components
 
-    k = range(len(one.parameters))
-    linked = np.array([[_carries(one, i, j) and _carries(one, j, i) for j in k] for i in k])
+    k = range(len(fit.parameters))
+    linked = np.array([[_carries(fit, i, j) and _carries(fit, j, i) for j in k] for i in k])
     count, group = connected_components(linked, directed=False)
     return [members.tolist() for at in range(count) if len(members := np.flatnonzero(group == at)) > 1]
 
 
-def _carries(one: Fitted, at: int, other: int) -> bool:
+def _carries(fit: Fitted, at: int, other: int) -> bool:
     """Whether the other number goes far with this one, all along the sets that fit as well."""
-    if at == other or not _is_traded(one, at, other):
+    if at == other or not _is_traded(fit, at, other):
         return False
-    alone = 2.0 * np.sqrt(one.threshold / (one.best.jacobian[:, other] @ one.best.jacobian[:, other] + 12.0))
-    return _span(one, at, other) > min(_HIDES * alone, 0.8)
+    alone = 2.0 * np.sqrt(fit.threshold / (fit.best.jacobian[:, other] @ fit.best.jacobian[:, other] + 12.0))
+    return _span(fit, at, other) > min(_HIDES * alone, 0.8)
 
 
-def _is_traded(one: Fitted, at: int, other: int) -> bool:
+def _is_traded(fit: Fitted, at: int, other: int) -> bool:
     """Whether both are badly determined; or one as far as its ends, and they go along with each other at a like rate."""
-    if _is_wide(one, at) and _is_wide(one, other):
+    if _is_wide(fit, at) and _is_wide(fit, other):
         return True
-    if not any(one.profiles[i].open_low or one.profiles[i].open_high for i in (at, other)):
+    if not any(fit.profiles[i].open_low or fit.profiles[i].open_high for i in (at, other)):
         return False
-    rates = [_span(one, at, i) * _size(one, i) for i in (at, other)]
+    rates = [_span(fit, at, i) * _size(fit, i) for i in (at, other)]
     return min(rates) > _LIKE * max(rates)
 
 
-def _span(one: Fitted, at: int, other: int) -> float:
+def _span(fit: Fitted, at: int, other: int) -> float:
     """How far a share goes along the profile of one number."""
-    path = one.profiles[at].others[one.profiles[at].rise <= one.threshold, other]
+    path = fit.profiles[at].others[fit.profiles[at].rise <= fit.threshold, other]
     return float(np.ptp(path)) if path.size else 0.0
 
 
-def _size(one: Fitted, at: int) -> float:
-    free = one.parameters[at].free
+def _size(fit: Fitted, at: int) -> float:
+    free = fit.parameters[at].free
     return float(np.log(free.high / free.low)) if free.log else 1.0
 
 
-def _ways(one: Fitted, group: Sequence[int]) -> str:
+def _ways(fit: Fitted, group: Sequence[int]) -> str:
     """Two sets that fit as well, far from each other: the ends of a profile."""
-    profile = one.profiles[group[0]]
-    inside = np.flatnonzero(profile.rise <= one.threshold)
+    profile = fit.profiles[group[0]]
+    inside = np.flatnonzero(profile.rise <= fit.threshold)
     ways = []
     for place in (inside[0], inside[-1]):
-        values = one.at(profile.others[place])
+        values = fit.at(profile.others[place])
         ways.append(
-            ", ".join(f"{one.parameters[at].name} = {one.parameters[at].free.show(float(values[at]), 3)}" for at in group)
+            ", ".join(f"{fit.parameters[at].name} = {fit.parameters[at].free.show(float(values[at]), 3)}" for at in group)
         )
     return " and ".join(f"({way})" for way in ways)

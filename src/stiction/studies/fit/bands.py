@@ -38,23 +38,23 @@ class Bands:
     effective: float
 
 
-def draws_of(one: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
+def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
     """Return samples of the shares (m, k) from their posterior, and the effective sample size.
 
     Importance sampling: the proposal mixes a wide Student's t about the best fit with a uniform distribution, by Sobol points.
     """
-    k = len(one.parameters)
+    k = len(fit.parameters)
     points = sobol_points(k + 1, _TRIED, seed)
-    root = np.linalg.cholesky(one.best.bounded) * 1.5
+    root = np.linalg.cholesky(fit.best.bounded) * 1.5
     narrow = points[:, -1] < 0.75
-    inner = one.best.shares + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T
+    inner = fit.best.shares + _student(np.clip(points[:, :k], 1e-9, 1.0 - 1e-9)) @ root.T
     sets = np.where(narrow[:, None], inner, points[:, :k])
     sets = sets[((sets >= 0.0) & (sets <= 1.0)).all(axis=1)]
-    residuals = one.residuals()
+    residuals = fit.residuals()
     parts = [finite(residuals(sets[at : at + _AT_ONCE])) for at in range(0, len(sets), _AT_ONCE)]
-    rise = (np.concatenate(parts) ** 2).sum(axis=1) - one.best.chi_square
-    density = 0.75 * _density(np.linalg.solve(root, (sets - one.best.shares).T).T, root) + 0.25
-    weights = np.exp(one.log_likelihood(rise)) / density
+    rise = (np.concatenate(parts) ** 2).sum(axis=1) - fit.best.chi_square
+    density = 0.75 * _density(np.linalg.solve(root, (sets - fit.best.shares).T).T, root) + 0.25
+    weights = np.exp(fit.log_likelihood(rise)) / density
     weights /= weights.sum()
     effective = float(1.0 / (weights**2).sum())
     at = (np.arange(_DRAWS) + 0.5) / _DRAWS
@@ -78,17 +78,17 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
     return np.exp(t.logpdf(standard, _DEGREES).sum(axis=1)) / abs(np.linalg.det(root))
 
 
-def predicted(plan: FitPlan, one: Fitted) -> Bands:
+def predicted(plan: FitPlan, fit: Fitted) -> Bands:
     """Predict the measured quantities at the points of [solve] with 95 % bands.
 
     The numbers are those of [fit.predict]. Where samples have numbers of their own, the first sample is predicted. Raises
     InputError.
     """
-    sample = plan.data.samples[0] if any(x.sample is not None for x in one.parameters) else None
-    columns = [at for at, x in enumerate(one.parameters) if x.sample in (None, sample)]
-    sets, effective = draws_of(one)
-    sets = np.concatenate([one.best.shares[None, :], sets])[:, columns]
-    named = [one.parameters[at] for at in columns]
+    sample = plan.data.samples[0] if any(x.sample is not None for x in fit.parameters) else None
+    columns = [at for at, x in enumerate(fit.parameters) if x.sample in (None, sample)]
+    sets, effective = draws_of(fit)
+    sets = np.concatenate([fit.best.shares[None, :], sets])[:, columns]
+    named = [fit.parameters[at] for at in columns]
     arrays = _predicted_numbers(plan)
     names = [name for name in plan.data.quantities if name != "pull_off_force"] or list(plan.data.quantities)
     found: dict[str, list[np.ndarray]] = {name: [] for name in names}
@@ -96,7 +96,7 @@ def predicted(plan: FitPlan, one: Fitted) -> Bands:
     at, step = 0, 1
     while at < len(sets):
         numbers = _numbers(named, sets[at : at + step], {path for path in arrays})
-        solved, coords = _solved(plan, one, arrays, numbers, names)
+        solved, coords = _solved(plan, fit, arrays, numbers, names)
         for name in names:
             dims[name], values = _of(solved, name, numbers.get(RESISTANCE, plan.resistance), len(sets[at : at + step]))
             found[name].append(values)

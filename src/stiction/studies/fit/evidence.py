@@ -37,15 +37,15 @@ def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
         return Rival(name, None, why_not=reason_of(error))
 
 
-def aicc_of(one: Fitted) -> float:
+def aicc_of(fit: Fitted) -> float:
     """Return Akaike's criterion, corrected for few values (Hurvich & Tsai 1989), of Gaussian errors.
 
     It is chi square + 2k with stated errors, n ln(sum of squares/n) + 2k with an error that is found, which counts among the k;
     and 2k(k+1)/(n-k-1).
     """
-    n, k = len(one.errors), int(one.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
-    chi_square = one.best.chi_square * one.scale**2  # of errors as they were given, not as they were enlarged
-    if one.stated:
+    n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
+    chi_square = fit.best.chi_square * fit.scale**2  # of errors as they were given, not as they were enlarged
+    if fit.stated:
         value = chi_square + 2 * k
     else:
         k += 1
@@ -53,18 +53,18 @@ def aicc_of(one: Fitted) -> float:
     return float(value + 2 * k * (k + 1) / (n - k - 1)) if n > k + 1 else float("inf")
 
 
-def _left_out(plan: FitPlan, one: Fitted) -> float:
+def _left_out(plan: FitPlan, fit: Fitted) -> float:
     """Cross-validated: every fold of the data by a fit to all others."""
     data = plan.data
     folds = _folds(plan)
     if len(folds) < 2:
         return float("nan")
-    errors = one.errors / one.scale if one.stated else (np.abs(data.value).max() or 1.0)
-    total, name = np.empty(len(data)), one.name or None
+    errors = fit.errors / fit.scale if fit.stated else (np.abs(data.value).max() or 1.0)
+    total, name = np.empty(len(data)), fit.name or None
     for fold in folds:
         rest = np.setdiff1d(np.arange(len(data)), fold)
         try:
-            other = refitted(one, forward_of(plan, name, data.some(rest)))
+            other = refitted(fit, forward_of(plan, name, data.some(rest)))
             said = forward_of(plan, name, data.some(fold)).values(other.best.shares)[0]
         except InputError:
             return float("inf")

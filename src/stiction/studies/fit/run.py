@@ -131,65 +131,65 @@ def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -
     return found
 
 
-def _dataset(found: Fitting) -> "xarray.Dataset":
+def _dataset(fitting: Fitting) -> "xarray.Dataset":
     import xarray
 
-    plan, one = found.plan, found.best
+    plan, one = fitting.plan, fitting.best
     data = xarray.Dataset(_parameters(one) | _rows(one), coords={"parameter": [x.name for x in one.parameters]})
     data = data.assign_coords(row=np.arange(len(plan.data)), other_parameter=[x.name for x in one.parameters])
-    if found.bands is not None:
-        data = data.merge(_predictions(found.bands))
-    if found.rivals:
-        data = data.merge(_evidence(found.rivals))
-    return data.assign_attrs(_attributes(found))
+    if fitting.bands is not None:
+        data = data.merge(_predictions(fitting.bands))
+    if fitting.rivals:
+        data = data.merge(_evidence(fitting.rivals))
+    return data.assign_attrs(_attributes(fitting))
 
 
-def _parameters(one: Fitted) -> dict[str, tuple]:
+def _parameters(fit: Fitted) -> dict[str, tuple]:
     along = ("parameter",)
-    free = [x.free for x in one.parameters]
+    free = [x.free for x in fit.parameters]
     ends = np.array(
-        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, one.profiles, strict=True)]
+        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, fit.profiles, strict=True)]
     )
-    points = max(len(p.shares) for p in one.profiles)
+    points = max(len(p.shares) for p in fit.profiles)
     rise, value = np.full((2, len(free), points), np.nan)
-    for at, (f, p) in enumerate(zip(free, one.profiles, strict=True)):
+    for at, (f, p) in enumerate(zip(free, fit.profiles, strict=True)):
         rise[at, : len(p.shares)], value[at, : len(p.shares)] = p.rise, f.at(p.shares)
     return {
         "unit": (along, [QUANTITIES[f.quantity].unit or "1" for f in free]),
-        "value": (along, one.values, {"long_name": "best value, in SI units"}),
+        "value": (along, fit.values, {"long_name": "best value, in SI units"}),
         "low": (along, ends[:, 0], {"long_name": "low end of the 95 % interval"}),
         "high": (along, ends[:, 1], {"long_name": "high end of the 95 % interval"}),
-        "open_low": (along, [p.open_low for p in one.profiles], {"long_name": "no value down to the low end is excluded"}),
-        "open_high": (along, [p.open_high for p in one.profiles], {"long_name": "no value up to the high end is excluded"}),
-        "standard_error": (along, _standard_errors(one), {"long_name": "standard error from the curvature"}),
+        "open_low": (along, [p.open_low for p in fit.profiles], {"long_name": "no value down to the low end is excluded"}),
+        "open_high": (along, [p.open_high for p in fit.profiles], {"long_name": "no value up to the high end is excluded"}),
+        "standard_error": (along, _standard_errors(fit), {"long_name": "standard error from the curvature"}),
         "least": (along, [f.low for f in free], {"long_name": "low end of what is searched"}),
         "most": (along, [f.high for f in free], {"long_name": "high end of what is searched"}),
-        "correlation": (("parameter", "other_parameter"), one.correlation, {"long_name": "correlation"}),
+        "correlation": (("parameter", "other_parameter"), fit.correlation, {"long_name": "correlation"}),
         "profile_value": (("parameter", "profile"), value, {"long_name": "values along the profile of the likelihood"}),
         "profile_rise": (("parameter", "profile"), rise, {"long_name": "rise of chi square"}),
     }
 
 
-def _standard_errors(one: Fitted) -> np.ndarray:
+def _standard_errors(fit: Fitted) -> np.ndarray:
     """Of the values, from the covariance of the shares."""
     slope = [
         float(value) * np.log(x.free.high / x.free.low) if x.free.log else x.free.high - x.free.low
-        for x, value in zip(one.parameters, one.values, strict=True)
+        for x, value in zip(fit.parameters, fit.values, strict=True)
     ]
-    return np.sqrt(np.diag(one.best.covariance)) * np.array(slope)
+    return np.sqrt(np.diag(fit.best.covariance)) * np.array(slope)
 
 
-def _rows(one: Fitted) -> dict[str, tuple]:
-    data = one.forward.data
-    said = one.forward.values(one.best.shares)[0]
+def _rows(fit: Fitted) -> dict[str, tuple]:
+    data = fit.forward.data
+    said = fit.forward.values(fit.best.shares)[0]
     return {
         "quantity": ("row", list(data.quantity)),
         "sample": ("row", list(data.sample)),
         "measured_load": ("row", data.load, {"units": "N", "long_name": "load"}),
         "measured": ("row", data.value, {"long_name": "measured, in SI units"}),
-        "error": ("row", one.errors, {"long_name": "standard error as it was taken"}),
+        "error": ("row", fit.errors, {"long_name": "standard error as it was taken"}),
         "fitted": ("row", said, {"long_name": "fitted, in SI units"}),
-        "residual": ("row", (data.value - said) / one.errors, {"long_name": "measured less fitted, over the standard error"}),
+        "residual": ("row", (data.value - said) / fit.errors, {"long_name": "measured less fitted, over the standard error"}),
     }
 
 
@@ -232,9 +232,9 @@ def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
     return {"scatter": ("model", scatter, {"long_name": "standard deviation of values about the fit, in SI units"})}
 
 
-def _attributes(found: Fitting) -> dict[str, Any]:
-    one, plan = found.best, found.plan
-    bands = {} if found.bands is None else {"band_draws": found.bands.effective, "band_sample": found.bands.sample or ""}
+def _attributes(fitting: Fitting) -> dict[str, Any]:
+    one, plan = fitting.best, fitting.plan
+    bands = {} if fitting.bands is None else {"band_draws": fitting.bands.effective, "band_sample": fitting.bands.sample or ""}
     return {
         **({"case": plan.title} if plan.title else {}),
         "program": f"stiction {__version__}",
@@ -246,37 +246,37 @@ def _attributes(found: Fitting) -> dict[str, Any]:
         "confidence": CONFIDENCE,
         "errors": _errors_said(one),
         "errors_stated": int(one.stated),
-        "verdict": "\n".join([*verdicts(one), *_unsure(found)]),
-        "stopped": int(found.stopped),
+        "verdict": "\n".join([*verdicts(one), *_unsure(fitting)]),
+        "stopped": int(fitting.stopped),
         **bands,
     }
 
 
-def _unsure(found: Fitting) -> list[str]:
+def _unsure(fitting: Fitting) -> list[str]:
     """Where the numbers of the answer are not what they should be."""
-    why = found.best.best.unfinished
+    why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
-    if found.bands is not None and found.bands.effective < _FEW:
-        said.append(f"the bands rest on {found.bands.effective:.0f} independent sets of numbers: they are rough")
+    if fitting.bands is not None and fitting.bands.effective < _FEW:
+        said.append(f"the bands rest on {fitting.bands.effective:.0f} independent sets of numbers: they are rough")
     return said
 
 
-def _errors_said(one: Fitted) -> str:
-    if not one.stated:
-        names = sorted(set(one.forward.data.quantity))
+def _errors_said(fit: Fitted) -> str:
+    if not fit.stated:
+        names = sorted(set(fit.forward.data.quantity))
         one_known = len(names) == 1 and names[0] in QUANTITIES
-        size = show(float(one.errors[0]), names[0], 3) if one_known else f"{one.errors[0]:.3g} in SI units"
+        size = show(float(fit.errors[0]), names[0], 3) if one_known else f"{fit.errors[0]:.3g} in SI units"
         return f"no errors were given: all values have one, {size}, by their scatter about the fit"
-    if one.scale > 1.0:
+    if fit.scale > 1.0:
         return (
-            f"the scatter about the fit is {one.scale:.2g} times the errors that were given, more than chance allows: the "
+            f"the scatter about the fit is {fit.scale:.2g} times the errors that were given, more than chance allows: the "
             "model or the errors are wrong; intervals are for errors so much larger"
         )
     return "as they were given; the scatter about the fit agrees with them"
 
 
-def _fitted_case(found: Fitting, out: Path) -> str:
-    one, plan = found.best, found.plan
+def _fitted_case(fitting: Fitting, out: Path) -> str:
+    one, plan = fitting.best, fitting.plan
     numbers, comments = {}, [f"Fitted by stiction {__version__} to {len(plan.data)} measured values. 95 % intervals:"]
     for x, value, p in zip(one.parameters, one.values, one.profiles, strict=True):
         ends = [x.free.show(float(x.free.at(np.asarray(end)))) for end in (p.low, p.high)]
