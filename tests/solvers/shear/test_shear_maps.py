@@ -12,7 +12,7 @@ from stiction.solvers.boundary_elements.solve import solve_map
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 from stiction.solvers.shear.minimise import shear, size_of
 from stiction.solvers.shear.operators import FreeShear, MirroredShear, PeriodicShear
-from stiction.solvers.shear.path import Weakening, full_shift, slide_map
+from stiction.solvers.shear.path import Weakening, at_force, full_shift, slide_map, through_spring
 
 RIGID = HalfSpace(math.inf, 0.3)
 
@@ -157,6 +157,10 @@ def test_a_sphere_slips_as_contact_prints():
     assert np.count_nonzero(one.pressure > 0.0) == 45 + 132
     assert path.states[0].stick * 177 == pytest.approx(45, abs=0.5)
     assert path.array("loss")[0] * 1e-3 == pytest.approx(2.750e-6, rel=0.005)  # J, of N mm
+    given = at_force(operator, 0.4 * one.pressure, 3.218, pixel=pitch**2, directions=2)
+    assert given.shift == pytest.approx(8.155e-3, rel=0.001)
+    with refusal("force", 4.0, "sum of strengths"):
+        at_force(operator, 0.4 * one.pressure, 4.0, pixel=pitch**2)
 
 
 def test_a_cycle_loses_what_mindlin_and_deresiewicz_say(sphere):
@@ -281,6 +285,95 @@ def test_a_small_disc_has_its_strength_and_a_large_one_griffiths():
     over = [disc(count, size) / math.sqrt(8.0 / math.pi / size) for count, size in ((48, 4.0), (80, 8.0), (144, 16.0))]
     assert over[0] < over[1] < over[2] < 1.0
     assert over[2] > 0.92
+
+
+def test_a_strip_slips_on_its_own_from_the_length_of_uenishi_and_rice_on():
+    """Uenishi & Rice (2003), J. Geophys. Res. 108, 2042: 2 h = 1.158 mu*/W, whatever the loading; mu* = 2/S, W = tau_p/D_c.
+
+    So h = 1.158 l_c: of a stuck plane, weakest in the middle, a zone that slips grows steadily up to there and then leaps. The
+    plane is the face of a film that is 20 l_c thick; l_c has 24 points.
+    """
+    count = 512
+    length = 24 / count
+    film = ShearCompliance((Film(1.0, 2.0, 0.0, math.inf, 0.3), RIGID))
+    operator = PeriodicShear(film, (1, count), (1.0 / count, 1.0))
+    x = (np.arange(count) + 0.5) / count - 0.5
+    strength = 1.0 + 0.05 * (x[None] / (1.158 * length)) ** 2
+    low, high = 1.0, 1.06
+    for _ in range(3):
+        shifts = np.linspace(low, high, 31)
+        path = slide_map(operator, strength, shifts, pixel=1.0, weakening=Weakening(length), tolerance=1e-9)
+        leap = int(np.argmin(path.array("stick")))
+        assert path.states[leap].stick == 0.0 and path.states[leap - 1].stick > 0.8
+        low, high = shifts[leap - 1], shifts[leap]
+    assert 0.5 * (1.0 - path.states[leap - 1].stick) / length == pytest.approx(1.158, abs=1.0 / 24)
+
+
+def dense_curve(matrix, strength, weakening, shifts):
+    """Forces by another algorithm: each point in turn is given the traction of its own law, until none changes."""
+    traction, before = np.zeros(len(strength)), np.zeros(len(strength))
+    own, slope = np.diag(matrix), strength * (1.0 - weakening.residual) / weakening.slip
+    forces = []
+    for shift in shifts:
+        change = 1.0
+        while change > 1e-8:
+            change = 0.0
+            for i in range(len(strength)):
+                free = shift - matrix[i] @ traction + own[i] * traction[i]  # slip of the point without its own traction
+                new = (free - before[i]) / own[i]
+                if new > strength[i] * weakening.share(before[i]):
+                    slip = (free - own[i] * strength[i]) / (1.0 - own[i] * slope[i])
+                    new = strength[i] * weakening.share(max(slip, before[i]))
+                change, traction[i] = max(change, abs(new - traction[i])), new
+        before = np.maximum(before, shift - matrix @ traction)
+        forces.append(traction.sum())
+    return np.array(forces)
+
+
+def test_another_algorithm_finds_the_same_peak():
+    """Point by point with a dense matrix, without frozen strengths; in the curve within 1e-3, in the peak within 1e-3."""
+    count = 16
+    (one,) = solve_map(rough(count), (1.0, 1.0), modulus=1.0, loads=[0.012], periodic=True)
+    strength = np.where(one.pressure > 0.0, 0.3 + one.pressure / one.pressure.max(), 0.0)
+    operator = free(against_rigid(0.3), count, 1.0)
+    at = np.flatnonzero(strength)
+    matrix = np.stack([operator(unit)[0].ravel()[at] for unit in np.eye(count**2).reshape(-1, 1, count, count)[at]])
+    weakening = Weakening(3.0 / count * operator.near, 0.3)
+    shifts = np.linspace(0.0, full_shift(operator, strength), 41)[1:]
+    path = slide_map(operator, strength, shifts, pixel=1.0, weakening=weakening, tolerance=1e-7)
+    expected = dense_curve(matrix, strength.ravel()[at], weakening, shifts)
+    assert path.efficiency < 0.95
+    assert path.peak.force == pytest.approx(expected.max(), rel=1e-3)
+    np.testing.assert_allclose(path.array("force"), expected, atol=1e-3 * expected.max())
+
+
+def test_a_soft_spring_leaps_past_what_a_rigid_shift_meets():
+    """Where the force falls by more than the stiffness of the spring, its drive would have to go back."""
+    x, y = grid(48, 2.2)
+    strength = (np.hypot(x, y) < 1.0).astype(float)
+    operator, weakening = free(against_rigid(0.0), 48, 2.2), Weakening(1.0)
+    shifts = np.linspace(0.0, full_shift(operator, strength, weakening), 41)[1:]
+    path = slide_map(operator, strength, shifts, pixel=1.0, weakening=weakening)
+    force = path.array("force")
+    falls = -float(np.gradient(force, shifts).min())
+    drive, met = through_spring(path, 10.0 * falls)
+    assert met.all() and (drive > shifts).any()
+    _, met = through_spring(path, 0.2 * falls)
+    assert met[: int(np.argmax(force)) + 1].all() and 0 < np.count_nonzero(~met) < len(met)
+    with refusal("stiffness", 0.0, "> 0"):
+        through_spring(path, 0.0)
+
+
+def test_points_that_have_lost_all_strength_do_not_regain_it():
+    """Slip goes on where nothing resists, so that a map that has ruptured stays without force when it is moved on."""
+    x, y = grid(32, 2.2)
+    strength = (np.hypot(x, y) < 1.0).astype(float)
+    operator, weakening = free(against_rigid(0.0), 32, 2.2), Weakening(0.2)
+    far = full_shift(operator, strength, weakening)
+    path = slide_map(operator, strength, [0.9 * far, far, 0.5 * far], pixel=1.0, weakening=weakening)
+    touching = strength > 0.0
+    np.testing.assert_allclose(path.states[1].slip[0][touching], far, rtol=1e-6)
+    assert (path.array("force") == 0.0).all()
 
 
 def test_steps_and_pixels_do_not_matter():

@@ -7,9 +7,10 @@ machine.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from scipy.optimize import brentq
 
 from stiction.quantities.errors import InputError, nearest
 from stiction.solvers.shear.minimise import Sheared, shear, size_of
@@ -18,7 +19,7 @@ from stiction.solvers.shear.operators import ShearOperator
 TOLERANCE = 1e-6
 MOST_STEPS = 2000
 _MOST_TURNS = 400
-_SETTLED = 1e-3  # change of the sum of strengths within a turn, relative
+_SETTLED = 1e-3  # change of the strength of a point within a turn, over its first strength
 _FINER = 8  # steps between the neighbours of the largest force
 
 SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
@@ -89,6 +90,40 @@ class SlidingPath:
         """Return shift [m], stick [1], force [N] or loss [J] of all states."""
         values = np.array([getattr(state, name) for state in self.states], dtype=float)
         return values * self.pixel if name in ("force", "loss") else values
+
+
+def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the displacement of a drive [m] that moves the map through a spring, and which states it meets.
+
+    stiffness: of the spring [N/m], > 0. The drive is at U + F/stiffness. States at which it would have to go back are not met:
+    the map leaps past them to the next state that is ahead of all before (slow drive, no inertia). Raises InputError.
+    """
+    if not stiffness > 0.0:
+        raise InputError("stiffness", stiffness, "> 0 N/m")
+    drive = path.array("shift") + path.array("force") / stiffness
+    return drive, drive >= np.maximum.accumulate(drive)
+
+
+def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pixel: float, directions: int = 1) -> State:
+    """Return the state of a map from rest under a force [N] along x, where points keep their strength.
+
+    strength: (rows, columns) [Pa]; pixel [m2]; directions: as in `slide_map`. Raises InputError for a force that is not below
+    the sum of strengths.
+    """
+    most = float(strength.sum()) * pixel
+    if not 0.0 <= force < most:
+        raise InputError("force", force, f"0 to less than the sum of strengths, {most:.6g} N")
+
+    def state(shift: float) -> State:
+        return slide_map(operator, strength, [shift], pixel=pixel, directions=directions).peak
+
+    def missing(shift: float) -> float:
+        return state(shift).force * pixel - force
+
+    high = full_shift(operator, strength)
+    while missing(high) < 0.0:
+        high *= 2.0
+    return state(brentq(missing, 0.0, high, xtol=1e-7 * high, rtol=1e-7))
 
 
 def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
@@ -163,11 +198,14 @@ def _advance(operator, strength, weakening, state: State, shift: float, toleranc
             settled = True
             break
         weaker = np.minimum(left, strength * weakening.share(state.slipped + size_of(found.slip)))
-        settled = float((left - weaker).sum()) <= _SETTLED * float(left.sum()) or not weaker.any()
+        settled = bool((left - weaker <= _SETTLED * strength).all())
         left = weaker
         if settled:
             found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
             break
+    if weakening is not None:  # points without strength slip with the faces
+        bare = (strength > 0.0) & (left == 0.0)
+        found = replace(found, slip=np.where(bare, moved - operator(found.traction), found.slip))
     return _after(state, found, left, strength > 0.0, shift, settled)
 
 
