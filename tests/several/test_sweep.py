@@ -553,7 +553,7 @@ def test_an_interruption_of_the_command_keeps_what_is_done(tmp_path, more):
             os.kill(one, signal.SIGKILL)
     lines = said.splitlines()
     assert (process.returncode, printed) == (130, "") and "Traceback" not in said
-    assert lines[-2].startswith("stopped: ") and lines[-2].endswith("run the sweep again to continue")
+    assert lines[-2].startswith("stopped: ") and lines[-2].endswith("run the command again to continue")
     assert lines[-1] == "stiction: interrupted"
     assert 4 < len(list(out.glob("validity_warnings_by_block/c/*"))) < 5000
 
