@@ -118,4 +118,11 @@ load = ["1 mN", "10 mN"]
     efficiency = json.loads(said.stdout)["variables"]["friction_efficiency"]["values"]
     np.testing.assert_allclose(efficiency, found["friction_efficiency"], rtol=1e-9)
     assert all(0.3 < one < 1.0 for one in efficiency)
-    assert (tmp_path / "out" / "sliding.png").exists()
+    assert "point_state" not in json.loads(said.stdout)["variables"]
+    written = ["sliding.csv", "sliding.gif", "sliding.nc", "sliding.png"]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == written
+    assert (tmp_path / "out" / "sliding.gif").read_bytes()[:6] == b"GIF89a"
+    with xarray.open_dataset(tmp_path / "out" / "sliding.nc") as data:
+        states = data["point_state"].transpose("load", "displacement", "row", "column").values
+        sticking = (states == 1).sum(axis=(2, 3)) / (states > 0).sum(axis=(2, 3))
+        np.testing.assert_allclose(sticking, data["sticking_share"], rtol=1e-12)

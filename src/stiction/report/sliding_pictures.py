@@ -1,9 +1,12 @@
 """From rest to sliding: the picture of force and lost energy against displacement."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.animation import PillowWriter
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
@@ -29,6 +32,27 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         _losses(panels[1], rows)
     entitle(figure, data, title)
     return figure
+
+
+def write_animation(data: "xarray.Dataset", path: Path) -> None:
+    """Write a GIF of the points that stick and slide, and the force on the way, at the heaviest load of a map.
+
+    data: result of `slide` of a map.
+    """
+    points = [one for one in data["tangential_force"].dims if one != "displacement"]
+    row = data.isel({points[0]: int(np.argmax(data["load"].values))}) if points else data
+    figure, (left, right) = canvas(9.0, 4.4, 1, 2)
+    shown = left.imshow(row["point_state"][0], cmap=ListedColormap(["white", COLOURS[0], COLOURS[1]]), vmin=0, vmax=2)
+    left.set(xticks=[], yticks=[], title="blue: sticks, red: slides")
+    _forces(right, [row])
+    (dot,) = right.plot([], [], "o", color=COLOURS[1])
+    moved, force = row["displacement"].values, row["tangential_force"].values / float(row["load"])
+    writer = PillowWriter(fps=6)
+    with writer.saving(figure, str(path), dpi=80):
+        for at in range(moved.size):
+            shown.set_data(row["point_state"][at])
+            dot.set_data(moved[at : at + 1], force[at : at + 1])
+            writer.grab_frame()
 
 
 def _named(row: "xarray.Dataset") -> str:

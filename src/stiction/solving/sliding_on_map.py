@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from stiction.solvers.shear.path import SlidingPath, Weakening
 
 _STEPS = 40  # of a path, where no displacements are given
+_MOST_SHOWN = 160  # points along a side of the map of points that stick and slide
+_STATES = {"long_name": "points of the map", "flag_values": [0, 1, 2], "flag_meanings": "apart sticks slides"}
 _NEARLY = 0.99  # of a force that is only tended to
 _KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
 
@@ -63,11 +65,28 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: fl
     coords = problem.coords | coordinates_of(points.value, moved)
     data = labelled(problem.subject, static | ends, points.factors, points.dims, coords)
     data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
+    data["point_state"] = (*dims, "row", "column"), _point_states(paths).reshape(*shape, *_shown(strengths[0]).shape), _STATES
     for name in {"displacement", points.name} & set(data.coords):
         data[name].attrs = problem.subject.attributes(str(name))
     known = summary_of(problem.subject, problem, static | ends)
     known |= used_by_sliding(problem, ("residual_strength", "weakening_slip"))
     return data.assign_attrs(known | _said(known, residual, weakening, paths))
+
+
+def _shown(table: np.ndarray) -> np.ndarray:
+    """Return every point of a map, or of a large one evenly some of them."""
+    every = -(-max(table.shape) // _MOST_SHOWN)
+    return table[::every, ::every]
+
+
+def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
+    """Return 0 for points apart, 1 for those that stick, 2 for those that slide (loads, displacements, rows, columns)."""
+    touching = [_shown(path.strength) > 0.0 for path in paths]
+    states = [
+        [one.astype(np.int8) + (one & _shown(state.slides)) for state in path.states]
+        for one, path in zip(touching, paths, strict=True)
+    ]
+    return np.array(states, dtype=np.int8)
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:

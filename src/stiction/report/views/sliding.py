@@ -1,8 +1,10 @@
 """A contact moved aside: its table, sentences and files."""
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from stiction.quantities.extras import installed
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.table import Table, notes
 from stiction.report.tables import curve_table, in_brief, outside_validity, run_notes, run_summary
@@ -38,19 +40,28 @@ def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     yield from run_notes(data)
 
 
+def _animate(data: "xarray.Dataset", path: Path) -> None:
+    from stiction.report.sliding_pictures import write_animation  # imports matplotlib
+
+    write_animation(data, path)
+
+
 def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
     """Return what the tangential force up to sliding shows."""
+    numbers = data.drop_dims(["row", "column"], errors="ignore")  # of a map also the state of its points
 
     def parts() -> Iterator[Any]:
-        yield from (run_summary(case, data), "", sliding_table(data), "")
+        yield from (run_summary(case, data), "", sliding_table(numbers), "")
         yield from notes(sliding_notes(data))
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), sliding_table(data))
+        yield from (*in_brief(case, data), sliding_table(numbers))
 
-    files = {"sliding.csv": lambda path: write_csv(data, path, comments_of(data))}
+    files = {"sliding.csv": lambda path: write_csv(numbers, path, comments_of(data))}
+    if {"row", "displacement"} <= set(data.dims) and installed("matplotlib"):
+        files["sliding.gif"] = lambda path: _animate(data, path)
     pictures = {
         "sliding.png": picture("tangential force against displacement", "sliding_pictures.sliding_figure", data, case.title)
     }
-    return View("sliding", data, parts, lambda: record(data, case.subject.groups()), files, pictures, short=short)
+    return View("sliding", data, parts, lambda: record(numbers, case.subject.groups()), files, pictures, short=short)

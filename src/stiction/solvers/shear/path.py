@@ -58,8 +58,8 @@ class State:
     """A map at one rigid shift.
 
     shift [m]; force: along x, sum of tractions over points [Pa]; traction [Pa], slip: since rest [m], (components, rows,
-    columns); slipped: length of the way of every point [m], (rows, columns); stick: share of the touching points; loss: work
-    lost to slip since rest, sum over points [Pa m]; converged.
+    columns); slipped: length of the way of every point [m], slides: whether it is at its strength, both (rows, columns);
+    stick: share of the touching points; loss: work lost to slip since rest, sum over points [Pa m]; converged.
     """
 
     shift: float
@@ -67,6 +67,7 @@ class State:
     traction: np.ndarray = field(repr=False)
     slip: np.ndarray = field(repr=False)
     slipped: np.ndarray = field(repr=False)
+    slides: np.ndarray = field(repr=False)
     stick: float
     loss: float
     converged: bool
@@ -169,7 +170,7 @@ def slide_map(
         return _advance(operator, strength, weakening, state, shift, tolerance, most_steps)
 
     zero = np.zeros((directions, *strength.shape))
-    states = [State(0.0, 0.0, zero, zero, np.zeros_like(strength), 1.0, 0.0, True)]
+    states = [State(0.0, 0.0, zero, zero, np.zeros_like(strength), strength < 0.0, 1.0, 0.0, True)]
     for shift in shifts:
         states.append(advance(states[-1], float(shift)))
         if done is not None:
@@ -217,4 +218,4 @@ def _after(state: State, found: Sheared, left, touching, shift: float, settled: 
     loss = state.loss + float(np.sum(found.traction * found.slip))
     slip = state.slip + np.where(touching, found.slip, 0.0)
     force = float(found.traction[0].sum())
-    return State(shift, force, found.traction, slip, state.slipped + way, stick, loss, settled and found.converged)
+    return State(shift, force, found.traction, slip, state.slipped + way, sliding, stick, loss, settled and found.converged)
