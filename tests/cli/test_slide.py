@@ -84,7 +84,7 @@ def test_refused_in_one_line(case, words, why):
 def test_one_contact_at_a_time(case):
     case.write_text(CASE.replace('"20 MPa"', '["10 MPa", "20 MPa"]'))
     said = slide(case)
-    assert said.exit_code == 2 and "several" in said.output
+    assert said.exit_code == 2 and "array parameters" in said.output
 
 
 def test_a_slip_of_weakening_belongs_to_a_map(case):
