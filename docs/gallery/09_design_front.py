@@ -36,9 +36,9 @@ data = st.design(CASE)
 
 figure, axes = plt.subplots(figsize=(6.5, 4), layout="constrained")
 points = axes.scatter(
-    data["front_contact_area"] * 1e12,
-    data["front_friction_coefficient"],
-    c=data["front_coating.thickness"] * 1e9,
+    data["pareto_contact_area"] * 1e12,
+    data["pareto_friction_coefficient"],
+    c=data["pareto_coating.thickness"] * 1e9,
     norm="log",
 )
 figure.colorbar(points, label="thickness of the silver [nm]")

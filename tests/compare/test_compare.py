@@ -40,7 +40,7 @@ def data():
 
 
 def test_every_rough_surface_and_every_asperity_law_is_asked(data):
-    said = set(data["model"].values) | {line.split(": ")[0] for line in data.attrs["left_out"].splitlines()}
+    said = set(data["model"].values) | {line.split(": ")[0] for line in data.attrs["not_applicable"].splitlines()}
     taken = {record.asperity for record in of_kind(RoughSurface).values()}
     asked = {key for key, one in of_kind(RoughSurface).items() if not one.on_film}
     growing = {key for key, one in of_kind(TangentialLaw).items() if one.yielded == "junction growth"}
@@ -119,8 +119,8 @@ def test_films():
         shown = sum(str(name).endswith(film.key) for name in data["model"].values)
         assert shown > 1 if film.key == "sequential" or film.solved_as_one else shown == film.interchangeable
     assert data.sel(model="jackson_green_2005 + layered")["outside_validity"].item() == ""
-    assert "kogut_etsion_2004 + layered: " in data.attrs["left_out"]
-    assert "persson_2001: " in data.attrs["left_out"] and "the contact has a film" in data.attrs["left_out"]
+    assert "kogut_etsion_2004 + layered: " in data.attrs["not_applicable"]
+    assert "persson_2001: " in data.attrs["not_applicable"] and "the contact has a film" in data.attrs["not_applicable"]
 
 
 def test_a_film_solved_with_its_body_takes_the_friction_of_its_model_or_its_like():
@@ -170,13 +170,13 @@ def test_an_unreachable_load_is_said_not_computed():
 def test_indices_can_be_compared_too():
     data = compare(st.Indices(theta=100, lam=10), load=0.01)
     assert "soft_coating_2015" in data["model"].values
-    assert "persson_2001: roughness_parameter is not given" in data.attrs["left_out"]
+    assert "persson_2001: roughness_parameter is not given" in data.attrs["not_applicable"]
 
 
 def test_a_model_that_is_left_out_for_a_number_says_that_number():
     """N R sigma = 1.7e7 5e-5 4.8e-8 = 4.08e-05."""
     sparse = SHEARED.replace(roughness=st.Roughness(**SURFACE | {"asperity_density": "1.7e7 1/m^2"}))
-    (line,) = (one for one in compare(sparse, separations=[0.0]).attrs["left_out"].splitlines() if "hariri" in one)
+    (line,) = (one for one in compare(sparse, separations=[0.0]).attrs["not_applicable"].splitlines() if "hariri" in one)
     assert line.startswith("hariri_zu_ben_mrad_2006: roughness_parameter is 4.08e-05; allowed: 0.03965 to 1.015")
 
 

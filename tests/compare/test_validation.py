@@ -94,7 +94,7 @@ def test_numbers_of_the_contact_may_differ_from_row_to_row(tmp_path):
 def test_who_refuses_is_left_out_with_the_reason(tmp_path):
     found = st.validate(written(tmp_path, MEASURED + STEEL_ON_STEEL.replace('interfacial_shear_strength = "200 MPa"', "")))
     assert "persson_2001" not in found["model"].values
-    assert "\npersson_2001: " in found.attrs["left_out"]
+    assert "\npersson_2001: " in found.attrs["not_applicable"]
     assert found.attrs["place"] == "p. 2, Table 3"
 
 

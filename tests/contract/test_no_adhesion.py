@@ -99,7 +99,7 @@ def test_zero_and_nothing_are_the_same(zero):
     with pytest.raises(InputError) as caught:
         st.solve(bare, load="1 mN", model="fuller_tabor_1975")
     assert "named" not in str(caught.value)  # somebody chose that one
-    assert "named" not in st.compare(bare, load="1 mN").attrs["left_out"]
+    assert "named" not in st.compare(bare, load="1 mN").attrs["not_applicable"]
     assert st.solve(bare, load="1 mN", model="chang_etsion_bogy_1988")["pull_off_force"] == 0.0
 
 
@@ -119,8 +119,8 @@ def test_compare_runs_what_it_can_and_says_why_not():
         np.testing.assert_allclose(found, expected, rtol=1e-9)
         assert len(found) > 8
         for key in ("jkr", "dmt", "maugis_1992", "roy_chowdhury_ghosh_1994", "thornton_ning_1998"):
-            assert key in data.attrs["left_out"]
-        assert data.attrs["left_out"].count("work_of_adhesion") >= 5
+            assert key in data.attrs["not_applicable"]
+        assert data.attrs["not_applicable"].count("work_of_adhesion") >= 5
         assert "pastewka" not in data.attrs["criteria"]
 
 
@@ -192,7 +192,7 @@ def test_case_files():
     text = STEEL_ON_STEEL.replace('work_of_adhesion = "0.1 J/m^2"\n', "")
     case = parse_case(tomllib.loads(text + '[solve]\nload = "1 N"\nmodel = "cohen_kligerman_etsion_2008"\n'))
     assert solve_case(case)["friction_coefficient"].size == 1
-    assert "jkr" in compare_case(case, 1.0).attrs["left_out"]
+    assert "jkr" in compare_case(case, 1.0).attrs["not_applicable"]
     with refusal("work_of_adhesion"):
         solve_case(replace(case, choice=Choice()))
     with refusal("contact.work_of_adhesion", "0"):

@@ -59,7 +59,7 @@ def test_the_optimum_of_a_closed_form():
     choose = {"roughness": RADIUS["roughness"] | {"asperity_height_deviation": {"low": "5 nm", "high": "200 nm"}}}
     found = design(case(MOST, choose, {"area_fraction": {"high": 0.001}}))
     assert float(found["friction_coefficient"][0]) == pytest.approx(STRENGTH * 0.001 * AREA / LOAD, rel=2e-6)
-    assert bool(found["kept"][0]) and float(found["broken"][0]) <= found.attrs["tolerance"] == 1e-6
+    assert bool(found["feasible"][0]) and float(found["constraint_violation"][0]) <= found.attrs["tolerance"] == 1e-6
     assert found.attrs["verdict"] == ""
 
 
@@ -107,7 +107,7 @@ def test_the_best_of_lists_is_that_of_all_combinations():
     best = sorted(least, key=least.get)
     assert found["coating.material"].values.tolist() == best
     np.testing.assert_allclose(found["friction_coefficient"], [least[name] for name in best], rtol=1e-9)
-    assert found.attrs["asked"] == 12
+    assert found.attrs["evaluated"] == 12
 
 
 def test_materials_with_numbers_between_ends_beat_every_point_of_a_grid():
@@ -129,7 +129,7 @@ def test_materials_with_numbers_between_ends_beat_every_point_of_a_grid():
         kept = data["area_fraction"].values <= 0.004
         least[name] = data["friction_coefficient"].values[kept].min()
     for at, name in enumerate(found["coating.material"].values.tolist()):
-        assert bool(found["kept"][at]) and float(found["friction_coefficient"][at]) <= least[name] * (1 + 1e-9)
+        assert bool(found["feasible"][at]) and float(found["friction_coefficient"][at]) <= least[name] * (1 + 1e-9)
         assert float(found["friction_coefficient"][at]) > 0.5 * least[name]
 
 
@@ -154,7 +154,7 @@ def test_the_load_may_be_chosen():
 
 def test_where_nothing_keeps_the_limits_it_is_said():
     found = design(case(MOST, RADIUS, {"area_fraction": {"high": 1e-9}}))
-    assert not bool(found["kept"][0]) and found.attrs["verdict"].startswith("no design keeps the limits; the nearest")
+    assert not bool(found["feasible"][0]) and found.attrs["verdict"].startswith("no design keeps the limits; the nearest")
     assert float(found["roughness.asperity_radius"][0]) == pytest.approx(1e-6, rel=1e-3)
     assert found.attrs["limits"] == "area_fraction 1e-09 at most"
 
@@ -173,7 +173,7 @@ def test_validity_is_a_limit():
         design(case(LEAST, choose, model="greenwood_williamson_1966", validity=validity)) for validity in ("any", "claimed")
     )
     assert float(free["roughness.asperity_height_deviation"][0]) > 0.09 * 50e-6
-    assert float(claimed["roughness.asperity_height_deviation"][0]) <= 0.09 * 50e-6 and bool(claimed["kept"][0])
+    assert float(claimed["roughness.asperity_height_deviation"][0]) <= 0.09 * 50e-6 and bool(claimed["feasible"][0])
 
 
 @pytest.mark.parametrize(
@@ -208,7 +208,7 @@ def test_a_front_is_of_designs_that_none_beats():
     }
     table = coated(TWO, choose)
     found = design(table)
-    front = np.column_stack([found[f"front_{name}"].values for name in ("friction_coefficient", "contact_area")])
+    front = np.column_stack([found[f"pareto_{name}"].values for name in ("friction_coefficient", "contact_area")])
     assert len(front) > 10 and (np.diff(front[:, 0]) > 0).all() and (np.diff(front[:, 1]) < 0).all()
     from xarray import DataArray
 
@@ -296,7 +296,7 @@ def test_no_yield_of_the_substrate_is_a_limit():
     there = subject.replace(coating=subject.coating.replace(thickness=thickness))
     h = solve(there, load=LOAD)["mean_separation"].values / 48e-9
     share = yielded_shares(make_problem(there, Choice()), h.reshape(1, 1), "load_share_substrate_yielded")
-    assert bool(found["kept"][0]) and share.item() == pytest.approx(0.001, rel=1e-3)
+    assert bool(found["feasible"][0]) and share.item() == pytest.approx(0.001, rel=1e-3)
     assert share.item() <= 0.001 * (1 + 1e-6)
 
 
@@ -344,7 +344,7 @@ def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
     found = design(table)
     deviations = (0.1 * LOAD / float(found["contact_area"][0]) - STRENGTH) / 20e6
     assert 1.3 < deviations < 2.3  # 1.64 if there were more than 32 points
-    assert found.attrs["uncertain"] == "interfacial_shear_strength" and bool(found["kept"][0])
+    assert found.attrs["uncertain"] == "interfacial_shear_strength" and bool(found["feasible"][0])
     # what is shown is what the limit is held to: not the one of 32 samples that is beyond it
     assert float(found["friction_coefficient"][0]) == pytest.approx(0.1, rel=2e-6)
 
@@ -371,7 +371,7 @@ def test_an_interruption_keeps_the_best_so_far():
     found = run_design(plan, stop)
     assert found.stopped and 300 < found.archive.count < 400
     data = found.data()
-    assert bool(data["kept"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
+    assert bool(data["feasible"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
     so_far = data["best_so_far"].values
     assert so_far.size == found.archive.count and (so_far[1:] <= so_far[:-1]).all()
     assert -so_far[-1] == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-12)
@@ -470,7 +470,7 @@ def test_the_command_writes_everything(tmp_path):
     (tmp_path / "case.toml").write_text(CASE_FILE, encoding="utf-8")
     result = CliRunner().invoke(cli.app, ["design", str(tmp_path / "case.toml"), "--out", str(tmp_path / "out")])
     assert result.exit_code == 0 and "gold" in result.output
-    names = {"designed.toml", "design.csv", "design.png", "design.nc", "front.csv"}
+    names = {"designed.toml", "design.csv", "design.png", "design.nc", "pareto.csv"}
     assert {one.name for one in (tmp_path / "out").iterdir()} == names
     again = predict(tmp_path / "out" / "designed.toml")
     first = (tmp_path / "out" / "design.csv").read_text().splitlines()
@@ -525,7 +525,7 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
     found = run_design(plan, lambda count, text: None)
     assert found.archive.count <= 500
     front = found.data()
-    area = front["front_contact_area"].values
+    area = front["pareto_contact_area"].values
     smooth, rough = (
         predict(plan.given | {"contact": plan.given["contact"] | {"roughness": plan.given["contact"]["roughness"] | numbers}})
         for numbers in (
@@ -534,5 +534,5 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
         )
     )
     assert area.max() > 0.99 * smooth["contact_area"].item()
-    least = front["front_friction_coefficient_high"].values.min()
+    least = front["pareto_friction_coefficient_high"].values.min()
     assert least < 1.01 * rough["friction_coefficient_high"].item()

@@ -366,7 +366,7 @@ def test_models_are_ranked_by_evidence(series):
     found = fit(case(free=BOTH, models=models), series(values, 0.01 * values))
     assert found["model"].values.tolist() == ["fuller_tabor_1975", "persson_2001", "boundary_elements"]
     assert float(found["weight"][0]) > 0.99 and "map" in found["why_not"].values[2]
-    assert float(found["left_out"][0]) < 2.0 < float(found["left_out"][1])
+    assert float(found["cross_validation_error"][0]) < 2.0 < float(found["cross_validation_error"][1])
     chi_square = found["chi_square"].values
     one_less = 2 * np.array([2, 1]) + 2 * np.array([2 * 3 / (8 - 3), 1 * 2 / (8 - 2)])  # Persson's knows no adhesion
     np.testing.assert_allclose(found["aicc"][:2], chi_square[:2] + one_less, rtol=1e-9)
@@ -399,7 +399,9 @@ def test_values_left_out_are_predicted_from_all_others(series):
         rest = np.setdiff1d(np.arange(LOADS.size), out)
         best = (values * slope / error**2)[rest].sum() / ((slope / error) ** 2)[rest].sum()
         off[out] = (best * slope[out] - values[out]) / error[out]
-    assert float(found["left_out"].sel(model="fuller_tabor_1975")) == pytest.approx(np.sqrt((off**2).mean()), rel=1e-6)
+    assert float(found["cross_validation_error"].sel(model="fuller_tabor_1975")) == pytest.approx(
+        np.sqrt((off**2).mean()), rel=1e-6
+    )
 
 
 def test_weights_of_akaike():
@@ -550,7 +552,7 @@ def test_what_is_left_of_errors_that_were_found(series):
         rest = np.setdiff1d(np.arange(LOADS.size), np.arange(at, LOADS.size, 5))
         best = (values * slope)[rest].sum() / (slope**2)[rest].sum()
         off[at::5] = (best * slope - values)[at::5]
-    assert float(found["left_out"]) == pytest.approx(np.sqrt((off**2).mean()) / values.max(), rel=1e-6)
+    assert float(found["cross_validation_error"]) == pytest.approx(np.sqrt((off**2).mean()) / values.max(), rel=1e-6)
 
 
 def test_as_many_values_as_numbers_need_errors(tmp_path):
@@ -570,7 +572,7 @@ def test_a_sample_that_is_left_out_whole_says_nothing_of_its_own_number(series):
     data = series(exact(), 0.01, sample=["a"] * 7 + ["b"])
     free = {STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}}
     found = fit(case(free=free, models=["persson_2001"]), data)
-    assert np.isnan(found["left_out"]).all() and np.isfinite(found["aicc"]).all()
+    assert np.isnan(found["cross_validation_error"]).all() and np.isfinite(found["aicc"]).all()
 
 
 def test_an_interruption_keeps_the_fit(series, tmp_path, monkeypatch):

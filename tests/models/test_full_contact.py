@@ -53,7 +53,7 @@ def test_what_stays_partial_is_refused():
     with refusal("work_of_adhesion", "4.98"):
         st.solve(contact("2 um", "20 um", "2e9 1/m^2"), load=1e-3, model="persson_tosatti_2001")
     steel = st.compare(contact(first="copper", second="copper"), load=1e-2)
-    assert "persson_tosatti_2001: " in steel.attrs["left_out"]
+    assert "persson_tosatti_2001: " in steel.attrs["not_applicable"]
 
 
 def test_between_faces_may_need_a_load():

@@ -27,7 +27,7 @@ _ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
 # Dimensions and coordinates of results that are no quantities, and other names of their tables.
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
-    "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "front", "asked",
+    "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "pareto", "evaluated",
     "validity_warnings", "validity_warnings_by_block", "statistics_by_block", "counts_by_block",
 )  # fmt: skip
 

@@ -24,7 +24,7 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     several, two = data.sizes["design"] > 1, len(objectives) == 2
     drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, objectives[0])] if several else []
     drawn.append(lambda axes: _front(axes, data, objectives) if two else _asked(axes, data, objectives[0]))
-    if two and not several and data.sizes["front"]:
+    if two and not several and data.sizes["pareto"]:
         drawn.append(lambda axes: _chosen(axes, data, objectives[0]))
     figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
     for axes, draw in zip(panels, drawn, strict=True):
@@ -40,7 +40,7 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     columns = columns_of(data, "design")
     chosen = [name for name in data.attrs["chosen"].split(", ") if data[columns[name]].dtype.kind in "UO"]
     names = [", ".join(str(data[columns[name]].values[row]) for name in chosen) or str(row + 1) for row in range(count)]
-    values, feasible = data[columns[objective]].values[:count], data["kept"].values[:count]
+    values, feasible = data[columns[objective]].values[:count], data["feasible"].values[:count]
     places = np.arange(count)[::-1]
     axes.barh(places, values, color=[BLUE if holds else GREY for holds in feasible])
     title = "best for each choice" + ("" if feasible.all() else "; grey: violates a limit")
@@ -50,10 +50,10 @@ def _bars(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
-    if not data.sizes.get("front"):
+    if not data.sizes.get("pareto"):
         say(axes, "no design meets the limits")
         return
-    columns = columns_of(data, "front")
+    columns = columns_of(data, "pareto")
     x, y = (data[columns[objective]].values for objective in objectives)
     axes.plot(x, y, color=BLUE, marker="o", markersize=4, linewidth=1)
     along(axes, "x", objectives[0], x)
@@ -62,7 +62,7 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw the chosen numbers along the front, each between the ends of its search."""
-    columns = columns_of(data, "front")
+    columns = columns_of(data, "pareto")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
     for number, name in enumerate(names):
@@ -77,14 +77,14 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw every evaluated design against the chosen number, between the ends of its search."""
-    columns = columns_of(data, "asked")
+    columns = columns_of(data, "evaluated")
     name = next(
         (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""
     )
     if not name:
         say(axes, "no number was searched between two ends")
         return
-    number, value, feasible = data[columns[name]], data[columns[objective]].values, data["asked_kept"].values
+    number, value, feasible = data[columns[name]], data[columns[objective]].values, data["evaluated_feasible"].values
     for mask, colour, text in ((~feasible, GREY, "violates a limit"), (feasible, BLUE, "meets all limits")):
         axes.plot(
             number.values[mask], value[mask], ".", color=colour, markersize=4, alpha=0.5, label=text if mask.any() else None

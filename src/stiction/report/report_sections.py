@@ -267,7 +267,10 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
     if findings.told is None:
         return {}
     used = findings.told.attrs
-    return {"lines": [letters(f"{line}.") for line in used["criteria"].splitlines()], "left_out": used["left_out"].splitlines()}
+    return {
+        "lines": [letters(f"{line}.") for line in used["criteria"].splitlines()],
+        "not_applicable": used["not_applicable"].splitlines(),
+    }
 
 
 def uncertainty_lines(findings: ReportData) -> list[str]:

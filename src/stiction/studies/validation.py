@@ -185,7 +185,7 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
         exp of the root mean square of its logarithm; `in_errors`, the root mean square difference over the standard error;
         `answered`, the number of rows; grade, `outside_validity` and `outside`. Of friction also `prediction` (quantile, row),
         and `within_50` and `within_90`: "inside", "partly" or "outside" of that interval. Attributes: title, kind, source,
-        place, doi, read, note, `left_out` (model: reason) and `sources`.
+        place, doi, read, note, `not_applicable` (model: reason) and `sources`.
 
     Raises
     ------
@@ -316,7 +316,7 @@ def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -
         | {name: ("row", table) for name, table in over_rows.items()}
         | {"predicted": (("model", "row"), predicted)},
         coords={"model": [one["model"] for one in answers]},
-        attrs={"title": entry.title, "left_out": "\n".join(left_out), "sources": " ".join(used)}
+        attrs={"title": entry.title, "not_applicable": "\n".join(left_out), "sources": " ".join(used)}
         | entry.origin.model_dump(exclude={"file", "band"}),
     )
 

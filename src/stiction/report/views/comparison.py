@@ -66,10 +66,10 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
         row |= {key: result[f"{key}_at_load"].item() for key in RESULTS if f"{key}_at_load" in data}
         row |= _over_methods(result)
         rows.append(row | {"curve": {key: result[key].values for key in RESULTS}})
-    left_out = dict(line.split(": ", 1) for line in data.attrs["left_out"].splitlines())
-    attributes = {name: value for name, value in data.attrs.items() if name not in ("left_out", "sources", "criteria")}
+    left_out = dict(line.split(": ", 1) for line in data.attrs["not_applicable"].splitlines())
+    attributes = {name: value for name, value in data.attrs.items() if name not in ("not_applicable", "sources", "criteria")}
     attributes["criteria"] = data.attrs["criteria"].splitlines()
-    return attributes | {"units": units, "models": rows, "left_out": left_out, "sources": data.attrs["sources"].split()}
+    return attributes | {"units": units, "models": rows, "not_applicable": left_out, "sources": data.attrs["sources"].split()}
 
 
 def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
@@ -256,7 +256,7 @@ def comparison_view(
         yield from groups_table(groups, room, silent_models(case, data) if groups else 0, more)
         if every:
             yield from notes(data.attrs["criteria"].splitlines(), "")
-            yield from notes(f"not applicable: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(f"not applicable: {line}" for line in data.attrs["not_applicable"].splitlines())
             if measured is not None:
                 from stiction.report.views.surface import roughness_notes, roughness_table
 

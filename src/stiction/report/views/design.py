@@ -33,7 +33,7 @@ def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
 def design_table(data: "xarray.Dataset", along: str) -> Table:
     """Return a row for each design, at most about twelve."""
     columns = columns_of(data, along)
-    shown_columns = [name for name in columns if name not in ("broken", "violated")]
+    shown_columns = [name for name in columns if name not in ("constraint_violation", "violated")]
     rows = [[_cell(name, data[columns[name]].values[row]) for name in shown_columns] for row in range(data.sizes[along])]
     return Table(numbers(*map(_head, shown_columns), wrap=True), rows, ranked=along == "design").few(_ROWS)
 
@@ -44,11 +44,11 @@ def _head(name: str) -> str:
         return "off target"
     if last != quantity_of(last):
         return f"{QUANTITIES[quantity_of(last)].symbol} {last.rpartition('_')[2]}"
-    return {"kept": "limits"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
+    return {"feasible": "constraints"}.get(last, QUANTITIES[last].symbol if last in QUANTITIES else last.replace("_", " "))
 
 
 def _cell(name: str, value: Any) -> str:
-    if name == "kept":
+    if name == "feasible":
         return "met" if value else "violated"
     if name.endswith("_off_target"):
         percent = 100.0 * float(value)
@@ -95,18 +95,18 @@ def design_view(design: "Designing", folder: Path | None = None) -> View:
     def parts() -> Iterator[Any]:
         if "case" in data.attrs:
             yield Text(data.attrs["case"], style="bold")
-        yield from (f"model {data.attrs['model']}; {data.attrs['asked']} designs evaluated", "")
+        yield from (f"model {data.attrs['model']}; {data.attrs['evaluated']} designs evaluated", "")
         yield "best for each choice from the lists" if data.sizes["design"] > 1 else "best"
         yield from (design_table(data, "design"), "", *design_notes(data))
-        if data.sizes.get("front"):
-            yield from ("", "Pareto front: no other design is better in both objectives", design_table(data, "front"))
+        if data.sizes.get("pareto"):
+            yield from ("", "Pareto front: no other design is better in both objectives", design_table(data, "pareto"))
 
     files: dict[str, Any] = {}
-    for along in ("design", *(["front"] if data.sizes.get("front") else [])):
+    for along in ("design", *(["pareto"] if data.sizes.get("pareto") else [])):
         columns = {name: head for head, name in columns_of(data, along).items()}
         files[f"{along}.csv"] = partial(write_csv, data[list(columns)].rename(columns).drop_vars(along, errors="ignore"))
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(design.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
     pictures = {"design.png": picture("designs by how near they come to the objective", "design_pictures.design_figure", data)}
-    return View("design", data, parts, lambda: record(data.drop_dims("asked"), {}), files, pictures, tuple(missed))
+    return View("design", data, parts, lambda: record(data.drop_dims("evaluated"), {}), files, pictures, tuple(missed))

@@ -58,8 +58,8 @@ def evidence_table(data: "xarray.Dataset") -> Table:
             rows.append([name, Text(str(result["why_not"].values), style="dim"), "", "", ""])
             continue
         cells = [f"{float(result[key]):.4g}" for key in (left, "aicc")]
-        rows.append([name, *cells, f"{float(result['weight']):.2g}", f"{float(result['left_out']):.3g}"])
-    heads = left.replace("_", " "), "AICc", "weight", data["left_out"].attrs["long_name"]
+        rows.append([name, *cells, f"{float(result['weight']):.2g}", f"{float(result['cross_validation_error']):.3g}"])
+    heads = left.replace("_", " "), "AICc", "weight", data["cross_validation_error"].attrs["long_name"]
     return Table([Column("model", wrap=True), *numbers(*heads, wrap=True)], rows, whole=True, ranked=True)
 
 

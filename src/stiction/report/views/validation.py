@@ -97,7 +97,7 @@ def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
             if (predicted := prediction_table(data)) is not None:
                 yield predicted
             yield validation_table(data)
-            yield from notes(f"not applicable: {line}" for line in data.attrs["left_out"].splitlines())
+            yield from notes(f"not applicable: {line}" for line in data.attrs["not_applicable"].splitlines())
 
     def record() -> dict[str, Any]:
         return {name: validation_record(data) for name, data in series.items()}

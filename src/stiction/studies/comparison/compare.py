@@ -72,8 +72,8 @@ def compare(
         the model and why not; grade, `outside_validity`, `validity_warnings` (JSON), `family_of_curve`,
         `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative
         errors on solved surfaces near this contact (docs/truth.md), NaN where there are none; `measured_error` (JSON) and
-        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `left_out` (model: reason); with a measured surface
-        also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
+        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `not_applicable` (model: reason). With a measured
+        surface also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
 
     Raises
     ------
@@ -325,7 +325,7 @@ def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[s
     used = dict.fromkeys(key for one in answers for key in one.sources)
     left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
     attributes: dict[str, Any] = {
-        "sources": " ".join(used), "left_out": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
+        "sources": " ".join(used), "not_applicable": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
     }  # fmt: skip
     return attributes if target is None else attributes | {"working_load": target}
 

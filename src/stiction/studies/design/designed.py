@@ -28,7 +28,11 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
 
     best = search.best()
     data = xarray.Dataset(_columns(search, best, "design"), coords={"design": np.arange(len(best))})
-    data["violated"] = ("design", _violated(search, best), {"long_name": "limits and ranges of validity that are broken"})
+    data["violated"] = (
+        "design",
+        _violated(search, best),
+        {"long_name": "violated constraints and ranges of validity"},
+    )
     if len(search.plan.objectives) == 2:
         front = search.front()
         chosen = (
@@ -36,14 +40,14 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
             if front.size
             else front
         )
-        more = {f"front_{name}": column for name, column in _columns(search, chosen, "front").items()}
-        data = data.merge(xarray.Dataset(more, coords={"front": np.arange(len(chosen))}))
+        more = {f"pareto_{name}": column for name, column in _columns(search, chosen, "pareto").items()}
+        data = data.merge(xarray.Dataset(more, coords={"pareto": np.arange(len(chosen))}))
     _, objectives, worst, _ = search.archive.table()
     good = np.where(worst <= TOLERANCE, objectives[:, 0], np.inf)
-    every = _columns(search, np.arange(len(worst)), "asked")
-    data = data.merge(xarray.Dataset({f"asked_{name}": column for name, column in every.items()}))
+    every = _columns(search, np.arange(len(worst)), "evaluated")
+    data = data.merge(xarray.Dataset({f"evaluated_{name}": column for name, column in every.items()}))
     data["best_so_far"] = (
-        "asked",
+        "evaluated",
         np.minimum.accumulate(good),
         {"long_name": "first objective of the best design, less is better"},
     )
@@ -71,8 +75,8 @@ def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tup
             columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
     for name, off in off_targets(search.plan, known):
         columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
-    columns["broken"] = (along, worst, {"long_name": "how far beyond its limits, over their size"})
-    columns["kept"] = (along, worst <= TOLERANCE, {"long_name": "whether all limits are kept"})
+    columns["constraint_violation"] = (along, worst, {"long_name": "constraint violation over the size of the constraint"})
+    columns["feasible"] = (along, worst <= TOLERANCE, {"long_name": "whether all constraints are met"})
     return columns
 
 
@@ -94,7 +98,7 @@ def _attributes(search: "Designing", best: np.ndarray) -> dict[str, Any]:
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
-        "asked": search.archive.count,
+        "evaluated": search.archive.count,
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",

@@ -108,8 +108,8 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
     -------
     xarray.Dataset
         Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers, objective,
-        limited quantities, `kept` (all limits hold), `violated` (names of limits, one a line) and `broken` (by how much,
-        relative). With two objectives also the Pareto front, over `front`.
+        limited quantities, `feasible` (all constraints met), `violated` (names of constraints, one a line) and
+        `constraint_violation` (relative). With two objectives also the Pareto front, over `pareto`.
 
     Raises
     ------

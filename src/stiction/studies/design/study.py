@@ -2,7 +2,7 @@
 
 The case says in [design] the objective, in [design.choose] what may be chosen, in [design.limits] what must hold.
 With two objectives, also the designs of which none is better in both. With --out: designed.toml, a case that `stiction run`
-takes, design.csv, front.csv, design.png, design.nc. Interrupted, it keeps the best so far.
+takes, design.csv, pareto.csv, design.png, design.nc. Interrupted, it keeps the best so far.
 """
 
 from collections.abc import Callable
@@ -22,7 +22,7 @@ def _run(plan: tuple[Any, ...], tell: Callable[[str], None]) -> tuple[Any, ...]:
     from stiction.studies.design.run import run_design
 
     tell("Designing")
-    return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs asked")), plan[1]
+    return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs evaluated")), plan[1]
 
 
 STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, limits.", _plan, _run)

@@ -215,7 +215,11 @@ def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
         {
             "aicc": (along, [one.aicc for one, _ in ranked], {"long_name": "Akaike's criterion, corrected"}),
             "weight": (along, [weight for _, weight in ranked], {"long_name": "Akaike weight"}),
-            "left_out": (along, [one.left_out for one, _ in ranked], {"long_name": f"error of values left out, over {over}"}),
+            "cross_validation_error": (
+                along,
+                [one.left_out for one, _ in ranked],
+                {"long_name": f"cross-validation error, over {over}"},
+            ),
             **_left_over([one.fit for one, _ in ranked], stated),
             "why_not": (along, [one.why_not for one, _ in ranked]),
         },
