@@ -14,6 +14,10 @@ from matplotlib.figure import Figure
 
 import stiction as st
 from stiction.report.prediction_pictures import prediction_figure, validation_panel
+from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
+from stiction.solvers.shear.operators import FreeShear
+from stiction.solvers.shear.path import Weakening, full_shift, slide_map
 
 HERE = Path(__file__).parent
 BLUE, RED, GREY = "#0072B2", "#D55E00", "0.45"
@@ -134,6 +138,52 @@ def onset() -> Figure:
     return figure
 
 
+def scales() -> Figure:
+    """Return friction against the size of a contact, as predicted, and against the load on a rough sphere, as solved."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.8), layout="constrained")
+    lengths = np.geomspace(1e-6, 1e-2, 13)
+    rough = {"asperity_height_deviation": "20 nm", "asperity_radius": "2 um", "asperity_density": "1e12 1/m^2"}
+    pair = {"first": "hardened_steel_52100", "second": "silicon_nitride", "interfacial_shear_strength": "300 MPa"}
+    for slip, color in (("1 nm", RED), ("10 nm", BLUE), ("100 nm", GREY)):
+        contacts = [
+            st.Contact(roughness=rough, nominal_area=one**2, weakening_slip=slip, residual_strength=0.5, **pair)
+            for one in lengths
+        ]
+        found = [st.predict(one, load=1e8 * one.nominal_area) for one in contacts]
+        left.semilogx(lengths * 1e3, [float(one.friction_efficiency) for one in found], "o-", color=color, label=slip)
+    left.set(xlabel="side of the contact (mm)", ylabel="friction over sum of strengths", ylim=(0.0, 1.05))
+    left.legend(title="weakening slip", frameon=False)
+    loads = np.geomspace(1e-3, 1.0, 7)
+    for slip, color in ((20e-9, RED), (60e-9, BLUE)):
+        drop = [share / 0.5 for share in sphere_shares(loads, slip, residual=0.5)]
+        right.semilogx(loads, drop, "o-", color=color, label=f"{slip * 1e9:.0f} nm")
+    right.set(xlabel="load on a rough sphere (N)", ylabel="static over sliding friction", ylim=(0.9, 2.05))
+    right.legend(title="weakening slip", frameon=False)
+    return figure
+
+
+def sphere_shares(loads: np.ndarray, slip: float, residual: float) -> list[float]:
+    """Return friction over the sum of strengths of a rough silicon sphere of 0.25 mm on silicon, at loads [N].
+
+    slip [m]: over which the strength of 1 GPa falls to its residual part.
+    """
+    count, side, body = 160, 40e-6, HalfSpace(160e9, 0.22)
+    x = ((np.arange(count) + 0.5) / count - 0.5) * side
+    waves = st.SelfAffine(0.8, side / 10, side / 32, 20e-9)
+    heights = st.gaussian_surface((count, count), (side, side), waves, seed=1).heights
+    heights = heights - (x[None, :] ** 2 + x[:, None] ** 2) / (2.0 * 0.25e-3)
+    modulus = body.modulus / (2.0 * (1.0 - body.poisson**2))
+    solved = solve_map(heights, (side, side), modulus=modulus, loads=loads, periodic=False, free=True, stiffness=False)
+    operator = FreeShear(ShearCompliance((body, body)), heights.shape, (side, side))
+    shares = []
+    for one in solved:
+        strength = 1e9 * (one.pressure > 0.0)
+        shifts = np.linspace(0.0, full_shift(operator, strength), 31)[1:]
+        path = slide_map(operator, strength, shifts, pixel=(side / count) ** 2, weakening=Weakening(slip, residual))
+        shares.append(path.efficiency)
+    return shares
+
+
 def measured() -> Figure:
     """Return the prediction beside every measured series of validation/."""
     entries = [HERE.parent / "validation" / f"{name}.toml" for name in ("dunkin_kim_1996", "silicone_on_pla_2024")]
@@ -145,5 +195,5 @@ def measured() -> Figure:
 
 if __name__ == "__main__":
     matplotlib.rcParams["svg.hashsalt"] = "stiction"  # the same picture, the same file
-    for draw in (answer, interfaces, roughness, models, measured, onset):
+    for draw in (answer, interfaces, roughness, models, measured, onset, scales):
         draw().savefig(HERE / "pictures" / f"{draw.__name__}.svg", metadata={"Date": None})
