@@ -26,6 +26,7 @@ from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
 from scans import scan_rows  # noqa: E402
+from sliding import slide_rows  # noqa: E402
 
 import stiction as st  # noqa: E402
 from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
@@ -352,7 +353,7 @@ def main() -> None:
     figures = peer_rows() + thread_rows() + other_rows()
     figures += [(f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()]
     with tempfile.TemporaryDirectory() as folder:
-        figures += load_rows() + comparison_rows() + scan_rows(folder) + command_rows(folder)
+        figures += load_rows() + comparison_rows() + scan_rows(folder) + slide_rows() + command_rows(folder)
     write([*figures, ("10^7 scattered evaluations, peak memory, GB", peak_memory())])
 
 

@@ -20,6 +20,7 @@ TOLERANCE = 1e-6
 MOST_STEPS = 2000
 _MOST_TURNS = 400
 _SETTLED = 1e-3  # change of the strength of a point within a turn, over its first strength
+_TURNING = 1e-4  # residual of the traction while strengths are found; with 1e-6 peaks change by 1e-5
 _FINER = 8  # steps between the neighbours of the largest force
 
 SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
@@ -192,8 +193,9 @@ def _advance(operator, strength, weakening, state: State, shift: float, toleranc
     moved -= state.slip
     traction, settled = state.traction, False
     left = strength if weakening is None else strength * weakening.share(state.slipped)
+    turning = tolerance if weakening is None else max(tolerance, _TURNING)
     for _ in range(_MOST_TURNS):
-        found = shear(operator, left, moved, traction, tolerance=tolerance, most=most)
+        found = shear(operator, left, moved, traction, tolerance=turning, most=most)
         traction = found.traction
         if weakening is None:
             settled = True
