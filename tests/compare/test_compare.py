@@ -318,7 +318,7 @@ def test_without_a_load_that_presses_there_are_only_curves(case, tmp_path):
     assert (
         result.exit_code == 0
         and result.stderr == ""
-        and "no model says anything of friction" in " ".join(result.stdout.split())
+        and "no model gives friction" in " ".join(result.stdout.split())
     )
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"compare.csv", "compare.nc"}
     assert "working_load" not in json.loads(run(case, "--json").stdout)
