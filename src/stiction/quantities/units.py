@@ -18,6 +18,7 @@ from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
 from stiction.quantities.dimensions import check_names, without_indexes
 from stiction.quantities.errors import InputError, InWords, nearest
+from stiction.quantities.extras import bring_back
 from stiction.quantities.hardness import from_hardness_test
 from stiction.quantities.hints import meant, too_soft, with_a_point
 from stiction.quantities.quantity import Quantity, in_degrees
@@ -195,9 +196,7 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
             raise ValueError("not a unit")
         return _exact_factor(unit, quantity.unit)
     except _unit_errors() as error:
-        import pint
-
-        problem = "another dimension" if isinstance(error, pint.DimensionalityError) else "no known unit"
+        problem = "another dimension" if isinstance(error, _pint().DimensionalityError) else "no known unit"
         number = text.removesuffix(unit).strip()
         told = f"{quantity.wanted} (what was given has {problem}){meant(number, unit, quantity)}"
         raise InputError(quantity.name, text, told) from None
@@ -221,14 +220,22 @@ def _common_factors() -> dict[tuple[str, str], Fraction]:
 
 
 @cache
+def _pint():
+    """Import pint, also where a command has left it out."""
+    bring_back("pint")
+    import pint
+
+    return pint
+
+
+@cache
 def _registry():
     """Return the registry of all units that pint has.
 
     Reading the definitions takes longer than solving a case, so the result is cached; a cache of another release, or one that
     cannot be read or written, is made anew.
     """
-    import pint
-
+    pint = _pint()
     kept = cache_folder(f"units-{pint.__version__}")
     for _ in range(2):
         try:
@@ -243,10 +250,8 @@ def _unit_errors() -> tuple[type[Exception], ...]:
     """Return the exceptions that pint raises for text that is no unit: its own, and those of Python's tokenizer and parser."""
     import tokenize
 
-    import pint
-
     return (
-        pint.PintError,
+        _pint().PintError,
         ValueError,
         TypeError,
         AttributeError,
