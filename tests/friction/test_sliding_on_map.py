@@ -76,6 +76,25 @@ def test_a_film_of_the_same_material_changes_nothing():
         assert float(film[name]) == pytest.approx(float(bare[name]), rel=1e-3)
 
 
+@pytest.mark.parametrize("shear", ["lesser", "junction_growth"])
+def test_points_slide_under_the_lesser_strength_and_under_combined_stresses(shear):
+    """Options of the strength of points: min(alpha p, tau_0), and junctions that grow by p^2 + 9 tau_0^2 = H^2."""
+    weak = {"interfacial_shear_strength": "800 MPa", "pressure_coefficient": 0.3}
+    options = {"lesser": weak, "junction_growth": {"interfacial_shear_strength": "2 GPa"}}
+    soft = st.Material(youngs_modulus="160 GPa", poissons_ratio=0.2, hardness="6.5 GPa")
+    pair = contact(first=soft, **options[shear])
+    laws = {"tangential": "bowden_tabor_1943", "shear": shear}
+    found = slide(pair, load="5 mN", **laws)
+    solved = st.solve(pair, load="5 mN", model="boundary_elements", **laws)
+    plain = st.solve(pair, load="5 mN", model="boundary_elements", tangential="bowden_tabor_1943")
+    force = float(solved["friction_force"])
+    assert float(found["largest_tangential_force"]) == pytest.approx(force, rel=1e-9)
+    assert float(found["tangential_force"][-1]) == pytest.approx(force, rel=1e-4)
+    assert (force < float(plain["friction_force"])) is (shear == "lesser")
+    weaker = slide(pair, load="5 mN", residual_strength=0.2, weakening_slip="20 nm", **laws)
+    assert 0.2 < float(weaker["friction_efficiency"]) < 1.0
+
+
 def test_half_of_what_weakening_takes_is_refused():
     with refusal("weakening_slip", "not given", "1 nm for monolayers"):
         slide(contact(), residual_strength=0.5)

@@ -1,5 +1,6 @@
 """The contact of a measured map, solved point by point: the one kind of problem that knows no asperities and no statistics."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -150,7 +151,8 @@ class OnMap(Problem):
         if of_points is not None and one.pressure is None:
             raise InputError("shear", self.options["shear"], "law where surfaces adhere: their pressures include adhesion")
         if of_points is not None:
-            return of_points(self.contact, self.chosen.tangential.key, one) * whole / self.factors["N"]
+            force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, one))
+            return force * whole / self.factors["N"]
         force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
         if one.pressure is None:  # the whole load and area stand for those of the points
             return float(self._sheared(np.array([one.load * force]), one.area * extent, "elastic"))
@@ -164,8 +166,6 @@ class OnMap(Problem):
         """
         if self.chosen.tangential is None:
             raise InputError("tangential", "none", "a tangential law, which gives each point its strength")
-        if self.options.get("shear", "law") != "law":
-            raise InputError("shear", self.options["shear"], "law: other options have only a sum over points")
         if one.pressure is None:
             raise InputError(
                 "adhesion", self.options["adhesion"], "left_out: adhesive pressures cannot be separated from contact"
@@ -173,11 +173,22 @@ class OnMap(Problem):
         strength = np.zeros_like(one.pressure)
         hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf
         masks = {"elastic": (one.pressure > 0.0) & (one.pressure < hardness), "plastic": one.pressure >= hardness}
+        pixel = one.nominal_area / strength.size
+        for state, force in self._forces(one):
+            strength[masks[state]] = force / pixel
+        return strength
+
+    def _forces(self, one: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
+        """Yield the state of points and the force that each of them bears on the map [N]."""
+        assert self.chosen.tangential is not None
+        of_points = POINT_SHEARS.get(self.options.get("shear", ""))
+        if of_points is not None:
+            yield from of_points(self.contact, self.chosen.tangential.key, one)
+            return
         whole, unit = self.contact.nominal_area / one.nominal_area, self.factors
         for state, p, pixel, area in points_of(one):
-            loads = p * pixel * whole / unit["N"]
-            strength[masks[state]] = self._each_sheared(loads, area * whole / unit["m^2"], state) * unit["N"] / whole / pixel
-        return strength
+            each = self._each_sheared(p * pixel * whole / unit["N"], area * whole / unit["m^2"], state)
+            yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
         """Return the tangential force of points of one area, by the tangential law, under their loads."""

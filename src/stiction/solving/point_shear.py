@@ -21,6 +21,9 @@ from stiction.quantities.errors import InputError
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
 
+# State of points and the force that each of them bears [N].
+OfPoints = Iterator[tuple[str, np.ndarray]]
+
 _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
@@ -44,19 +47,19 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float
             yield state, some, pixel, pixel * shares[state]
 
 
-def _lesser(contact: Contact, law: str, one: "MapContact") -> float:
-    """(1), the force of the map [N]."""
+def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
+    """Yield the state of points and the force of each [N] (1)."""
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
             "pressure_coefficient", None, "a number: shear = lesser takes the lesser of coefficient times pressure and tau_0"
         )
-    parts = (np.minimum(coefficient * pressure * pixel, strength * area) for _, pressure, pixel, area in points_of(one))
-    return float(sum(part.sum() for part in parts))
+    for state, pressure, pixel, area in points_of(one):
+        yield state, np.minimum(coefficient * pressure * pixel, strength * area)
 
 
-def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
-    """(2), the force of the map [N]."""
+def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
+    """Yield the state of points and the force of each [N] (2)."""
     from stiction.contact.pair import pair_of
 
     strength = _strength(contact)
@@ -71,8 +74,8 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> float:
             f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, where junctions grow without limit",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
-    parts = (np.maximum(area, pressure * pixel / bearing) for _, pressure, pixel, area in points_of(one))
-    return strength * float(sum(part.sum() for part in parts))
+    for state, pressure, pixel, area in points_of(one):
+        yield state, strength * np.maximum(area, pressure * pixel / bearing)
 
 
 def _strength(contact: Contact) -> float:
@@ -82,8 +85,8 @@ def _strength(contact: Contact) -> float:
     return float(contact.interface_strength)
 
 
-# Value of the option `shear` -> tangential force [N] of a map under a contact and the key of its tangential law.
-POINT_SHEARS: Mapping[str, Callable[[Contact, str, "MapContact"], float]] = {
+# Value of the option `shear` -> forces of the points of a map under a contact and the key of its tangential law.
+POINT_SHEARS: Mapping[str, Callable[[Contact, str, "MapContact"], OfPoints]] = {
     "lesser": _lesser,
     "junction_growth": _junction_growth,
 }
