@@ -58,7 +58,9 @@ class InputError(ValueError):
 
     def __str__(self) -> str:
         field, allowed = (re.sub(r"\s+", " ", text) for text in (self.field, self.allowed))
-        return "; ".join(filter(None, [f"{field}: {_short(self.value)}", f"allowed: {allowed}", self.hint]))
+        # Where no value is allowed, the reason stands alone.
+        reason = allowed if allowed.startswith("not supported") else f"allowed: {allowed}"
+        return "; ".join(filter(None, [f"{field}: {_short(self.value)}", reason, self.hint]))
 
 
 @contextmanager

@@ -229,7 +229,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
         raise InputError("branch", choice.options["branch"], "no value: unload() always takes the unloading branch")
     for name, key in choice.laws().items():
         if key is not None and name not in ("model", "asperity", "tangential"):
-            raise InputError(name, key, "no value: not supported by unload()")
+            raise InputError(name, key, "not supported by unload()")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
         reason = f"{tangential} holds for loading only"
