@@ -2,13 +2,13 @@
 
     python truth/slides.py
 
-writes slides.csv beside this file; half an hour on one core, less where rows are kept in truth/work. Elastic maps
-of 128 x 128 points of gradient .1, spots of one strength, like bodies of nu 0.3. Columns: design, held: whether the row is for
-judging, not for fits; edges: whether nothing is beside the map, or its next period; pressure over E* h'; share: contact over
-nominal area; radius: of spots, weighted by their area, over the side; numbers: that of `spot_radius` from the numbers of the
-asperities; spread: standard deviation over the contact of the displacement under its strength, over strength, compliance S and
-side; length: l_c over the side; residual: share of the strength that stays; efficiency. Then it prints the constants of
-stiction.solving.sliding_efficiency that fit the rows, and what they leave on rows that are held out.
+writes slides.csv beside this file; half an hour on one core, less where rows are kept in truth/work. Elastic maps of 128 x 128
+points of gradient .1, spots of one strength, like bodies of nu 0.3. Columns: design, held: whether the row is for judging, not
+for fits; edges: whether nothing is beside the map, or its next period; pressure over E* h'; share: contact over nominal area;
+radius: of spots, weighted by their area, over the side; numbers: that of `spot_radius` from the numbers of the asperities;
+density: eta R sigma; spread: standard deviation over the contact of the displacement under its strength, over strength,
+compliance S and side; length: l_c over the side; residual: share of the strength that stays; efficiency. Then it prints the
+constants of stiction.solving.sliding_efficiency that fit the rows, and what they leave on rows that are held out.
 """
 
 import csv
@@ -41,7 +41,20 @@ SIZES = (0.5, 2.0, 6.0, 12.0)  # of the nominal side times the share of contact,
 RESIDUALS = (0.0, 0.5, 0.8)
 LEAST_POINTS = 3.0  # in l_c
 _STRONG = 0.93  # efficiency above which no point has lost all that it can: the residual strength does not matter
-COLUMNS = ("design", "held", "edges", "pressure", "share", "radius", "numbers", "spread", "length", "residual", "efficiency")
+COLUMNS = (
+    "design",
+    "held",
+    "edges",
+    "pressure",
+    "share",
+    "radius",
+    "numbers",
+    "density",
+    "spread",
+    "length",
+    "residual",
+    "efficiency",
+)
 _STEPS = 20
 _BODY = HalfSpace(2.6, 0.3)  # of G = 1
 
@@ -125,7 +138,8 @@ def _with_numbers(surface: design.Surface, found: list[list]) -> Iterator[list]:
     numbers = rough.asperity_height_deviation, rough.asperity_radius, rough.asperity_density
     at = COLUMNS.index("numbers")
     for row in found:
-        yield [*row[:at], float(spot_radius(row[COLUMNS.index("share")], *numbers)) / made.size[0], *row[at:]]
+        radius = float(spot_radius(row[COLUMNS.index("share")], *numbers)) / made.size[0]
+        yield [*row[:at], radius, float(np.prod(numbers)), *row[at:]]
 
 
 def fit(table: dict[str, np.ndarray]) -> None:
@@ -144,9 +158,10 @@ def fit(table: dict[str, np.ndarray]) -> None:
     endless, first = table["edges"] == 0, np.unique(table["spread"], return_index=True)[1]
     one = np.intersect1d(np.flatnonzero(endless), first)
     ratio = np.log(table["spread"][one] / table["numbers"][one] / (1.0 - 0.5 * _BODY.poisson))
-    open_share = np.column_stack([np.ones(len(one)), np.log1p(-table["share"][one])])
-    constants = np.linalg.lstsq(open_share, ratio, rcond=None)[0]
-    print(f"k_a {np.exp(constants[0]):.3f}, q {constants[1]:.3f}, deviation {np.std(ratio - open_share @ constants):.3f}")
+    known = np.column_stack([np.ones(len(one)), np.log1p(-table["share"][one]), np.log(table["density"][one])])
+    constants = np.linalg.lstsq(known, ratio, rcond=None)[0]
+    factor, *powers = np.exp(constants[0]), *constants[1:]
+    print(f"k_a {factor:.3f}, q {powers[0]:.3f}, d {powers[1]:.3f}, deviation {np.std(ratio - known @ constants):.3f}")
 
 
 if __name__ == "__main__":

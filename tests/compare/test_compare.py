@@ -315,11 +315,7 @@ def test_where_separations_are_asked_for_it_is_carried_at_one_of_them(case):
 def test_without_a_load_that_presses_there_are_only_curves(case, tmp_path):
     adhesive(case, 'load = ["-1 mN", "0 N"]')
     result = run(case, "--out", tmp_path / "out")
-    assert (
-        result.exit_code == 0
-        and result.stderr == ""
-        and "no model gives friction" in " ".join(result.stdout.split())
-    )
+    assert result.exit_code == 0 and result.stderr == "" and "no model gives friction" in " ".join(result.stdout.split())
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"compare.csv", "compare.nc"}
     assert "working_load" not in json.loads(run(case, "--json").stdout)
 

@@ -60,10 +60,13 @@ class Onset:
         def drawn(column: np.ndarray) -> np.ndarray:
             return column[rows % len(column)]
 
-        spots = spot_radius(share, *(drawn(one) for one in (self.deviation, self.radius, self.density)))
+        deviation, radius, density = (drawn(one) for one in (self.deviation, self.radius, self.density))
+        spots = spot_radius(share, deviation, radius, density)
         faces, bodies = (drawn(one) for one in self.compliance)
         thickness = drawn(self.thickness)
         below = bodies + (faces - bodies) * thickness / (thickness + spots)
-        of_spots = below * spread_of_spots(spots, share) * np.exp(SPOTS_ERROR * ndtri(level))[:, None]
+        of_spots = (
+            below * spread_of_spots(spots, share, deviation * radius * density) * np.exp(SPOTS_ERROR * ndtri(level))[:, None]
+        )
         of_edges = bodies * spread_of_edges(drawn(self.side), share)
         return efficiency(strength * np.hypot(of_spots, of_edges) / drawn(self.slip), drawn(self.residual))
