@@ -31,8 +31,8 @@ FITTED = (4.137, 1.053, 0.681)
 """b, m and w of the law."""
 _OF_SPOTS, _BY_SHARE, _BY_DENSITY, _OF_EDGES = 4.546, 0.815, 0.783, 0.0590
 SPOTS_ERROR = 0.25
-"""Standard deviation of ln of the displacement of spots that are known by numbers: twice that on the maps of the fit and more, as
-one of 10 um that was moved aside later was 0.37 off."""
+"""Standard deviation of ln of the displacement of spots that are known by numbers: twice that on the maps of the fit and more,
+as one of 10 um that was moved aside later was 0.37 off."""
 _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 
