@@ -22,6 +22,7 @@ for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
 import history  # noqa: E402
 import numpy as np  # noqa: E402
 from loads import load_rows  # noqa: E402
+from maps import map_rows  # noqa: E402
 from peers import nodes_a_point, quad_loop, seconds_of_exponential  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
@@ -353,7 +354,7 @@ def main() -> None:
     figures = peer_rows() + thread_rows() + other_rows()
     figures += [(f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()]
     with tempfile.TemporaryDirectory() as folder:
-        figures += load_rows() + comparison_rows() + scan_rows(folder) + slide_rows() + command_rows(folder)
+        figures += load_rows() + comparison_rows() + scan_rows(folder) + map_rows(folder) + slide_rows() + command_rows(folder)
     write([*figures, ("10^7 scattered evaluations, peak memory, GB", peak_memory())])
 
 
