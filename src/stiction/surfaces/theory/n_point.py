@@ -32,6 +32,7 @@ from numpy.polynomial.legendre import leggauss
 from scipy.linalg import cholesky, solve_triangular
 from scipy.special import ndtr, owens_t
 
+from stiction.engine.one_thread import on_one_thread
 from stiction.quantities.errors import InputError
 
 _gauss = cache(leggauss)
@@ -132,6 +133,7 @@ def _unit_roughness(correlation):
 
 
 @cache
+@on_one_thread
 def _table() -> np.ndarray:
     """Return Chebyshev coefficients of the logarithm of the mean height.
 
