@@ -123,8 +123,8 @@ def test_what_cannot_be(case, tmp_path):
     bare = tmp_path / "bare.toml"
     bare.write_text(BARE)
     said = {
-        (str(bare),): "coating: not given; allowed: a film with its material and thickness",
-        (str(bare), "--model", "recommended"): "coating: not given; allowed: a film with its material and thickness",
+        (str(bare),): "coating: not given; allowed: a film with material and thickness",
+        (str(bare), "--model", "recommended"): "coating: not given; allowed: a film with material and thickness",
         (str(case), "--load", "much"): "--load: 'much'",
         (str(case), "--load", "-1 N"): "load: '-1 N'",
         (str(case), "--tangential", "hamilton_1983"): "take layered_first_yield",

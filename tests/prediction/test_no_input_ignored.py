@@ -151,7 +151,8 @@ def test_what_is_named_changes_nothing_and_what_is_not_does(place):
 
 
 def test_a_pressure_coefficient_counts_beside_no_strength():
-    contact = {key: part for key, part in BARE.items() if key not in ("interfacial_shear_strength", "pressure_coefficient")}
+    left = ("interfacial_shear_strength", "pressure_coefficient", "weakening_slip", "residual_strength")
+    contact = {key: part for key, part in BARE.items() if key not in left}
     without, small, large = (
         predicted({**contact, **more}) for more in ({}, *({"pressure_coefficient": c} for c in (0.1, 0.5)))
     )
@@ -222,7 +223,7 @@ def called(tmp_path, text, *words):
 def test_a_refused_input_ends_in_one_line_and_models_are_compared_all_the_same(tmp_path):
     text = COMMAND.replace("[contact]", "[contact]\npeeling = 0.5")
     code, said = called(tmp_path, text, "run")
-    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: none where no model is named")
+    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: no value unless a model is named")
     assert said.endswith("name --model soft_coating_2015")
     named = called(tmp_path, text.replace("interfacial_shear_strength", "# "), "run", "--model", "soft_coating_2015")
     assert named[0] == 0 and "peeling is not used" not in named[1]
