@@ -141,7 +141,7 @@ def test_what_cannot_be(case, tmp_path):
         tangential="none", model="greenwood_williamson_1966",
     )  # fmt: skip
     assert math.isnan(float(middle_point(apart)["stress_over_yield"]))
-    with pytest.raises(InputError, match="at which asperities press"):
+    with pytest.raises(InputError, match="at which asperities touch"):
         film_section(st.Indices(theta=1, lam=1, n_E=1, n_H=1, tau=1, film_aspect=1), middle_point(apart))
 
 

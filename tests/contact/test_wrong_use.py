@@ -88,9 +88,12 @@ def test_a_good_value_is_not_assigned_either_and_the_way_is_named():
         (lambda: st.axis("load", [[1.0], [2.0]]), "load: [1.0]; allowed: any finite number in N"),
         (
             lambda: st.compare(contact(), load=["1 N", "2 N"]),
-            "load: ['1 N', '2 N']; allowed: one load > 0 N: models are judged at",
+            "load: ['1 N', '2 N']; allowed: one load > 0 N: compare takes a single load",
         ),
-        (lambda: st.compare(contact(), load=np.array([1.0])), "load: 1.0; allowed: one load > 0 N: models are judged at one"),
+        (
+            lambda: st.compare(contact(), load=np.array([1.0])),
+            "load: 1.0; allowed: one load > 0 N: compare takes a single load",
+        ),
         (lambda: st.compare(contact(), separations=3.0), "separations: 3.0; allowed: a row of numbers"),
     ],
 )

@@ -114,25 +114,27 @@ class Distribution:
         return low + 1.0 - high
 
     def ppf(self, share: Any) -> np.ndarray:
-        """The values below which these shares lie."""
+        """Return the values (n,) below which these shares of the distribution are."""
         low, high = self._ends
         inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
 
     def as_table(self) -> dict[str, Any]:
-        """What it is, as plain numbers."""
+        """Return the distribution as plain numbers."""
         return {"distribution": self.kind, "parameters": list(self.parameters), "nominal": self.nominal}
 
 
 def normal(quantity: str, mean: float, deviation: float, field: str, given: Any) -> Distribution:
-    """A number with a standard deviation. Raises InputError where it would often be out of bounds."""
+    """Return a normal distribution; raises InputError if its tails are often out of bounds."""
     words = f"{show(mean, quantity)} ± {show(deviation, quantity)}"
     return _checked(Distribution(quantity, mean, "normal", (mean, deviation), words), field, given)
 
 
 def within_factor(quantity: str, median: float, factor: float, field: str, given: Any) -> Distribution:
-    """A median with the factor that is one standard deviation of the logarithm. Raises InputError where it would often be out
-    of bounds."""
+    """Return a log-normal distribution from a median and one standard deviation as a factor.
+
+    Raises InputError if its tails are often out of bounds.
+    """
     words = f"{show(median, quantity)}, within a factor {factor:g}"
     return _checked(Distribution(quantity, median, "log-normal", (median, factor), words), field, given)
 
@@ -163,8 +165,10 @@ def is_law(value: Any) -> bool:
 
 
 def of_law(quantity: str, law: Any, field: str) -> Distribution:
-    """A distribution of scipy.stats, in SI units: its nominal value is the median. Raises InputError where it would often be
-    out of bounds."""
+    """Return a distribution of scipy.stats in SI units, with the median as nominal value.
+
+    Raises InputError if its tails are often out of bounds.
+    """
     name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
     given = f"scipy.stats.{name}"
     try:

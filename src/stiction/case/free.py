@@ -15,8 +15,10 @@ from stiction.quantities.units import show
 
 
 class Interval(Input):
-    """Between which ends a number may be. spacing: "log" where its logarithm is what is searched evenly, the default where both
-    ends are above 0."""
+    """Hold the ends of a free number.
+
+    spacing: "log" searches evenly in the logarithm, the default where both ends are above 0.
+    """
 
     low: Any = Field(description="the lower end, with its unit")
     high: Any = Field(description="the upper end, with its unit")
@@ -49,7 +51,7 @@ class Free:
         return np.where(share >= 1.0, self.high, np.where(share <= 0.0, self.low, inner))
 
     def share(self, value: Any) -> np.ndarray:
-        """The shares at which these values are."""
+        """Return the shares of the interval at which these values are."""
         value = np.asarray(value, dtype=float)
         if self.log:
             return np.log(value / self.low) / np.log(self.high / self.low)
@@ -60,7 +62,7 @@ class Free:
 
 
 def read_free(path: Address, entry: Any, where: str) -> Free:
-    """The free number of a table {low, high}. Raises InputError."""
+    """Return the free number of a table {low, high}. Raises InputError."""
     if not isinstance(entry, Mapping):
         example = QUANTITIES[path[-1]].example or "1"
         raise InputError(where, entry, f'a table with its ends, e.g. {{ low = "{example}", high = "..." }}')

@@ -38,9 +38,11 @@ _FORM = (
 
 @dataclass(frozen=True)
 class Measurements:
-    """Measured values, one after another (n,): of which quantity, of which sample, at which load [N] (not a number where none
-    is needed), with which standard error (not a number where none is given), in which line of the file. known: numbers of the
-    contact that the file gives, path -> value, in SI units."""
+    """Hold n measured values.
+
+    Each (n,): quantity, sample, load [N] (NaN where none is needed), standard error (NaN where none is stated) and line of the
+    file. known: numbers of the contact in the file, path -> value, in SI units.
+    """
 
     quantity: tuple[str, ...]
     sample: tuple[str, ...]
@@ -71,8 +73,7 @@ class Measurements:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column: what it is ("known", "value", "error", "load", "sample"), of which quantity, in which unit, and where a
-    number of the contact stands."""
+    """Describe a column: role ("known", "value", "error", "load", "sample"), quantity, unit, and address of a known number."""
 
     kind: str
     quantity: str
@@ -81,13 +82,13 @@ class _Column:
 
 
 def read_measurements(path: Any, content: Mapping) -> Measurements:
-    """The measured series in a CSV file. content: the tables of the case that it is compared with.
+    """Read the measured series in a CSV file.
 
-    The first line that is no comment (#) has the heads: `load [mN]`; what was measured, one or several of MEASURABLE; its
-    standard error, `friction_coefficient_error`; `sample`, the name of a series; numbers of the contact that differ from row to
-    row, by their names in the case, `coating.thickness [nm]`; `note` and `source`, which are not read. A cell may be empty.
-    Between the cells there are commas; or semicolons, if the heads have them, and numbers may then have decimal commas.
-    Raises InputError, one line with the line of the file and the column.
+    content: tables of the case that it is compared with. The first line that is no comment (#) has the heads: `load [mN]`;
+    one or more of MEASURABLE; its standard error, `friction_coefficient_error`; `sample`, the name of a series; numbers of
+    the contact that differ from row to row, by their names in the case, `coating.thickness [nm]`; `note` and `source`, which
+    are ignored. A cell may be empty. Cells are separated by commas, or by semicolons if the heads have them; numbers may then
+    have decimal commas. Raises InputError, one line with the line of the file and the column.
     """
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
@@ -153,7 +154,7 @@ def _column(head: str, content: Mapping) -> _Column:
 
 
 def _unit(quantity: str, unit: str, head: str, normalised: bool) -> str:
-    """The unit of a column. Raises InputError where one is missing, or where there is none."""
+    """Return the unit of a column. Raises InputError if it is missing, or not allowed."""
     wanted = "" if normalised else QUANTITIES[quantity].unit
     if bool(unit) != bool(wanted) and not (wanted == "" and unit == "1"):
         raise InputError("--data", head, f'a head with its unit, like "{quantity} [{wanted}]"' if wanted else "no unit here")
@@ -176,7 +177,7 @@ def _check_heads(columns: list[_Column], heads: list[str]) -> None:
 
 
 def _entries(at: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) -> list[tuple]:
-    """The measured values of a line."""
+    """Return the measured values of a line."""
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}
     errors: dict[str, float] = {}

@@ -14,10 +14,10 @@ _FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. mate
 
 
 def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
-    """The tables of a case, with those of the file of materials in place of its name where it names one.
+    """Return the tables of a case with the contents of its file of materials, if it names one.
 
-    folder: from which the file is named; read: the tables of a TOML file, its numbers with their units. Raises InputError, with
-    the name of the file before the field.
+    folder: of the case; read: returns the tables of a TOML file, with units. Raises InputError, with the name of the file
+    before the field.
     """
     given = content.get("materials")
     if not isinstance(given, str):
@@ -43,7 +43,7 @@ def telling_the_file(content: Mapping) -> AbstractContextManager[None]:
 
 
 def with_own_materials(content: Mapping) -> Mapping:
-    """The tables of a case with every name of its own materials replaced by the material. Raises InputError."""
+    """Replace the names of materials of the case by these materials. Raises InputError."""
     given = content.get("materials")
     if given is None:
         return content
@@ -72,7 +72,7 @@ def _material(name: str, numbers: Any) -> Material:
 
 
 def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
-    """The material of a body that names one of the case's own, changed where it says so; the body as it is if it names none."""
+    """Return the material of a body that names one of the case, with its changes; other bodies are returned unchanged."""
     name = body.get("preset") if isinstance(body, Mapping) else body
     if not isinstance(name, str):
         return body

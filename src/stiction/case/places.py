@@ -34,7 +34,7 @@ def entry_at(content: Any, path: Address) -> Any:
 
 
 def subject_table(content: Mapping) -> str:
-    """The table that says what is in contact: "contact" or "indices"."""
+    """Return the table of the subject: "contact" or "indices"."""
     return "indices" if "indices" in content else "contact"
 
 
@@ -52,8 +52,11 @@ def _known(content: Mapping) -> list[str]:
 
 
 def placed(name: str, content: Mapping, where: str) -> Address:
-    """Where the number of this name stands: ("contact", "coating", "thickness") of "coating.thickness", or of "thickness" if
-    there is only one. Raises InputError, naming `where`, for what is no number of the case."""
+    """Return the address of the number of this name.
+
+    ("contact", "coating", "thickness") for "coating.thickness", or for "thickness" if there is only one. Raises InputError,
+    naming `where`, for a name that is no number of the case.
+    """
     known = _known(content)
     found = [name] if name in known else [one for one in known if one.rpartition(".")[2] == name]
     if len(found) != 1:
@@ -106,6 +109,6 @@ def with_roughness(content: Mapping, roughness: Any) -> Any:
 
 
 def as_numbers(content: Mapping) -> Mapping:
-    """The tables with roughness that scans show as the numbers of the method that stands for it: studies vary these."""
+    """Replace scans by the roughness numbers of the method that represents them, so that studies can vary these."""
     rough = roughness_in(content)
     return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

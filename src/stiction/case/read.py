@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field, create_model, model_validator
 
-from stiction.case.distribution import Distribution, is_law
+from stiction.case.bare_numbers import refuse_bare_numbers
 from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
 from stiction.case.places import roughness_in, with_numbers, with_roughness
 from stiction.case.several import Address, Points, Several, numbers_schema, points_of, several_numbers
@@ -33,7 +33,6 @@ from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError, InputWarning, field_as
 from stiction.quantities.inputs import Input, require_names
 from stiction.quantities.paths import read_text
-from stiction.quantities.table import QUANTITIES
 from stiction.records.additions import names_of_additions
 from stiction.records.registry import all_options
 from stiction.solving.choice import DEFAULT_MODEL, LAWS, Choice
@@ -90,8 +89,10 @@ class Case:
         return found
 
     def numbers_at(self, shares: np.ndarray) -> dict[Address, Any]:
-        """What stands in the places of numbers that are several, and of those that are uncertain at these shares (n, k) of the
-        distributions, k being the number of `unknowns`, in their order: arrays along `sample`."""
+        """Return the entries of swept and uncertain numbers, address -> entry.
+
+        shares: (n, k), quantile levels of the k `unknowns`, in their order; their values are arrays along `sample`.
+        """
         columns = list(self.unknowns)
         at = {one.path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for one in self.uncertain}
         return {**self.several, **at}
@@ -114,7 +115,7 @@ class Case:
         return self.measured.contacts(self.subject)
 
     def at_load(self, load: Any) -> "Case":
-        """The case at this load only, as a user writes it. Raises InputError."""
+        """Return the case at this load only. Raises InputError."""
         try:
             value = float(self.subject.read(load, "load"))
         except InputError as error:
@@ -124,7 +125,7 @@ class Case:
         return replace(self, separation=None, load=np.array([value]))
 
     def with_surface_moments(self, model: str) -> "Case":
-        """The case as the model of this key takes it: a theory of the whole surface has no methods of finding asperities."""
+        """Return the case for the model of this key: theories of the whole surface use no asperity methods."""
         from stiction.solving.problem import with_surface_moments
 
         return replace(self, subject=with_surface_moments(self.subject, model))
@@ -238,8 +239,10 @@ def read_case(path: "FilePath", *, ranges: bool | None = None) -> Case:
 
 
 def as_case(given: Any, ranges: bool | None = None) -> Case:
-    """The case that is given: by the path of its file, as its tables, or as it is. ranges: as `read_case` has it, of the first
-    two. Raises InputError."""
+    """Return the case of a path, of tables, or the case itself.
+
+    ranges: as in `read_case`, for paths and tables. Raises InputError.
+    """
     if isinstance(given, Case):
         return given
     return parse_case(_with(given, ranges)) if isinstance(given, Mapping) else read_case(given, ranges=ranges)
@@ -252,7 +255,7 @@ def _with(content: Mapping, ranges: bool | None) -> Mapping:
 
 
 def read_content(path) -> dict[str, Any]:
-    """The tables of a TOML file, unchecked. Raises InputError, one line, if it cannot be read or is not TOML."""
+    """Return the unchecked tables of a TOML file. Raises InputError if it cannot be read or is not TOML."""
     if not isinstance(path, str | PathLike):
         raise InputError("case", path, "the path of a case file, or its tables as a dict")
     text = read_text(Path(path), "case file", _CASE_FILE, _LARGEST_FILE)
@@ -270,15 +273,17 @@ def tables_of(given: Any) -> tuple[Mapping[str, Any], Path]:
 
 
 def _tables(path) -> Mapping:
-    """The tables of a TOML file, every number that needs a unit with its unit."""
+    """Return the tables of a TOML file, with the unit of every number that needs one."""
     content = read_content(path)
-    _refuse_bare_numbers(content, "")
+    refuse_bare_numbers(content, "")
     return content
 
 
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
-    """The case in the tables of a TOML file; raises InputError as `read_case` does. folder: from which scans and a file of
-    materials are named."""
+    """Return the case of the tables of a TOML file.
+
+    folder: of scans and files of materials. Raises InputError as `read_case` does.
+    """
     case = case_in(content, folder)
     for warning in input_warnings(case.subject):
         warnings.warn(warning, InputWarning, stacklevel=2)
@@ -286,7 +291,7 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def case_in(content: Mapping, folder: Path = Path()) -> Case:
-    """The same without a warning: who calls asks `input_warnings` about its subject."""
+    """Return the case without warnings; callers pass its subject to `input_warnings`."""
     require_names(content)
     content, several = opened(content, folder)
     uncertain = named([one for one in several.values() if isinstance(one, Uncertain)])
@@ -295,9 +300,11 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Several]]:
-    """The tables with materials of their own and the roughness that scans show, the first value of what is several in its
-    place; and the numbers that are several. Raises InputError."""
-    _refuse_bare_numbers(content, "")
+    """Return the tables with own materials and scanned roughness, and the swept numbers.
+
+    A swept number has its first value in the tables. Raises InputError.
+    """
+    refuse_bare_numbers(content, "")
     numbers: dict[Address, Several] = dict(several_numbers(content))
     with telling_the_file(content):
         file = content.get("materials")
@@ -314,7 +321,7 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Sever
 
 
 def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables without those of studies of many contacts."""
+    """Return the tables without those of studies of many contacts."""
     return {key: value for key, value in content.items() if key not in study_tables()}
 
 
@@ -355,7 +362,7 @@ def _separations(points: Any, subject: Subject) -> Any:
 
 
 def _measured(content: Mapping, folder: Path) -> Mapping:
-    """The tables with the roughness that scans show in place of the scans; as they are if they name no scan."""
+    """Replace scans in the tables by their roughness; tables without scans are returned unchanged."""
     surface = roughness_in(content)
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):
         return content
@@ -364,7 +371,7 @@ def _measured(content: Mapping, folder: Path) -> Mapping:
 
 
 def json_schema() -> dict:
-    """The JSON schema of a case file, with units and bounds in the descriptions, for editors."""
+    """Return the JSON schema of a case file, with units and bounds, for editors."""
     schema = _case_file().model_json_schema()
     schema["title"] = "stiction case"
     schema["oneOf"] = [{"required": ["contact"]}, {"required": ["indices"]}]
@@ -385,21 +392,3 @@ def json_schema() -> dict:
 
 def _not_a_case(path, why: str) -> InputError:
     return InputError("case file", str(path), f"{_CASE_FILE}; {why}")
-
-
-def _refuse_bare_numbers(table: Mapping, path: str) -> None:
-    """Refuse numbers where a unit is needed: nobody who reads the file can tell what was meant."""
-    for key, value in table.items():
-        where = f"{path}.{key}" if path else key
-        if isinstance(value, Mapping):
-            _refuse_bare_numbers(value, where)
-        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
-            raise InputError(where, value, QUANTITIES[key].as_text)
-
-
-def _is_text(value: Any, path: str) -> bool:
-    """Text, or the two ends of a range as text; of a number that is several each is asked where it is read; a distribution in
-    Python is in SI units."""
-    if isinstance(value, list):
-        return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
-    return isinstance(value, str | Distribution) or is_law(value)

@@ -33,7 +33,7 @@ _TAKEN = (
 
 
 def as_point(value):
-    """Validator of one number, or text with a number and its unit."""
+    """Validate one number, or text with a number and its unit."""
     if isinstance(value, bool) or not isinstance(value, float | int | str):
         raise InputError("", value, "a number, or text with a number and its unit")
     return value
@@ -128,21 +128,21 @@ class Several:
         return _spaced(self.values, self.count, self.spacing)
 
     def as_table(self) -> dict[str, Any]:
-        """What was given, in SI units, as a table of a case file."""
+        """Return the input in SI units, as a table of a case file."""
         if not self.is_range:
             return {"values": self.values.tolist(), "along": self.dimension}
         start, stop = self.values.tolist()
         return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """The values at these shares (n,) of the way, from 0 to below 1, from start to stop, or through the list."""
+        """Return the values at these shares (n,), from 0 to below 1, of the range or the list."""
         start, stop = self.values[0], self.values[-1]
         if not self.is_range:
             return self.values[(share * len(self.values)).astype(int)]
         return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
 
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
-        """Some of the values as a labelled array along its dimension, or along another one."""
+        """Return some of the values as a labelled array along its dimension, or along another one."""
         import xarray
 
         quantity, dimension = QUANTITIES[self.quantity], dimension or self.dimension
@@ -204,14 +204,16 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> Several:
 
 
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
-    """The numbers in SI units, each checked as one number of a case file is; ends: what their names end in."""
+    """Return the numbers in SI units, each checked like a single number; ends: suffixes of their names."""
     where = [".".join(path) + ends[min(at, len(ends) - 1)] for at in range(len(entries))]
     return np.array([number_of(entry, path[-1], at) for entry, at in zip(entries, where, strict=True)])
 
 
 def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
-    """Return a number of a case file in SI units, plain where the quantity has no unit; given: what it is part of. Raises
-    InputError."""
+    """Return a number of a case file in SI units; plain if the quantity has no unit.
+
+    given: the entry that contains it. Raises InputError.
+    """
     quantity = QUANTITIES[name]
     if quantity.unit and not isinstance(entry, str):
         raise InputError(where, entry, quantity.as_text)
@@ -233,9 +235,10 @@ def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
 
 
 def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
-    """The points of [solve] as numbers (n,), in SI units for a Contact and dimensionless for Indices; None for none.
+    """Return the points of [solve] as numbers (n,), None for none.
 
-    Plain separations are over sigma. Where that is several they are a labelled array of lengths, over sigma and `separation`.
+    In SI units for a Contact, dimensionless for Indices. Plain separations are over sigma. If sigma is swept, they are a
+    labelled array of lengths, over sigma and `separation`.
     """
     if points is None:
         return None

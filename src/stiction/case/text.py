@@ -20,19 +20,21 @@ _TABLES = ("contact", "indices", "materials")  # in which numbers may be values 
 
 
 def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str, Any]:
-    """The tables of a case as they were written, with these numbers, SI, as text with their units."""
+    """Return the tables of a case as written, with these SI numbers as text with units."""
     return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
 
 
 def show_exactly(value: float, name: str) -> Any:
-    """A number of the named quantity as a case file has it, to ten digits."""
+    """Return a number of the named quantity as text of a case file, to ten digits."""
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
 
 
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
-    """The tables as TOML, after comments. What is named from a folder (scans, files of values, of materials) is named from
-    where the text goes."""
+    """Return the tables as TOML, after comments.
+
+    Names of files (scans, values, materials) are relative to `folder` in the input, and to the folder of `out` in the text.
+    """
     return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
 
 

@@ -92,8 +92,11 @@ FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFac
 
 @dataclass(frozen=True)
 class Uncertain(Several):
-    """A number of a contact that is uncertain: drawn from its distribution, where others of the same `dimension` are drawn with
-    it. `values` has the nominal one; `at(share)` the values at shares (n,) of the distribution."""
+    """Hold an uncertain number of a contact and its distribution.
+
+    Numbers of the same `dimension` are sampled together. `values` has the nominal value; `at(share)` returns the values at
+    quantile levels (n,) of the distribution.
+    """
 
     distribution: Any = None
 
@@ -119,9 +122,10 @@ class Uncertain(Several):
 
 
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
-    """Every number of [contact], [indices] or [materials] that is uncertain, by where it stands. folder: from which files of
-    values are named; of_materials: from which those of [materials] are, where they stand in a file elsewhere. Raises
-    InputError."""
+    """Return the uncertain numbers of [contact], [indices] and [materials], by address.
+
+    folder: of files of values; of_materials: folder of those of [materials], if in a file elsewhere. Raises InputError.
+    """
     found = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
     for path, entry in found.items():
@@ -147,7 +151,7 @@ def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
 
 
 def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:
-    """What is known of a number of a quantity, as a user writes it; where: its place in the file. Raises InputError."""
+    """Read the distribution of a number; where: its address in the file. Raises InputError."""
     if isinstance(entry, Distribution):
         return entry
     if is_law(entry):
@@ -171,7 +175,7 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
-    """A number with its standard deviation: "0.5 +/- 0.1 GPa", "0.5 GPa +/- 20 %"."""
+    """Read a number with its standard deviation: "0.5 +/- 0.1 GPa", "0.5 GPa +/- 20 %"."""
     match = _ERROR.fullmatch(text)
     if match is None:
         raise InputError(where, text, f'a number and its standard deviation, e.g. "{_example(quantity)}"')
@@ -197,7 +201,7 @@ def _example(quantity: str) -> str:
 
 
 def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
-    """The values (n,) of a file in SI units."""
+    """Return the values (n,) of a file in SI units."""
     rows = _table(folder / given.samples, f"{where}.samples", given.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
     at = _column(heads, given.column, len(rows[0]), where)
@@ -222,7 +226,7 @@ def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """The lines of a file that are no comments, cut into columns."""
+    """Return the lines of a file without comments, split into columns."""
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
     kept = [line.partition("#")[0].strip() for line in text.splitlines()]
     rows = [re.split(r"[,;\t]\s*|\s+", line) for line in kept if line]
@@ -248,7 +252,7 @@ def _is_number(text: str) -> bool:
 
 
 def placed(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
-    """The numbers where they are used: those of the materials of a case in every body that is of such a material."""
+    """Yield the numbers where they are used: those of a material in every body of that material."""
     for path, one in numbers.items():
         if path[0] != "materials":
             yield one
@@ -283,7 +287,7 @@ def _material_of(body: Any) -> Material | None:
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
-    """The numbers with names that tell them apart: the short one where no other has it; what is drawn alone has it too."""
+    """Return the numbers with unique names: the short name if no other number has it."""
     short = [one.path[-1] for one in numbers]
     found = []
     for one in numbers:

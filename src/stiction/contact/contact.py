@@ -12,7 +12,7 @@ from stiction.contact.interfaces import OptionalState, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
-from stiction.contact.size_effect import at_radius, size_ratio
+from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, named_by
 from stiction.quantities.errors import InputError, field_named
@@ -242,18 +242,11 @@ class Contact(Subject):
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
-        return [*self._of_size(), *self._of_film(), *self.roughness.notes()]
+        return [*size_notes(self._bodies, self._radius), *self._of_film(), *self.roughness.notes()]
 
-    def _of_size(self) -> list[str]:
-        """Return the bodies with the hardness that asperities of their size find."""
-        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
-        found = []
-        for body in bodies:
-            if body.characteristic_depth is not None:
-                times = (1.0 + size_ratio(body, self._radius)) ** 0.5
-                much = f"{float(times):.3g} times as hard" if np.ndim(times) == 0 else "harder"
-                found.append(f"asperities find {body.name} {much} as large imprints do (Nix and Gao 1998)")
-        return list(dict.fromkeys(found))
+    @property
+    def _bodies(self) -> list[Material]:
+        return [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
@@ -390,9 +383,8 @@ class Contact(Subject):
     @property
     def size_effect(self):
         """Return the largest R*/R of all bodies, None where no hardness depends on size."""
-        bodies = [self.first, self.second, *([] if self.coating is None else [self.coating.material])]
-        found = [size_ratio(body, self._radius) for body in bodies if body.characteristic_depth is not None]
-        return max(found, key=lambda one: float(np.max(one))) if found else None
+        ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
+        return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 
     @property
     def _sigma(self):

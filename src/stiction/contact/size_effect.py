@@ -17,7 +17,10 @@ depths below some 100 nm, where the dislocations spread over more than the hemis
 10 R.
 """
 
+from collections.abc import Iterable
 from math import radians, tan
+
+import numpy as np
 
 from stiction.contact.materials import Material
 
@@ -48,3 +51,14 @@ def at_radius(body: Material, radius) -> Material:
     factor = (1.0 + size_ratio(body, radius)) ** 0.5
     strength = {} if body.yield_stress is None else {"yield_stress": body.yield_stress * factor}
     return body.replace(hardness=body.hardness * factor, characteristic_depth=None, range={}, **strength)
+
+
+def size_notes(bodies: Iterable[Material], radius) -> list[str]:
+    """Return a sentence for each body whose asperities are harder than large imprints."""
+    notes = []
+    for body in bodies:
+        if body.characteristic_depth is not None:
+            factor = (1.0 + size_ratio(body, radius)) ** 0.5
+            words = f"{float(factor):.3g} times as hard" if np.ndim(factor) == 0 else "harder"
+            notes.append(f"asperities find {body.name} {words} as large imprints do (Nix and Gao 1998)")
+    return list(dict.fromkeys(notes))

@@ -78,11 +78,11 @@ def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], 
 
 
 def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
-    """What the points along the dimensions of these arrays are called: name -> xarray.Variable.
+    """Return the coordinates along the dimensions of these arrays: name -> xarray.Variable.
 
     arrays: dotted name of an input, DataArray. An array that is its own coordinate (`stiction.axis`) names the points of its
-    dimension by its values; several such along one dimension of another name belong together, point by point, and each stands
-    under its own name. Raises InputError where two arrays disagree about a dimension that they name alike.
+    dimension by its values; more than one along a dimension of another name vary together, each under its own name. Raises
+    InputError if two arrays disagree about a dimension of the same name.
     """
     found: dict[str, Any] = {}
     own: dict[str, list[tuple[str, Any]]] = {}

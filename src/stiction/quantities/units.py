@@ -42,14 +42,12 @@ _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"
 
 
 def to_si(value, name: str):
-    """A value of the named quantity in SI units, checked against its bounds.
+    """Return a value of the named quantity in SI units, checked against its bounds.
 
     value: float, array, pandas.Series or xarray.DataArray in SI units, text with its unit ("48 nm"), a pint quantity of any
     registry, or a list of these; a DataArray whose `units` attribute is not the SI unit is converted. name: a key of
-    QUANTITIES.
-    Returns a float, a float array, or a DataArray without attributes of its own (its coordinates keep
-    theirs). Raises InputError if it is no number, not finite, out of bounds, or its unit is missing,
-    unknown or of another dimension.
+    QUANTITIES. Returns a float, a float array, or a DataArray without attributes of its own (its coordinates keep theirs).
+    Raises InputError if it is no number, not finite, out of bounds, or its unit is missing, unknown or of another dimension.
     """
     quantity = QUANTITIES[name]
     value = foreign.as_sequence(value)
@@ -89,8 +87,10 @@ def span(ends: Iterable[float], form: str = ".3g") -> str:
 
 
 def several_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Numbers in SI units that stand where one is meant, in words: "3 numbers, 100 nm to 2 um". where: dotted name of what was
-    given, which ends in a key of QUANTITIES; count: how many there are, where only their ends are given."""
+    """Describe numbers in SI units where one number is expected: "3 numbers, 100 nm to 2 um".
+
+    where: dotted name of the input, which ends in a key of QUANTITIES; count: their number, if only their ends are passed.
+    """
     numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
     count = numbers.size if count is None else count
     many = f"{count} number{'' if count == 1 else 's'}"
@@ -158,8 +158,11 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
 
 
 def from_series(series, name: str):
-    """A pandas.Series of the named quantity as an array with a named dimension: that of its index, which is then the
-    coordinate, or of the quantity where the index has no name. Raises InputError as `to_si` does."""
+    """Return a pandas.Series of the named quantity as an array with a named dimension.
+
+    The dimension is that of its index, which is then the coordinate, or of the quantity if the index has no name. Raises
+    InputError as `to_si` does.
+    """
     import xarray
 
     along = series.index.name

@@ -366,7 +366,7 @@ def _pressing(subject: Subject, given: Any, field: str) -> float:
     unit = subject.attributes("load")["units"]
     if not isinstance(given, str) and np.ndim(given) > 0:
         one = f"one load > 0 {unit}".removesuffix(" 1")
-        raise InputError(field, given, f"{one}: compare takes a single load; solve accepts several")
+        raise InputError(field, given, f"{one}: compare takes a single load; solve accepts an array")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:
