@@ -82,10 +82,10 @@ _LAWS: dict[str, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class Distribution:
-    """What is known of a number of this quantity, in SI units.
+    """Describe the distribution of a number of a quantity, in SI units.
 
-    nominal: the number where one is asked for; kind, parameters: which distribution; words: how it is told. Beyond the bounds
-    of the quantity it is cut off. `ppf(share)` is its inverse: the value (any shape) below which that share lies, 0 to 1.
+    nominal: the plain number; kind, parameters: type of distribution; words: how it is printed. It is truncated at the bounds
+    of the quantity. `ppf(share)` is its inverse: the value (any shape) below which that share is, 0 to 1.
     """
 
     quantity: str

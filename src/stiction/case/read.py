@@ -49,14 +49,14 @@ _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not
 
 @dataclass(frozen=True)
 class Case:
-    """What a case file asks for.
+    """Hold the contents of a case file.
 
-    subject: the Contact or the Indices; where numbers of it are several, they are arrays with named dimensions. separation,
-    load: points, one is an array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per
-    K R^(1/2) sigma^(3/2) and asperity for Indices. Where sigma is several and separations are over it, they are a labelled
-    array. choice: the model, other laws than its own, and options, as the registry knows them. uncertain: numbers that are so,
-    of which the subject has the nominal ones; uncertainty: how they are drawn. several: address -> array, of the numbers that
-    are so. points: the separations as they were written, which may be over sigma.
+    subject: the Contact or the Indices; swept numbers are arrays with named dimensions. separation, load: points, one is an
+    array (n,) and the other None; metres and newtons for a Contact, h = d/sigma and load per K R^(1/2) sigma^(3/2) and
+    asperity for Indices. If sigma is swept and separations are over it, they are a labelled array. choice: the model, other
+    laws and options, as in the registry. uncertain: uncertain numbers, whose nominal values are in the subject; uncertainty:
+    how they are sampled. several: address -> array of the swept numbers. points: separations as written, which may be over
+    sigma.
     """
 
     title: str
@@ -82,7 +82,7 @@ class Case:
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
-        """What is uncertain, by name: numbers that are drawn together are one."""
+        """Return the names of the uncertain numbers; numbers that are sampled together count as one."""
         found: dict[str, list[Uncertain]] = {}
         for one in self.uncertain:
             found.setdefault(one.dimension, []).append(one)
@@ -99,7 +99,7 @@ class Case:
 
     @property
     def measured(self) -> Measured | None:
-        """What scans say of the roughness, where the case names scans in place of numbers."""
+        """Return the measured roughness if the case names scans, else None."""
         return self.subject.measured
 
     @property

@@ -91,11 +91,11 @@ Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[flo
 
 @dataclass(frozen=True)
 class Several:
-    """A number of a contact that is several.
+    """Hold a swept number of a contact.
 
-    path: where it stands, such as ("contact", "coating", "thickness"); dimension: along which it varies; name: of its
-    coordinate. values (n,) in SI units, or the two ends, with how many points of which spacing there are between them (None:
-    as many as are drawn).
+    path: its address, such as ("contact", "coating", "thickness"); dimension: along which it varies; name: of its coordinate.
+    values (n,) in SI units, or the two ends with the number and spacing of the points between them (None: as many as are
+    sampled).
     """
 
     path: Address

@@ -124,7 +124,8 @@ class Uncertain(Several):
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
     """Return the uncertain numbers of [contact], [indices] and [materials], by address.
 
-    folder: of files of values; of_materials: folder of those of [materials], if in a file elsewhere. Raises InputError.
+    folder: of files of values; of_materials: folder of files of values of [materials], if these are in a file elsewhere. Raises
+    InputError.
     """
     found = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}

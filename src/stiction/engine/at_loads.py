@@ -77,7 +77,7 @@ def _sums(h, place, held, count):
 
 @kernel
 def _turning_point(far, near, slope_far, slope_near, place, held, count):
-    """The separation between far and near where the slope of the load, of unlike signs at these ends, is nothing."""
+    """Return the separation between far and near where the slope of the load, of unlike signs at these ends, is zero."""
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
         _, slope, curvature, _ = _sums(x, place, held, count)
@@ -96,8 +96,11 @@ def _turning_point(far, near, slope_far, slope_near, place, held, count):
 
 @kernel
 def _find_lowest(way, lowest, nodes):
-    """Fill in the lowest point of the way: the largest tension (n,), 0 where there is none, the separation (n,) at which, else
-    not a number, and the number (n,) of the first of the separations h that is nearer."""
+    """Fill in the lowest point of the way.
+
+    The largest tension (n,), 0 where there is none; the separation (n,) at which it occurs, else NaN; and the number (n,) of
+    the first separation of h that is nearer.
+    """
     h, loads, slopes = way
     tension, where, nearer = lowest
     place, held, used = nodes
@@ -122,8 +125,10 @@ def _find_lowest(way, lowest, nodes):
 
 @formula
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
-    """The separation between far and near where a cubic through both loads, with these slopes, is the target; of logarithms
-    where the loads are compressive."""
+    """Return the separation between far and near where a cubic through both loads and slopes equals the target.
+
+    Logarithms are interpolated where the loads are compressive.
+    """
     span = far - near
     if load_far > 0.0:
         slope_far, slope_near = slope_far / load_far, slope_near / load_near
@@ -150,8 +155,10 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 
 @kernel
 def _root(target, far, near, x, place, held, count):
-    """The separation between far and near where the load is the target, from x on by Halley's method, bracketed; and the slope
-    and the size of the load there."""
+    """Return the separation where the load is the target, and slope and size of the load there.
+
+    By Halley's method from x on, bracketed between far and near.
+    """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
         load, slope, curvature, size = _sums(x, place, held, count)
@@ -172,9 +179,12 @@ def _root(target, far, near, x, place, held, count):
 
 @kernel
 def _carried(h, loads, slopes, start, first, most, could, odd):
-    """Fill, for each of the separations from number `start` on, the largest load up to there, a bound of what it may have been
-    between them, and whether what rises at both ends may fall between: where a cubic is not known to be monotonic (Fritsch &
-    Carlson 1980, region of their circle). first: separation, load and slope before these."""
+    """Fill in what the load may reach on the way, for each separation from number `start` on.
+
+    The largest load up to there, a bound of the load between separations, and whether a load that rises at both ends may fall
+    in between: where a cubic is not known to be monotonic (Fritsch & Carlson 1980, region of their circle). first: separation,
+    load and slope before these.
+    """
     most[:start], could[:start] = -np.inf, -np.inf
     for at in range(start, h.size):
         far, before, slope = first if at == start else (h[at - 1], loads[at - 1], slopes[at - 1])
@@ -188,7 +198,7 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
 
 @formula
 def _first_not_below(ascending, value):
-    """The number of values below; `searchsorted`, which takes a second to compile."""
+    """Return the number of values below; `searchsorted` would take a second to compile."""
     low, high = 0, ascending.size
     while low < high:
         middle = (low + high) // 2
@@ -201,10 +211,10 @@ def _first_not_below(ascending, value):
 
 @kernel
 def _find_roots(way, lowest, targets, nodes, roots):
-    """roots[i, k] = the separation of the load targets[i, k], and slope and size of the load there; not a number where there is
-    none on the way, or where more separations than one may be too close for this grid.
+    """Fill roots[i, k] with the separation of the load targets[i, k], and slope and size of the load there.
 
-    Of several separations the first on approach from where[i], or, if that is not a number, from afar.
+    NaN where there is none on the way, or where more than one separation may be too close for this grid. Of more than one the
+    first on approach from where[i] is taken, or, if that is NaN, from afar.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -245,11 +255,11 @@ def _find_roots(way, lowest, targets, nodes, roots):
 
 @dataclass(frozen=True)
 class Starts:
-    """What a way of approach shows of n laws under m loads each; not a number where it does not show it.
+    """Hold the starts that a way of approach gives for n laws under m loads each; NaN where it gives none.
 
-    tension (n,): the largest, 0 where there is none; where (n,): the separation at which. h, slope, size (n, m): separations of
-    the loads, and the derivative by separation and the size, the sum of the absolute parts, of the load there. plain (n,):
-    whether all of the way is within the separations looked at.
+    tension (n,): the largest, 0 where there is none; where (n,): the separation at which it occurs. h, slope, size (n, m):
+    separations of the loads, and the derivative by separation and the size, the sum of the absolute parts, of the load there.
+    plain (n,): whether all of the way is within the separations of the grid.
     """
 
     tension: np.ndarray
@@ -286,8 +296,11 @@ def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
 
 
 def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Whether (n,) next to nothing touches at the far end of the way, where the largest tension is not, and compression
-    outweighs all tension at the near end."""
+    """Return whether (n,) the way shows everything.
+
+    Almost nothing touches at its far end, the largest tension is not there, and compression outweighs all tension at its near
+    end.
+    """
     lowest = loads.min(axis=1)
     size, farthest = np.maximum(loads.max(axis=1), -lowest), loads[:, 0]
     apart = (np.abs(farthest) <= NOTHING * size) & ((farthest >= -NO_TENSION * size) | (farthest > lowest))

@@ -10,9 +10,9 @@ from stiction.engine.compiled import formula
 
 @cache
 def halving(holds: Callable) -> Any:
-    """A formula (low, high, given) -> the place, to the last digit, from which on `holds` no longer does.
+    """Return a formula (low, high, given) -> the place, to the last digit, beyond which `holds` is false.
 
-    holds(u, given): a formula, true at low and false at high, that changes once between; given: what it needs beside u.
+    holds(u, given): a formula, true at low and false at high, that changes once between; given: its further arguments.
     """
 
     @formula
@@ -32,10 +32,10 @@ def halving(holds: Callable) -> Any:
 
 @cache
 def up_to(holds: Callable) -> Any:
-    """A formula (low, last, step, farthest, given) -> up to where `holds` does on a piece from low to last, which may be
-    infinite: low where it does nowhere, last where it does everywhere.
+    """Return a formula (low, last, step, farthest, given) -> the place up to which `holds` on a piece from low to last.
 
-    holds: as in `halving`. On an endless piece it is sought in growing steps, the first of this length, up to `farthest`.
+    last may be infinite. The result is low if it holds nowhere, last if everywhere. holds: as in `halving`. On an endless
+    piece the search takes growing steps, the first of this length, up to `farthest`.
     """
     halve = halving(holds)
 

@@ -105,13 +105,16 @@ def lazy_kernel(worth: int) -> Callable:
 
 
 def digest(function: Callable) -> str:
-    """A name for all that decides the compiled code of a function."""
+    """Return a name for everything that determines the compiled code of a function."""
     return hashlib.sha256(_decides(function, []).encode()).hexdigest()
 
 
 def _decides(value: Any, seen: list[Callable]) -> str:
-    """What decides the compiled code of a value: of a function its own code and, in turn, that of all that it names or closes
-    over; of anything else, what it is equal to. seen: functions already told, which are named by their place."""
+    """Return the text that determines the compiled code of a value.
+
+    For a function its own code and that of all that it names or closes over; for anything else its value. seen: functions
+    before, which are named by their position.
+    """
     function = getattr(value, "py_func", value)
     if isinstance(value, tuple):
         return f"({', '.join(_decides(one, seen) for one in value)})"
@@ -134,7 +137,7 @@ def _decides(value: Any, seen: list[Callable]) -> str:
 
 
 def _code(code: types.CodeType, doc: str | None = None) -> str:
-    """The instructions of a function, with their constants and names; what its docstring says decides nothing."""
+    """Return the instructions of a function with their constants and names; its docstring does not count."""
     constants = [_code(one) if isinstance(one, types.CodeType) else repr(one) for one in code.co_consts if one is not doc]
     names = code.co_names, code.co_varnames, code.co_freevars, code.co_argcount, code.co_flags
     return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"

@@ -30,6 +30,6 @@ def _is_kernel(event: Any) -> bool:
 
 @contextmanager
 def telling(tell: Callable[[int], None]) -> Iterator[None]:
-    """Calls tell(how many are done) whenever a kernel begins or ends to be compiled; never, if all are in the cache."""
+    """Call tell(number of kernels done) whenever a kernel starts or ends compiling; never, if all are in the cache."""
     with event.install_listener("numba:compile", _Kernels(tell)):
         yield

@@ -15,8 +15,10 @@ _CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one pl
 def narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
-        """The place between at which the sign changes: secants (Illinois variant) with halvings between, which alone go on
-        where it changes by a jump."""
+        """Return the place between left and right where the sign changes.
+
+        Secants (Illinois variant) alternate with halvings, which alone converge where the sign changes by a jump.
+        """
         rises, last = at_right > 0.0, left
         for step in range(_STEPS):
             middle = 0.5 * (left + right)
@@ -37,13 +39,15 @@ def narrowing(excess: Callable) -> Any:
 
 @cache
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
-    """The kernel that looks for the changes of sign of excess(u, row), row having so many parameters."""
+    """Return the kernel that finds the sign changes of excess(u, row), where row has this number of parameters."""
     narrow = narrowing(excess)
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Where it changes between two edges (n, m): at most so many places as there is room for in out (n, k), the first edge
-        for none. Edges are finite."""
+        """Fill in the sign changes between two edges (n, m).
+
+        At most as many places as out (n, k) has room for; the first edge stands for none. Edges are finite.
+        """
         for i in range(edges.shape[0]):
             row, found = unpack(table[i], parameters), 0
             out[i] = edges[i, 0]

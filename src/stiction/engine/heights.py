@@ -108,8 +108,10 @@ def weibull_window(z_left, z_right, shape):
 
 @cache
 def weibull(exponent: float) -> Heights:
-    """Weibull heights of the given shape parameter (1 is exponential, 3.6 nearly Gaussian); below 1 is refused: its density
-    has a pole."""
+    """Return Weibull heights of the given shape parameter (1 is exponential, 3.6 nearly Gaussian).
+
+    A parameter below 1 is refused, because the density has a pole.
+    """
     if not 1.0 <= exponent <= 100.0:
         raise InputError("height_distribution.exponent", exponent, "1 to 100")
     mean = math.gamma(1.0 + 1.0 / exponent)

@@ -46,9 +46,12 @@ class Laws(NamedTuple):
 
 
 class Parts(NamedTuple):
-    """Parts of pieces, one after another (k,): the law, what each part is added to, its ends (k, 2) in the coordinate of the
-    law, which are those of its piece where `asked` (k, 2) is NaN, and else at that displacement; the number of its rule, and
-    whether it starts at a knot of the heights."""
+    """Hold k parts of pieces.
+
+    The law, the sum that each part is added to, its ends (k, 2) in the coordinate of the law, which are those of its piece
+    where `asked` (k, 2) is NaN, and else at that displacement; the number of its rule, and whether it starts at a knot of the
+    heights.
+    """
 
     law: np.ndarray
     owner: np.ndarray
@@ -66,8 +69,11 @@ class Parts(NamedTuple):
 
 
 class Evaluated(NamedTuple):
-    """A law at the nodes of parts, in rows of at most LONGEST: the owner of each row (r,), how many nodes it has (r,), their
-    weights (r, LONGEST), and the six values of the law (r, 6 LONGEST), one after another."""
+    """Hold a law evaluated at the nodes of parts, in rows of at most LONGEST nodes.
+
+    The owner of each row (r,), its number of nodes (r,), their weights (r, LONGEST), and the six values of the law (r, 6
+    LONGEST), one after another.
+    """
 
     owner: np.ndarray
     counts: np.ndarray
@@ -200,8 +206,11 @@ def place_nodes(parts, branch, two_sided, rules, nodes):
 
 
 class Rows(NamedTuple):
-    """Rows of nodes, as `place_nodes` and `evaluating` fill them: coordinates and weights (r, LONGEST), the law, the owner and
-    the number of nodes of each row, and the values of the law (r, 6 LONGEST), one after another."""
+    """Hold rows of nodes, as `place_nodes` and `evaluating` fill them.
+
+    Coordinates and weights (r, LONGEST), the law, the owner and the number of nodes of each row, and the values of the law
+    (r, 6 LONGEST), one after another.
+    """
 
     u: np.ndarray
     weights: np.ndarray
@@ -230,7 +239,7 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
-    """Put the coordinates of the displacements that are asked for in place of the ends of the pieces."""
+    """Replace the ends of pieces by the coordinates of the requested displacements."""
     w, found = np.empty((2, parts.asked.size))
     law, place = np.empty((2, parts.asked.size), dtype=np.int64)
     count = list_asked(tuple(parts), w, law, place)
@@ -240,7 +249,7 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
 
 @kernel
 def list_asked(parts, w, law, place):
-    """List the displacements that are asked for, their laws and the numbers of their ends; return how many there are."""
+    """List the requested displacements, their laws and the numbers of their ends; return their number."""
     law_of, _, _, asked, _, _ = parts
     used = 0
     for i in range(law_of.size):
@@ -253,7 +262,7 @@ def list_asked(parts, w, law, place):
 
 @kernel
 def put_ends(found, place, ends):
-    """Put coordinates in their places, within the pieces that these are of: both ends of which are still there, or one."""
+    """Store coordinates at the ends of their pieces, clipped to the piece."""
     for at in range(place.size):
         i, end = place[at] // 2, place[at] % 2
         ends[i, end] = max(ends[i, 0], found[at]) if end == 0 else min(ends[i, 1], found[at])

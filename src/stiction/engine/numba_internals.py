@@ -32,8 +32,10 @@ def keep_on_disk(compiled: Any, digest: Callable[[Any], str]) -> None:
 
 
 class _KernelCache(NullCache):
-    """The cache of one kernel: a file for each kind of inputs and processor, written as a whole, so that processes that compile
-    at the same time cannot mix up each other's."""
+    """Cache one kernel: a file for each kind of inputs and processor.
+
+    Files are replaced as a whole, so that processes that compile at the same time do not mix up their files.
+    """
 
     def __init__(self, compiled: Any, digest: Callable[[Any], str]):
         self._compiled, self._digest_of, self._digest = compiled, digest, ""
@@ -43,8 +45,10 @@ class _KernelCache(NullCache):
         return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled kernel for inputs of these types, or None. Numba asks before it compiles any, when all that the
-        kernel names is defined."""
+        """Return the compiled kernel for inputs of these types, or None.
+
+        Numba asks before it compiles, when everything that the kernel names is defined.
+        """
         if not self._digest:
             # In its name too: two that are loaded into one process must not be taken for each other by the linker.
             self._digest = self._digest_of(self._compiled)

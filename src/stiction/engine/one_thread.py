@@ -21,7 +21,7 @@ def _controller() -> Any:
 
 
 def on_one_thread(function: Callable[_Given, _Result]) -> Callable[_Given, _Result]:
-    """The same, with numpy's linear algebra on one thread as long as it takes."""
+    """Run a function with numpy's linear algebra on one thread."""
 
     @wraps(function)
     def alone(*args: _Given.args, **given: _Given.kwargs) -> _Result:

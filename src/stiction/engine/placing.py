@@ -22,8 +22,10 @@ def spanning(window: Callable) -> Any:
 
     @kernel
     def span(reach, shape, laws, parts):
-        """Fill `parts` for every law, its owner, and return how many there are; reach: as in `reaching`; laws: as in
-        `cutting`."""
+        """Fill `parts` and their owner for every law, and return their number.
+
+        reach: as in `reaching`; laws: as in `cutting`.
+        """
         edges, displaced = laws
         laws_of, owner, ends, asked, rule, at_knot = parts
         used = 0
@@ -63,8 +65,10 @@ def _weigh(weight, state, count, quantity, out):
 
 @kernel
 def append_nodes(evaluated, nodes):
-    """Append rows to the tables of nodes of their owners; values (n, rows, room) has one row for the load, three for load, area
-    and resistance, five for the quantities."""
+    """Append rows to the tables of nodes of their owners.
+
+    values (n, rows, room) has one row for the load, three for load, area and resistance, five for all quantities.
+    """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
     rows = values.shape[1]
     for i in range(owner.size):
@@ -88,9 +92,11 @@ def append_nodes(evaluated, nodes):
 
 @dataclass(frozen=True)
 class Placing:
-    """A regime whose nodes are placed once for many separations. parts: the most that a law of it is cut into; displaced:
-    displacements at its edges (n, m + 1), None where the loop that is compiled for the regime places nodes; rows: of what is
-    summed, as `append_nodes` has them."""
+    """Describe a regime whose nodes are placed once for many separations.
+
+    parts: largest number of parts of a law; displaced: displacements at its edges (n, m + 1), None if the loop compiled for the
+    regime places nodes; rows: number of summed rows, as in `append_nodes`.
+    """
 
     regime: Regime
     laws: Laws
@@ -101,8 +107,10 @@ class Placing:
 
     @classmethod
     def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
-        """Return a regime under heights of this window; widest: of the displacements that count; specialised: whether a loop is
-        compiled for the regime."""
+        """Return a regime under heights of this window.
+
+        widest: largest displacement that counts; specialised: whether a loop is compiled for the regime.
+        """
         laws = Laws.of(regime)
         parts = (laws.edges.shape[1] - 1) * (1 + int(widest / WIDEST))
         displaced = None if specialised else displacements(regime, laws)
@@ -114,8 +122,10 @@ class Placing:
         return self.parts * LONGEST
 
     def on(self, laws: int, rules: Rules) -> Callable:
-        """Return the function (reach, shape, block, nodes) that appends the nodes of a block of at most so many laws to their
-        tables; reach: as in `reaching`."""
+        """Return the function (reach, shape, block, nodes) that appends the nodes of a block of laws to their tables.
+
+        laws: largest number in a block; reach: as in `reaching`.
+        """
         regime, displaced = self.regime, self.displaced
         if displaced is None:
             place = placing(regime.along, regime.coordinate, self.window, self.laws.table.shape[1], self.rows)

@@ -25,7 +25,7 @@ _LOST = 8e-11
 
 
 def near_each_other(h: np.ndarray) -> list[np.ndarray]:
-    """The numbers of the separations h (H,), in parts none of which spans more than _SPAN."""
+    """Return the numbers of the separations h (H,), in parts that each span at most _SPAN."""
     if not h.size or np.ptp(h) <= _SPAN:
         return [np.arange(h.size)]
     order = np.argsort(h, kind="stable")
@@ -36,10 +36,11 @@ def near_each_other(h: np.ndarray) -> list[np.ndarray]:
 
 @lru_cache(maxsize=64)
 def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Few separations (L,), the matrix that carries sums at those over to h, in tiles, and the share (H,) of its size, the sum
-    without the density, below which a positive sum is doubtful.
+    """Return few separations, a matrix and a threshold for sums at all separations of h.
 
-    h_bytes: of the array h (H,). w_low, w_high: displacements of all spikes. Empty where no such matrix is good.
+    The separations (L,); the matrix that extends sums at them to h, in tiles; and the share (H,) of the size, the sum without
+    the density, below which a positive sum may have lost digits. h_bytes: bytes of the array h (H,). w_low, w_high:
+    displacements of all spikes. Empty where no such matrix is accurate.
     """
     h = np.frombuffer(h_bytes)
     spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0
@@ -83,7 +84,7 @@ _TILE = 128
 
 
 def _tiled(carry: np.ndarray) -> np.ndarray:
-    """A matrix (L, H) as tiles (tiles, L, width) of a width that is a multiple of eight, the last filled up with zeros."""
+    """Return a matrix (L, H) as tiles (tiles, L, width), width a multiple of eight, the last one padded with zeros."""
     tiles = -(-carry.shape[1] // _TILE)
     width = 8 * -(-carry.shape[1] // (8 * tiles))
     padded = np.zeros((len(carry), tiles * width))
@@ -93,8 +94,11 @@ def _tiled(carry: np.ndarray) -> np.ndarray:
 
 @loop
 def _add_four(few, row, at, tile, product):
-    """Four terms of the product of four rows of `few` and a tile: `product` has a row every _TILE, a fixed distance, in which
-    the compiler sees that rows do not overlap, and vectorises. What is loaded of the tile serves four rows."""
+    """Add four terms of the product of four rows of `few` and a tile.
+
+    `product` has a row every _TILE, a fixed distance: the compiler then sees that rows do not overlap, and vectorises. A loaded
+    value of the tile is used for four rows.
+    """
     a0, a1, a2, a3 = few[row, at], few[row, at + 1], few[row, at + 2], few[row, at + 3]
     b0, b1, b2, b3 = few[row + 1, at], few[row + 1, at + 1], few[row + 1, at + 2], few[row + 1, at + 3]
     c0, c1, c2, c3 = few[row + 2, at], few[row + 2, at + 1], few[row + 2, at + 2], few[row + 2, at + 3]
@@ -117,11 +121,11 @@ def _store(product, sums, size, doubtful_below, doubtful):
 
 @kernel
 def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
-    """sums[i, row] = few[i * rows + row] @ matrix, and what is doubtful: a positive sum too small against its size, the sum
-    without the density. Returns whether any is.
+    """Fill sums[i, row] = few[i * rows + row] @ matrix, and mark sums that may have lost digits; return whether any has.
 
-    few: (a multiple of four, L); nodes: as in `sum_kernels`. signed: the row that changes its sign, the load: it is as good as
-    the area beside it. The product is a loop of our own: a threaded one and threads of callers would fight for the processors.
+    A positive sum is marked if it is too small against its size, the sum without the density. few: (a multiple of four, L);
+    nodes: as in `sum_kernels`. signed: the row of the load, which changes sign; it is as accurate as the area. The product is
+    a loop of this package, because a threaded library would compete with the threads of callers.
     """
     _, values, used = nodes
     laws, rows, separations = sums.shape

@@ -25,8 +25,11 @@ LONGEST = 56
 
 @formula
 def map_piece(low, high, origins, two_sided):
-    """Coefficients of u = low + linear t + square t^2, t in [0, 1]: linear, or in the square root of the distance to a square
-    root branch point of the integrand at or shortly below `low` or, if two_sided, at or shortly above `high`."""
+    """Return the coefficients of u = low + linear t + square t^2, t in [0, 1].
+
+    Linear, or in the square root of the distance to a square root branch point of the integrand at or shortly below `low` or,
+    if two_sided, at or shortly above `high`.
+    """
     nearest, origin = 0.1 * (high - low), math.inf
     for at in range(origins.size):
         distance = max(low - origins[at], origins[at] - high) if two_sided else low - origins[at]
@@ -67,7 +70,7 @@ def clipping(window: Callable) -> Any:
 def _adding(along: Callable, density: Callable) -> Any:
     @loop
     def add(sums, h, shape, row, mapped, rule, count):
-        """The five sums, and over the nodes of one piece more; mapped: its coefficients low, linear, square."""
+        """Add the nodes of one piece to the five sums; mapped: its coefficients low, linear, square."""
         touching, load, area, slip_limited, yield_limited = sums
         low, linear, square = mapped
         for node in range(8 * (count // 8)):
@@ -87,12 +90,12 @@ def _adding(along: Callable, density: Callable) -> Any:
 
 @cache
 def scattering(along: Callable, coordinate: Callable, density: Callable, window: Callable, parameters: int) -> Any:
-    """The kernel that sums one regime, of so many parameters, at single pairs of a law and a separation."""
+    """Return the kernel that sums one regime of this number of parameters at pairs of a law and a separation."""
     clip, add = clipping(window), _adding(along, density)
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Sums out[i, quantity], for the law number law[i] at the separation h[i]."""
+        """Fill out[i, quantity] for the law number law[i] at the separation h[i]."""
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
@@ -124,8 +127,10 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
-        """Displacements at the nodes of one piece, and its weights times what is summed, one after another: an array at fixed
-        distances, in which the compiler sees that rows do not overlap, and vectorises."""
+        """Fill in the displacements at the nodes of one piece and its weights times the summed values, one after another.
+
+        The array has fixed distances, in which the compiler sees that rows do not overlap, and vectorises.
+        """
         low, linear, square = mapped
         for node in range(count):
             t = rule[0, node]
@@ -150,11 +155,12 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return the formula (w_left, w_right, reach, shape) -> how a piece is cut: the displacement at its start, the step to the
-    end of each part, how many parts there are, 0 for none, the displacement at its end, and the number of the rule.
+    """Return the formula (w_left, w_right, reach, shape) -> how a piece is cut.
 
-    reach: the displacements w_low and w_top between which nodes count, and the nearest separation: a piece ends where the
-    density is negligible against its own left end at the nearest separation, and so at all others.
+    The displacement at its start, the step to the end of each part, the number of parts (0 for none), the displacement at its
+    end, and the number of the rule. reach: the displacements w_low and w_top between which nodes count, and the nearest
+    separation. A piece ends where the density is negligible against its own left end at the nearest separation, and so at all
+    others.
     """
 
     @formula
@@ -172,8 +178,10 @@ def reaching(window: Callable) -> Any:
 
 @cache
 def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, rows: int) -> Any:
-    """Return the kernel that places the nodes of one regime, with what is to be summed: the load in 1 of `rows`; load, area and
-    resistance in 3; the five quantities in 5."""
+    """Return the kernel that places the nodes of one regime, with the values to be summed.
+
+    The load in 1 of `rows`; load, area and resistance in 3; the five quantities in 5.
+    """
     put, parts_of = _putting(along, rows), reaching(window)
 
     @kernel
@@ -209,11 +217,11 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 
 @cache
 def summing(density: Callable, totals: bool) -> Any:
-    """The kernel that sums what was placed."""
+    """Return the kernel that sums the placed nodes."""
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Sums out[i, row, at] at the separation h[at], where wanted[i, at], leaving out displacements beyond reach[at]."""
+        """Fill out[i, row, at] at the separation h[at] where wanted[i, at], without displacements beyond reach[at]."""
         places, values, used = nodes
         last = values.shape[1] - 1
         for i in range(used.size):

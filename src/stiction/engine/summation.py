@@ -38,8 +38,10 @@ _COUNTS = np.array([24, LONGEST])
 
 
 def _make_rules(counts: np.ndarray) -> np.ndarray:
-    """Nodes and weights (rules, 2, longest) on [0, 1]: Gauss-Legendre in t, placed at t + 0.3 t (1 - t), which leans on
-    the left end, where asperities are most."""
+    """Return nodes and weights (rules, 2, longest) on [0, 1].
+
+    Gauss-Legendre in t, placed at t + 0.3 t (1 - t), which moves nodes to the left end, where most asperities are.
+    """
     rules = np.zeros((len(counts), 2, max(counts)))
     for rule, count in zip(rules, counts, strict=True):
         nodes, weights = np.polynomial.legendre.leggauss(count)
@@ -82,7 +84,7 @@ def _shares(size: int, threads: int) -> list[slice]:
 def scattered(
     regimes: Sequence[Regime], h: np.ndarray, heights: Heights, law: np.ndarray | None = None, threads: int = 1
 ) -> np.ndarray:
-    """Sums of every regime at single pairs of a law and a mean separation.
+    """Return the sums of every regime at pairs of a law and a mean separation.
 
     regimes: each for n laws. h: array (m,), over sigma. law: array (m,) of numbers of laws; by default m = n and h[i]
     belongs to law i. Returns an array (regimes, m, 5), per asperity, in the order of QUANTITIES.
@@ -108,7 +110,7 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
 
 
 def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
-    """Return the function (h, law, sums) that fills sums by loops that know no law, and two short ones of the regime."""
+    """Return the function (h, law, sums) that fills sums by shared loops and two short loops of the regime."""
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)
     cut, add, of_heights = cutting(heights.window), adding(heights.density), (heights.shape, heights.knots)
@@ -134,9 +136,9 @@ _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
-    """Sums of every regime for n laws at H mean separations that they share.
+    """Return the sums of every regime for n laws at H mean separations that they share.
 
-    h: array (H,), over sigma. Returns an array (regimes, n, 5, H) of what `scattered` gives.
+    h: array (H,), over sigma. Returns an array (regimes, n, 5, H) of the quantities of `scattered`.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):

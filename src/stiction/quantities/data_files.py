@@ -13,10 +13,10 @@ GRADES = {
 
 
 def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
-    """Read all tables [kind.NAME] of the TOML files in a folder of a room, "contact" or "surfaces".
+    """Read all tables [kind.NAME] of the TOML files in the data folder of a package, "contact" or "surfaces".
 
-    What stands at the top of a file holds for each of its tables that says nothing else, field by field for tables there.
-    Raises ValueError for a name that stands in two files.
+    Entries at the top of a file are defaults of each of its tables, field by field for nested tables. Raises ValueError for a
+    name that is in two files.
     """
     tables: dict[str, dict[str, Any]] = {}
     for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):

@@ -73,7 +73,7 @@ def field_as(name: Callable[[str], str]) -> Iterator[None]:
 
 
 def field_named(name: str) -> AbstractContextManager[None]:
-    """Give the field of an InputError raised inside this name; "" where the record around it knows the full path."""
+    """Replace the field of an InputError raised inside by this name; "" if the caller adds the full path."""
     return field_as(lambda field: name)
 
 

@@ -19,7 +19,7 @@ def with_a_point(text: str) -> str:
 
 
 def meant(number: str, unit: str, quantity: Quantity) -> str:
-    """Of no unit that is known: the one that it is but for small and capital letters; of none at all, that of the example."""
+    """Suggest a unit for an unknown one: the same with other capital letters, else that of the example."""
     usual = quantity.example.rpartition(" ")[2]
     if not unit:
         return _did_you_mean(number, usual) if quantity.unit == "Pa" else ""
@@ -29,7 +29,7 @@ def meant(number: str, unit: str, quantity: Quantity) -> str:
 
 
 def too_soft(given: object, pascals: float, quantity: Quantity) -> str:
-    """Of a pressure that is below that of any solid: the prefix that was left out or mistaken."""
+    """Suggest a prefix for a pressure that is below that of any solid."""
     if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
         return ""
     words = str(given).split()

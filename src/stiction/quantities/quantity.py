@@ -76,7 +76,7 @@ class Quantity:
 
     @property
     def scale(self) -> str:
-        """What results of a whole contact are scaled by (contact.subject.Scales): the SI unit, or "count" of asperities."""
+        """Return the scale of results of a whole contact (contact.subject.Scales): the SI unit, or "count" of asperities."""
         return "count" if self.normalised_by == COUNT else self.unit
 
     @property

@@ -101,7 +101,7 @@ def several_in_words(values, where: str, count: int | None = None) -> InWords:
 
 
 def reason_of(error: InputError) -> str:
-    """Why a model cannot be asked: what is missing; or of a quantity what it is beside what is allowed; or what is allowed."""
+    """Return why a model cannot be used: the missing input, or the value of a quantity and its range."""
     if error.value is None:
         return f"{error.field} is not given: {error.allowed}"
     name, value = error.field.rpartition(".")[2], error.value
@@ -120,7 +120,7 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
     values : array_like (n,) [SI], or sequence of str with units
         Values along the dimension.
     dimension : str, optional
-        Name of the dimension; by default that of the quantity. Needed where one quantity of two bodies varies.
+        Name of the dimension; by default the name of the quantity. Needed where one quantity of two bodies varies.
 
     Returns
     -------
@@ -130,7 +130,7 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
     Raises
     ------
     InputError
-        The name is not known, or a value has a wrong unit or is out of bounds.
+        The name is unknown, or a value has a wrong unit or is out of bounds.
 
     Examples
     --------
@@ -160,7 +160,7 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
 def from_series(series, name: str):
     """Return a pandas.Series of the named quantity as an array with a named dimension.
 
-    The dimension is that of its index, which is then the coordinate, or of the quantity if the index has no name. Raises
+    The index is the coordinate and names the dimension; without a name, the quantity names it. Raises
     InputError as `to_si` does.
     """
     import xarray
