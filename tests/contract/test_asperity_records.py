@@ -349,6 +349,7 @@ def test_a_case_without_scans_knows_nothing_of_surfaces():
     moments = {"stiction.surfaces", "stiction.surfaces.theory", "stiction.surfaces.theory.moments"}  # a film is beside waves
     moments |= {"stiction.surfaces.theory.touching"}
     moments |= {
-        f"stiction.surfaces.{name}" for name in ("roughness", "measured", "solvable_maps", "finished", "finishes")
+        f"stiction.surfaces.{name}"
+        for name in ("roughness", "rough_input", "measured", "solvable_maps", "finished", "finishes")
     }  # forms of input
     assert not [name for name in names if name.startswith("stiction.surfaces") and name not in moments]

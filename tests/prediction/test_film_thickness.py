@@ -41,3 +41,18 @@ def test_no_step_where_the_film_leaves_what_was_solved():
     found = area(st.axis("thickness", thickness), kind=None)
     for name in ("contact_area_low", "contact_area", "contact_area_high"):
         assert np.abs(np.diff(np.log(found[name].values.ravel()))).max() < np.log(1.25), name
+
+
+def test_an_uncertain_hardness_of_the_film_counts_in_the_area():
+    """Spots of a thick soft film are plastic, A = P/H, so that the interval of the area is that of the hardness."""
+    film = {"preset": "silver", "hardness": "0.4 GPa +/- 20 %"}
+    contact = {
+        "first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2",
+        "interfacial_shear_strength": "20 MPa", "work_of_adhesion": "0 J/m^2",
+        "coating": {"material": film, "bodies": "first", "thickness": "20 um"},
+        "roughness": {"asperity_height_deviation": "48 nm", "asperity_radius": "20 um", "asperity_density": "4e10 1/m^2",
+                      "kind": "polished"},
+    }  # fmt: skip
+    answer = st.predict({"contact": contact, "solve": {"load": ["1 N"]}})
+    width = (answer["contact_area_high"] / answer["contact_area_low"]).item()
+    assert 0.9 * (1.329 / 0.671) < width < 1.3 * (1.329 / 0.671)

@@ -286,7 +286,7 @@ def test_few_asperities_in_contact_are_flagged(folder):
 def test_run_writes_the_band(folder):
     out = folder / "out"
     text = command("run", case(folder), "--model", "soft_coating_2015", "--details", "--out", out).stdout
-    assert "spread over all methods" in " ".join(text.split())
+    assert "range over all methods" in " ".join(text.split())
     heads = [line for line in (out / "curve.csv").read_text().splitlines() if not line.startswith("#")]
     assert len(heads) == 3
     assert {"friction_coefficient_low", "friction_coefficient_high", "friction_coefficient_mccool"} <= set(heads[0].split(","))

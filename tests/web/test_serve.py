@@ -26,7 +26,7 @@ def test_this_machine_alone_unless_told_otherwise(served):
     result = CliRunner().invoke(app, ["serve", "--port", str(_free())])
     assert result.exit_code == 0 and served[-1][1] == "127.0.0.1" and "everybody" not in result.stderr
     result = CliRunner().invoke(app, ["serve", "--port", str(_free()), "--host", "0.0.0.0"])
-    assert result.exit_code == 0 and served[-1][1] == "0.0.0.0" and "everybody who reaches this address" in result.stderr
+    assert result.exit_code == 0 and served[-1][1] == "0.0.0.0" and "open to other machines" in result.stderr
 
 
 def test_a_port_that_is_taken_is_told(served):

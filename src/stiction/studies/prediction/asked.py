@@ -207,10 +207,11 @@ def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
     With the work of adhesion that of the film goes.
     """
     contact = _contact(case)
+    uncertain = tuple(number for number in case.uncertain if not (set(number.path[1:]) & fields.keys()))
+    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & fields.keys())}
+    # After the search of the addresses: the other numbers of the film stay uncertain or several.
     if "work_of_adhesion" in fields and contact.coating is not None:
         fields = {**fields, "coating": contact.coating.replace(work_of_adhesion=None)}
-    uncertain = tuple(one for one in case.uncertain if not (set(one.path[1:]) & fields.keys()))
-    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & fields.keys())}
     return replace(case, subject=contact.replace(**fields), uncertain=uncertain, several=several)
 
 
