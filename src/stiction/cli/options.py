@@ -120,7 +120,7 @@ Ranges = Annotated[
     typer.Option("--ranges/--no-ranges", help="Vary material numbers within their ranges.", rich_help_panel=_RARE),
 ]
 Load = Annotated[str | None, typer.Option(metavar="LOAD", help='Load that replaces the points of the case: "1 N".')]
-Model = Annotated[str | None, option("Model (stiction compare).", ..., metavar="KEY", autocompletion=keys_of("model"))]
+Model = Annotated[str | None, option("Key of a model.", ..., metavar="KEY", autocompletion=keys_of("model"))]
 Asperity = Annotated[str | None, option("Asperity law.", ..., autocompletion=keys_of("asperity"), **LAW)]
 Tangential = Annotated[
     str | None, option("Tangential law, or none for contact only.", ..., autocompletion=keys_of("tangential"), **LAW)

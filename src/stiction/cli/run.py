@@ -32,7 +32,7 @@ def run(
     case: Path = argument("CASE.toml", "Case file: what is in contact and what to solve."),
     out: Out = None,
     load: Load = None,
-    model: str | None = option("Model (stiction compare), or recommended.", metavar="KEY", autocompletion=keys_of("model")),
+    model: str | None = option("Key of a model, or recommended.", metavar="KEY", autocompletion=keys_of("model")),
     details: Details = False,
     json: Json = False,
     all_rows: AllRows = False,

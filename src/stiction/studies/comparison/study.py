@@ -1,9 +1,9 @@
-"""The answer for one contact, and what every applicable model says of it, a row for those that agree.
+"""Compare all applicable models on one contact, with the prediction above them; models that agree share a row.
 
-A model fits, or does not and why. The area is off by its mean error on solved surfaces near this contact. A contact that
-states an interfacial_shear_strength gets a friction coefficient from models of contact only, too. With --out: compare.csv
-(the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. A working load presses: it is above 0 N; where the
-middle one of the case is not, the nearest that is stands in, and without any there are only curves.
+The table states whether a model fits the contact, and why not, and the mean error of its area on solved surfaces near this
+contact. If the contact states an interfacial_shear_strength, models of contact area give friction too. --out writes compare.csv
+(the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. Models are compared at the middle load of the case, or
+at the nearest load above 0 N; without any such load only the curves are written.
 """
 
 from pathlib import Path
