@@ -1,4 +1,4 @@
-"""What is known of a number that is uncertain: a named distribution, one of scipy.stats, or values that were measured.
+"""Distributions of uncertain numbers: named ones, those of scipy.stats, and measured values.
 
 The errors that are written are standard ones: `0.5 +/- 0.1` has a standard deviation of 0.1 (a standard uncertainty after
 JCGM 100:2008, 2.3.1), and a median with a factor has the logarithm of the factor as the standard deviation of its logarithm.

@@ -1,4 +1,4 @@
-"""Materials of a case's own: tables [materials.NAME] in the case, or in a file beside it that the case names."""
+"""Materials of a case: tables [materials.NAME] in the case, or in a file that it names."""
 
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager

@@ -1,4 +1,4 @@
-"""What the package has: models and laws, materials, states of an interface, citations, the schema of a case."""
+"""Commands that list models and laws, materials, interfaces, citations and the schema of a case."""
 
 from collections.abc import Iterable
 from pathlib import Path

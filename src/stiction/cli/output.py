@@ -1,4 +1,4 @@
-"""What a command prints reaches its reader, whatever that can show; and where it cannot be written, one line says so."""
+"""Print the output of commands on any terminal; report in one line where it cannot be written."""
 
 import codecs
 import errno

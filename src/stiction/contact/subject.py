@@ -1,4 +1,4 @@
-"""What a contact is asked, whether it is given by bodies and roughness (Contact) or by its dimensionless groups (Indices)."""
+"""The interface of a subject: a contact of bodies (Contact), or its dimensionless groups (Indices)."""
 
 from abc import abstractmethod
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Nodes of the sums and the law there, in stages: all that a law has to be compiled for are two short loops.
+"""Place nodes and evaluate a law there, in stages: only two short loops are compiled for each law.
 
 `evaluating` and `inverting` make the two loops of a regime. All else knows no law: `cutting` finds the parts of pieces that
 count, `place_nodes` puts Gauss-Legendre nodes on them, `adding` sums what the law gives

@@ -1,4 +1,4 @@
-"""Sums at many separations from those at a few, by one matrix that knows the heights and the separations but no law.
+"""Extend sums at a few separations to many, by a matrix that depends on heights and separations alone.
 
 For a law that is a single spike at the displacement w, the sum at h is the density at h + w. As functions of h these are so
 much alike that a few separations, the skeleton, tell all others. The matrix is the one that is best for all spikes (least

@@ -1,4 +1,4 @@
-"""What may have been meant by a number that is refused: the end of the line that refuses it."""
+"""Suggest the intended unit or value at the end of an error."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""What all typed input has in common: frozen records whose numbers obey the table of quantities."""
+"""The base of all typed input: frozen records whose numbers obey the table of quantities."""
 
 import re
 from collections.abc import Iterator, Mapping

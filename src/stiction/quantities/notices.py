@@ -1,4 +1,4 @@
-"""What a user should know though the work goes on: said once, as a warning in Python and as one line by the command."""
+"""Notices to users: given once, as a warning in Python and as one line by a command."""
 
 import warnings
 from functools import cache

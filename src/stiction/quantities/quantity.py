@@ -1,4 +1,4 @@
-"""What the table of quantities says of one quantity."""
+"""A row of the table of quantities."""
 
 from dataclasses import dataclass
 from math import degrees, inf, isinf

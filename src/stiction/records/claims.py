@@ -1,4 +1,4 @@
-"""What a record says besides formulas: its grade, where it holds, what it becomes, where it jumps, what it may be given."""
+"""Claims of a record besides its formulas: grade, range of validity, limits, jumps, options."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

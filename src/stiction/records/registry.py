@@ -1,4 +1,4 @@
-"""What the program knows of its models: one record each, found in their folders and in entry points.
+"""The registry of models: one record each, found in their folders and in entry points.
 
 A model is a module with a RECORD, in the folder named for its kind. Adding one is one file in its folder (or, outside the
 package, an entry point in the group "stiction"), one file of reference numbers in the tests and one bibliography entry; tables,

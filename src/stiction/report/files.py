@@ -1,4 +1,4 @@
-"""What leaves the program: one JSON object, and a folder with a table, a netCDF file and a picture."""
+"""Write results: one JSON object, or a folder with a table, a netCDF file and a picture."""
 
 import csv
 import io

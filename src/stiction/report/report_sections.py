@@ -1,4 +1,4 @@
-"""What the sections of a report say, as plain text and tables: the template sets it, and escapes all of it."""
+"""The sections of a report as plain text and tables; the template formats and escapes them."""
 
 import json
 import platform

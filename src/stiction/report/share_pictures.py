@@ -1,4 +1,4 @@
-"""What bears load, area and friction: the parts of a result as stacked shares."""
+"""Draw the parts of load, area and friction as stacked shares."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any

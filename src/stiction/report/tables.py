@@ -1,4 +1,4 @@
-"""What the command line prints: rich tables and text, made from results and records."""
+"""Tables and text for the terminal, made with rich from results and records."""
 
 import json
 import re

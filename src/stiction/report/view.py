@@ -1,4 +1,4 @@
-"""What one result shows, whoever shows it: paragraphs and tables, files, pictures and JSON."""
+"""The view of a result for every output: paragraphs and tables, files, pictures and JSON."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What is to answer: the names under which the registry knows a model and its laws. Quick to import: nothing is looked up."""
+"""The selected model and its laws, by their keys. Quick to import: the registry is not read."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

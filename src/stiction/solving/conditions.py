@@ -1,4 +1,4 @@
-"""What every result is asked, whichever model made it: the ranges that no author of a model has to remember.
+"""Conditions on every result of every model, besides the ranges that authors claim.
 
 A rule below is a range of a quantity of `solving.state`, of the results, or of the contact, and to which problems it applies.
 The bounds are round numbers; each says what fails beyond it. What is "impossible" is never recommended.

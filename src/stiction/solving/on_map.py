@@ -1,4 +1,4 @@
-"""The contact of a measured map, solved point by point: the one kind of problem that knows no asperities and no statistics."""
+"""The contact of a measured map, solved point by point, without asperities or statistics."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

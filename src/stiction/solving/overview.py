@@ -1,4 +1,4 @@
-"""What the program knows and where a result comes from: the registry and the bibliography for users."""
+"""The registry and the bibliography for users: models, and the sources of a result."""
 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""Friction of the points of a solved map: what each of them bears, and laws of their pressure that no asperity law has.
+"""Friction of the points of a solved map: the load of each, and laws of its pressure.
 
     lesser            tau = min(alpha p, tau_0)                                                                           (1)
     junction_growth   tau_0 on the area that carries the load under combined stresses, p^2 + 9 tau_0^2 = H^2              (2)

@@ -1,4 +1,4 @@
-"""Many contacts at once, of which some may be refused or carry less than is asked: not a number there, and why as data."""
+"""Solve many contacts at once; those that are refused or cannot carry the load give NaN, with the reason."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What every problem is asked, whatever its model: a sum over asperities, a theory in closed form, the contact of a map."""
+"""The base of every problem: a sum over asperities, a theory in closed form, the contact of a map."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping

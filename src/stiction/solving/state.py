@@ -1,4 +1,4 @@
-"""How hard a contact is pressed, by numbers that every model has: what its validity is judged by.
+"""Numbers that describe how hard a contact is pressed, for conditions on every model.
 
 All follow from results per asperity and the dimensionless groups. Per asperity, with the units of theory 1, K = 4 E*/3 and
 eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a, so that

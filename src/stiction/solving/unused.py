@@ -1,4 +1,4 @@
-"""What was given and does not count: inputs that none of the laws that answer depends on, with the laws that would."""
+"""Inputs that none of the laws in use depends on, with laws that would use them."""
 
 import json
 from collections.abc import Iterable, Mapping

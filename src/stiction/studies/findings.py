@@ -1,4 +1,4 @@
-"""All that is said of one case, for a report: its answer at a working load, all models beside it, and its scans."""
+"""Everything a report needs of one case: its answer at a working load, all models, and its scans."""
 
 import tomllib
 from collections.abc import Mapping

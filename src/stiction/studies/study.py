@@ -1,4 +1,4 @@
-"""Find the studies of one case: the folders beside this file that have a file `study.py` with STUDY."""
+"""Find the studies of one case: the folders next to this file with a file `study.py` and its STUDY."""
 
 import importlib
 import importlib.util

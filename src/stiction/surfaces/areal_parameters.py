@@ -1,4 +1,4 @@
-"""Areal parameters of ISO 25178-2 beside those of `statistics`: heights, area, autocorrelation and material ratio.
+"""Areal parameters of ISO 25178-2 in addition to `statistics`: heights, area, autocorrelation, material ratio.
 
 Heights d count from the mean of the map as it stands; level and filter it first. Missing points are left out.
 

@@ -1,4 +1,4 @@
-"""Maps held by other packages: a topography, an xarray array, an array with its size.
+"""Convert maps of other packages: a topography, an xarray array, an array with its size.
 
 HeightMap has the conversions back.
 

@@ -1,4 +1,4 @@
-"""Ageing: a law beside a model."""
+"""Ageing: a kind of law that is added to a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

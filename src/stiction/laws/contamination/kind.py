@@ -1,4 +1,4 @@
-"""Contamination: a law beside a model."""
+"""Contamination: a kind of law that is added to a model."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

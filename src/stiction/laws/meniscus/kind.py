@@ -1,4 +1,4 @@
-"""Menisci: a law beside a model."""
+"""Menisci: a kind of law that is added to a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

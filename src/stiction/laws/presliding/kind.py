@@ -1,4 +1,4 @@
-"""Presliding: a law beside a model."""
+"""Presliding: a kind of law that is added to a model."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What is pressed on a map."""
+"""The bodies that are pressed on a map."""
 
 from dataclasses import dataclass
 

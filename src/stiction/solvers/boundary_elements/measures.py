@@ -1,4 +1,4 @@
-"""What is read off a pressure map and a height map: edges of contact, waves.
+"""Measures of pressure maps and height maps: edges of contact, waves.
 
 Contact counted in pixels is too large, by a part of the pixels at its edge:
 

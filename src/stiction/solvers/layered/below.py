@@ -1,4 +1,4 @@
-r"""What a body that yields carries through a harder film: the mean pressure of a spot of radius a on a film of thickness t.
+r"""The pressure that a yielding body carries through a harder film: a spot of radius a on a film of thickness t.
 
 *Assumes*: the body flows under a spot where the von Mises stress, at the depth of its surface, is what it is somewhere under a
 spot on the bare body that bears its hardness. Stresses are Hertz's on the axis of a half-space (Johnson, Contact Mechanics,

@@ -1,4 +1,4 @@
-r"""What a sphere that is pressed and dragged makes of a film at the trailing edge of its contact: von Mises.
+r"""The von Mises stress of a film at the trailing edge of a sphere that is pressed and sheared.
 
 There the square of the von Mises stress is a square form in the mean pressure s and the mean traction q,
 

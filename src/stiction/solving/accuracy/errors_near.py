@@ -1,4 +1,4 @@
-"""What the set of solved surfaces says of a model near a contact: errors of its area, weighed by distance.
+"""The errors of a model on solved surfaces near a contact, weighted by distance.
 
 A surface at a distance d weighs exp(-d^2/2). One that was not solved on both sides of a pressure or hardness, or of which a
 model says nothing on one, fades out towards that side, so that no number jumps.

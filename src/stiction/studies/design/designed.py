@@ -1,4 +1,4 @@
-"""What a search found: as a labelled dataset, and the designed case."""
+"""The result of a search: a labelled dataset, and the designed case."""
 
 from collections.abc import Mapping
 from pathlib import Path

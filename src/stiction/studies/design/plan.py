@@ -1,4 +1,4 @@
-"""What a design is to be: the table [design] of a case, read and checked."""
+"""The plan of a design: the table [design] of a case, read and checked."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

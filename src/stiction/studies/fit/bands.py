@@ -1,4 +1,4 @@
-"""What a fitted model predicts, with what the data leave open of its numbers."""
+"""Predictions of a fitted model, with the uncertainty of its free numbers."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What a model says of measured values: for many sets of its free numbers at once."""
+"""Evaluate a model at measured points for many sets of its free numbers at once."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What a fit is of: the table [fit] of a case, read and checked against the measured series."""
+"""The plan of a fit: the table [fit] of a case, read and checked against the measured series."""
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress

@@ -1,4 +1,4 @@
-"""The contact and the loads of a prediction, with its uncertain numbers, and the same contact bare of what is drawn beside."""
+"""The contact and the loads of a prediction, with its uncertain numbers, and the bare contact."""
 
 import math
 from collections.abc import Mapping, Sequence

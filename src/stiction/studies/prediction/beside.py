@@ -1,4 +1,4 @@
-"""What stands beside a prediction: mu where metals touch bare, and what the prediction was checked against."""
+"""Rows below a prediction: mu where metals touch bare, and the surfaces it was checked against."""
 
 import json
 import math

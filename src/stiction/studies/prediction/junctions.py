@@ -1,4 +1,4 @@
-"""What a spot of contact does when its metal has yielded: junctions grow under shear, and a soft film is squeezed.
+"""Changes of a yielded spot of contact: junctions grow under shear, and a soft film is squeezed.
 
 Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), so that its pressure falls and
 its area grows by 1/sqrt(1 - c^2), with c = tau_0/tau_b the strength of the interface over that of the body; a junction that is

@@ -1,4 +1,4 @@
-"""A prediction that knows measured friction: its draws count by how well they meet the measured values."""
+"""Predictions updated by measured friction: samples are weighted by their agreement with it."""
 
 from dataclasses import dataclass
 from os import PathLike

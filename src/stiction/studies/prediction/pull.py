@@ -1,4 +1,4 @@
-"""What pulls beside the load: by what factor adhesion and menisci raise the area.
+"""The factor by which adhesion and menisci raise the contact area.
 
 The factor g is that of sums over asperities: the area with the pull over that without it, of one law. It goes to 1 without
 a step where nothing pulls. Two laws of adhesion answer, equally likely: JKR asperities that yield (the 2015 model) and the

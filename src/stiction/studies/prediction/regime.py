@@ -1,4 +1,4 @@
-"""What state a contact is in, in a sentence, and what would tell the most about its friction."""
+"""The state of a contact in one sentence, and the input to measure next."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Stated inputs that a prediction does not use: refused where they would decide friction, else named beside the number."""
+"""Stated inputs that a prediction does not use: refused where they would decide friction, else named."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""Everything that is said of one scan: prepared, with statistics, spectrum, moments and the asperities by every method."""
+"""The analysis of one scan: preparation, statistics, spectrum, moments, and asperities by every method."""
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass

@@ -1,4 +1,4 @@
-"""What the mean touching asperity makes of a film and its bond: how near to yield, where first, and what peels the film off."""
+"""Stresses of a film and its bond under the mean touching asperity: distance to yield, and where it begins."""
 
 from typing import TYPE_CHECKING, Unpack
 

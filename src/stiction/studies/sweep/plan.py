@@ -1,4 +1,4 @@
-"""What a sweep computes: which contacts, in which blocks, and what is kept of them."""
+"""The plan of a sweep: its contacts, its blocks, and the results that are stored."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Yield of an asperity on a film, by the modulus and hardness at its depth.
+"""Yield of an asperity on a film, with the modulus and hardness at its depth.
 
 It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
 hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From

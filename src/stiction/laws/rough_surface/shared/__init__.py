@@ -1,1 +1,1 @@
-"""What several theories of rough surfaces share."""
+"""Functions that theories of rough surfaces share."""

@@ -1,4 +1,4 @@
-"""What resists where a law gives a junction that has yielded no resistance: another law, by the option plastic_junctions.
+"""Resistance of yielded junctions by another law, chosen with the option plastic_junctions.
 
 The law itself is left as it is published: only where it says nothing, from a displacement on or on a whole piece, the other one
 answers. It then takes the junction as it is, whatever it wants of the asperity that is still elastic.
