@@ -209,10 +209,10 @@ def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
     contact = _contact(case)
     uncertain = tuple(number for number in case.uncertain if not (set(number.path[1:]) & fields.keys()))
     several = {path: value for path, value in case.several.items() if not (set(path[1:]) & fields.keys())}
-    # After the search of the addresses: the other numbers of the film stay uncertain or several.
-    if "work_of_adhesion" in fields and contact.coating is not None:
-        fields = {**fields, "coating": contact.coating.replace(work_of_adhesion=None)}
-    return replace(case, subject=contact.replace(**fields), uncertain=uncertain, several=several)
+    film: dict[str, Any] = {}
+    if contact.coating is not None and "work_of_adhesion" in fields:
+        film = {"coating": contact.coating.replace(work_of_adhesion=None)}
+    return replace(case, subject=contact.replace(**fields, **film), uncertain=uncertain, several=several)
 
 
 _FAINT = 1e-6  # of the work of adhesion
