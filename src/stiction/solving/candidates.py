@@ -39,8 +39,7 @@ def candidates(subject: Subject) -> list[Candidate]:
 
     Laws of growing junctions are applied to a bare contact without a pressure coefficient, under a law that flows. On a coated
     contact each model takes its own film law or "sequential", and every other film law stands alone. A solution of the map
-    takes
-    every point, or a sample of a large map.
+    takes every point, or a sample of a large map.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}

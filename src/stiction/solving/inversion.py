@@ -30,9 +30,8 @@ _RATIO, _MOST = 1.01, 7
 class Unreachable(Exception):
     """Report a load that a contact carries at no separation.
 
-    law, at: indices of contact and load; low, high: ends of the loads that are carried, normalised; without adhesion low is
-    0, which
-    is not carried.
+    law, at: indices of contact and load; low, high: ends of the loads that are carried, normalised; without adhesion low is 0,
+    which is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -46,8 +45,7 @@ class Inversion:
 
     h (n, m): separations; residual (n, m): load error over the load, or over the largest tension where the load is negligible;
     evaluations: the most that a root took. tension (n,): the largest one on the branch of the problem, 0 if there is none;
-    where
-    (n,): its separation, NaN if there is none.
+    where (n,): its separation, NaN if there is none.
     """
 
     h: np.ndarray
@@ -78,12 +76,10 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which each contact carries each load (n, m).
 
-    Several separations may carry a load. The first one after the largest tension (or from afar without tension) is
-    returned: it is
-    the stable branch under a given load. Where the approach is smooth, the root starts from nodes of the approach and is
-    finished
-    with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method.
-    Raises Unreachable for a load that is not carried; with refuse=False its separation is NaN.
+    Several separations may carry a load. The first one after the largest tension (or from afar without tension) is returned:
+    it is the stable branch under a given load. Where the approach is smooth, the root starts from nodes of the approach and is
+    finished with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method. Raises Unreachable
+    for a load that is not carried; with refuse=False its separation is NaN.
     """
     return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
 
@@ -280,9 +276,8 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 def _below_tops(problem: Problem) -> np.ndarray:
     """Return separations (n, m), descending, around the highest asperities.
 
-    A few asperities adhere there before many press: within theta^(-2/3), and menisci within their height or up to where
-    their pull
-    is overcome.
+    A few asperities adhere there before many press: within theta^(-2/3), and menisci within their height or up to where their
+    pull is overcome.
     """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
@@ -319,8 +314,7 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     """Return separations (H,), descending, loads (n, H), and the scale (n,) of loads.
 
     They span from a load below the smallest target, where almost nothing touches, to far beyond any model's claim, where
-    compression
-    outweighs all tension. The scale does not depend on how far that is.
+    compression outweighs all tension. The scale does not depend on how far that is.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)

@@ -79,12 +79,11 @@ def with_method_spread(
 ) -> "xarray.Dataset":
     """Return the result of `solve` with the friction coefficients of all methods.
 
-    contacts: the same bodies with the roughness from each method; counts: number of separate asperities found, 0 for
-    averages only.
-    Added: friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and friction_coefficient_high
-    over the
-    methods, and found_touching_by_method, the number of found asperities that touch: below FEW_TOUCH friction follows from the
-    assumed tail of heights, and `outside_validity` warns of it; NaN for averages only. Unchanged without friction.
+    contacts: the same bodies with the roughness from each method; counts: number of separate asperities found, 0 for averages
+    only. Added: friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+    friction_coefficient_high over the methods, and found_touching_by_method, the number of found asperities that touch: below
+    FEW_TOUCH friction follows from the assumed tail of heights, and `outside_validity` warns of it; NaN for averages only.
+    Unchanged without friction.
     """
     if _MU not in data:
         return data

@@ -25,9 +25,8 @@ def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
     """Return the share (n, m) of the load in regimes without full tangential resistance.
 
-    Regimes (regimes, n, m) that resist nothing, or only until they flow. It is relative to the net load, which pulling
-    regimes make
-    small, and at most 1; 0 where all loads are 0.
+    Regimes (regimes, n, m) that resist nothing, or only until they flow. It is relative to the net load, which pulling regimes
+    make small, and at most 1; 0 where all loads are 0.
     """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))

@@ -31,8 +31,7 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float
     """Return state, pressures [Pa] and areas [m2] of points in contact.
 
     Points that do not flow, and those that do, if any. The area of a point is all of it, less its share of the excess at
-    edges, which
-    is subtracted from points that do not flow as far as they suffice.
+    edges, which is subtracted from points that do not flow as far as they suffice.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size

@@ -60,9 +60,8 @@ def solve_batch(
 ) -> BatchResult:
     """Solve many contacts at points, without a dataset; keep: names of results.
 
-    Results are NaN where a load is not carried, and where the model refuses a contact or does not converge, unless that is
-    all of
-    them. Raises InputError for a request that is wrong as a whole, ArithmeticError where no contact converges.
+    Results are NaN where a load is not carried, and where the model refuses a contact or does not converge, unless that is all
+    of them. Raises InputError for a request that is wrong as a whole, ArithmeticError where no contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem

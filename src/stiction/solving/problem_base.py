@@ -20,11 +20,9 @@ class Problem(ABC):
     """Hold n contacts under one model.
 
     groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
-    coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None where only groups were
-    given. Results
-    are normalised, by name; theories without separations have only `at_load`. threads: number of threads of the sums; it
-    changes no
-    digit.
+    coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None where only groups were given.
+    Results are normalised, by name; theories without separations have only `at_load`. threads: number of threads of the sums;
+    it changes no digit.
     """
 
     chosen: Chosen

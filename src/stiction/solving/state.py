@@ -35,8 +35,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     """Return numbers of the state of the contacts at these normalised results.
 
     Results have the contacts' dimensions first. Each is an array (n, m), missing where a group is unknown, NaN where no net
-    load
-    presses.
+    load presses.
     """
     groups = problem.groups
     n = len(groups)
@@ -154,11 +153,9 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
     """Return the mean pressure (n, m) of spots on hard films over two limits.
 
-    The pressure that the softer body carries through the film, and the pressure that punches it, at most H_b + 2 (t/a)
-    tau_f for a
-    plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the film, also where the other
-    body is
-    softer.
+    The pressure that the softer body carries through the film, and the pressure that punches it, at most H_b + 2 (t/a) tau_f
+    for a plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the film, also where the other
+    body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -196,9 +193,8 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
     """Return the wetted share of the surface, and how far asperities are pressed in (n, m).
 
     pull: normalised (n, m). It is Laplace's pressure on the wetted area, so that it includes menisci that bridge a gap; around
-    elastic asperities it is less, and touching ones count with the ring 2 pi R 2 r c of each. At its upper limit, gamma
-    (A_n - A)/r,
-    it does not determine the bridged area; there Gaussian heights do.
+    elastic asperities it is less, and touching ones count with the ring 2 pi R 2 r c of each. At its upper limit, gamma (A_n -
+    A)/r, it does not determine the bridged area; there Gaussian heights do.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -222,8 +218,7 @@ def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarra
     """Return the hardness (n, m) of the material that bears the load, over the hardness of the bodies.
 
     It is averaged over film and substrate by their loads, where a film law separates them; else, or where the substrate
-    confines the
-    film, it is the larger one, which no mean pressure exceeds.
+    confines the film, it is the larger one, which no mean pressure exceeds.
     """
     groups, film = problem.groups, problem.chosen.film
     if groups.n_H is None:

@@ -25,11 +25,9 @@ def require_states(problem: Problem, name: str) -> Sum:
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     """Return the share (n, m) of the load on asperities that are not elastic.
 
-    It is of the absolute loads of all asperities, at separations h (n, m) over sigma; by its name of all, or of the
-    substrate, which
-    without a film is the bodies. Raises InputError for a model that does not count its asperities by state, or does not
-    separate
-    film and substrate.
+    It is of the absolute loads of all asperities, at separations h (n, m) over sigma; by its name of all, or of the substrate,
+    which without a film is the bodies. Raises InputError for a model that does not count its asperities by state, or does not
+    separate film and substrate.
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]

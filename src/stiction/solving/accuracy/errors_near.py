@@ -36,12 +36,9 @@ class ErrorsNear(NamedTuple):
     """Hold the errors of ln(A/solved A) at k points.
 
     levels: quantiles (k, 5) at LEVELS over the solved surfaces near; relative: root mean square of A/solved A - 1; middle:
-    mean of
-    the logarithm over near surfaces of the stated kind, over Gaussian ones where neither map nor kind is stated; distance:
-    of the
-    nearest surface; told: share of the near weight with a result of the model; surfaces: number that counts; nearest: the
-    feature
-    in which the nearest surface differs most.
+    mean of the logarithm over near surfaces of the stated kind, over Gaussian ones where neither map nor kind is stated;
+    distance: of the nearest surface; told: share of the near weight with a result of the model; surfaces: number that counts;
+    nearest: the feature in which the nearest surface differs most.
     """
 
     levels: np.ndarray

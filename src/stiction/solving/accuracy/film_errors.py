@@ -28,12 +28,10 @@ _FLOWS = "films that flow were compared with nothing: what squeezes them out is 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """Return the measured errors of the film law near these normalised results.
 
-    Results have the contacts' dimensions first. Each row has law; against: the reference; error: lowest and highest
-    relative error
-    of the area at given load; load_error: of the load at given approach; rms: of ln(area), on rough surfaces; near: ends of the
-    looked-up parameters; outside: parameters that leave the solved set; why_not: the reason where there is no error. Empty
-    for a
-    contact without a film.
+    Results have the contacts' dimensions first. Each row has law; against: the reference; error: lowest and highest relative
+    error of the area at given load; load_error: of the load at given approach; rms: of ln(area), on rough surfaces; near: ends
+    of the looked-up parameters; outside: parameters that leave the solved set; why_not: the reason where there is no error.
+    Empty for a contact without a film.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:

@@ -80,8 +80,7 @@ def summary(law: str) -> list[dict[str, Any]]:
     """Return the errors of a film law on a sphere, as rows of a table.
 
     For each of its options, at every n_E and a/t of the table: relative errors of the area at given load and of the load at
-    given
-    approach. Empty where it was not measured.
+    given approach. Empty where it was not measured.
     """
     found = []
     for key, options in _sphere():

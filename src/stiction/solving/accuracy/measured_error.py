@@ -96,9 +96,8 @@ class MeasuredErrors:
     def as_data(self) -> dict[str, Any]:
         """Return the relative errors as data for JSON.
 
-        Area and mu: mean; area: ends of the middle 90 % and root mean square; the error of the sample, and the
-        distance. Lists over the
-        points, null where nothing was measured.
+        Area and mu: mean; area: ends of the middle 90 % and root mean square; the error of the sample, and the distance. Lists
+        over the points, null where nothing was measured.
         """
         return {
             "measured_as": self.column,
@@ -259,11 +258,9 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
 def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of area laws on films, from the Gaussian maps with films.
 
-    Reference: truth/films.csv. Where the contact has numbers only, other kinds of surface widen the errors as they do for
-    the bare
-    law, and a stated kind shifts them; both are taken at the pressure with the same elastic area (Persson 2001) and at the
-    hardness
-    that lets the same share of it flow.
+    Reference: truth/films.csv. Where the contact has numbers only, other kinds of surface widen the errors as they do for the
+    bare law, and a stated kind shifts them; both are taken at the pressure with the same elastic area (Persson 2001) and at
+    the hardness that lets the same share of it flow.
     """
     from scipy.special import erfinv
 

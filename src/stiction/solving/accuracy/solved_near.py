@@ -42,8 +42,8 @@ class Place:
     """Hold the features of k points by which near solved surfaces are found.
 
     pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and top of the map, None without a map;
-    kind: of
-    surface, as stated, without a map; thickness, modulus: of the film, over sqrt(m2/m4) and over the modulus of the substrate.
+    kind: of surface, as stated, without a map; thickness, modulus: of the film, over sqrt(m2/m4) and over the modulus of the
+    substrate.
     """
 
     pressure: np.ndarray

@@ -44,9 +44,9 @@ def decoded(codes: np.ndarray) -> np.ndarray:
 class SolvedSet:
     """Hold the benchmark set of solved surfaces.
 
-    content: arrays by name, as in the file: of s surfaces, h hardnesses (the first infinite) and p mean pressures, both
-    over E* h';
-    of films on some of them, by plane-strain modulus over the substrate modulus and thickness over the shortest wavelength.
+    content: arrays by name, as in the file: of s surfaces, h hardnesses (the first infinite) and p mean pressures, both over
+    E* h'; of films on some of them, by plane-strain modulus over the substrate modulus and thickness over the shortest
+    wavelength.
     """
 
     content: dict[str, np.ndarray]

@@ -176,8 +176,8 @@ class _Answer:
 
     curve: results (points,); range_status: of each point, WITHIN, OUTSIDE or IMPOSSIBLE. at_load: results at the working load,
     None if it is not carried. outside: validity warnings at the working load, or of the curve without one. told: values of
-    _TEXTS
-    and _NUMBERS. dry: whether the liquid of the contact is left out. why_not: the reason for no results, or none of friction.
+    _TEXTS and _NUMBERS. dry: whether the liquid of the contact is left out. why_not: the reason for no results, or none of
+    friction.
     """
 
     candidate: Candidate
@@ -347,9 +347,8 @@ def criteria_of(contact: Subject) -> list[str]:
 def working_load(case: "Case", given: str | None) -> float | None:
     """Return the load at which the models of a case are judged, or None.
 
-    It is the given one, else the middle one of the case or the pressing one nearest to it in the list. For separations it
-    is among
-    the loads that the model of the case carries there. None where no load presses.
+    It is the given one, else the middle one of the case or the pressing one nearest to it in the list. For separations it is
+    among the loads that the model of the case carries there. None where no load presses.
     """
     case.subject.require_single(_ONE)
     if given is not None:

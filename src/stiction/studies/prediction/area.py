@@ -59,16 +59,13 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 class AreaLaw:
     """Hold the area by one law.
 
-    name: of the law. weight: by stacking, (m,), 0 where the law has no result. log_area: ln of the area [m2], array (n, m) over
-    draws and loads. share: area of the nominal contact over its nominal area (m,), by which the errors are looked up. levels:
-    quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: distance (m,) of the nearest solved surface, 0 to 1.
-    sample: standard error of ln of the area of one window, (m,). touching: number of touching asperities (m,), infinite
-    where it
-    is unknown. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error: standard deviation of ln of the
-    area where
-    no solved surface is near. elastic: of the nominal contact on a film, area over the nominal one without flow (m,); 0
-    where it is
-    unknown.
+    name: of the law. weight: by stacking, (m,), 0 where the law has no result. log_area: ln of the area [m2], array (n, m)
+    over draws and loads. share: area of the nominal contact over its nominal area (m,), by which the errors are looked up.
+    levels: quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: distance (m,) of the nearest solved
+    surface, 0 to 1. sample: standard error of ln of the area of one window, (m,). touching: number of touching asperities
+    (m,), infinite where it is unknown. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error: standard
+    deviation of ln of the area where no solved surface is near. elastic: of the nominal contact on a film, area over the
+    nominal one without flow (m,); 0 where it is unknown.
     """
 
     name: str
@@ -247,9 +244,8 @@ def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray
 def _yields_at(asked: Asked, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Return the mean pressure of spots that flow.
 
-    It is the hardness of each draw, or the pressure that the body below a hard film carries. over_below: pressure over that
-    of the
-    body below, at the solved points; places: index of the solved point of each point.
+    It is the hardness of each draw, or the pressure that the body below a hard film carries. over_below: pressure over that of
+    the body below, at the solved points; places: index of the solved point of each point.
     """
     hardness = asked.bodies.hardness
     if over_below is None:

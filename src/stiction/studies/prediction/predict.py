@@ -132,9 +132,8 @@ def predict(
 def is_predicted(case: Case) -> bool:
     """Return whether the prediction answers for a case.
 
-    It does for contacts of materials without a named model, law or option. Raises InputError for the model "recommended"
-    where it
-    does not.
+    It does for contacts of materials without a named model, law or option. Raises InputError for the model "recommended" where
+    it does not.
     """
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
     asked = named.pop("model", None) == RECOMMENDED

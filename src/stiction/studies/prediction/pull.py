@@ -91,9 +91,8 @@ def pull_of(asked: Asked) -> Pull:
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
     """Return one area over the other, at least 1.
 
-    NaN where the area of a sum passes the nominal one: where the pull causes it the faces are pulled flat, and where the
-    load alone
-    causes it the pull adds nothing.
+    NaN where the area of a sum passes the nominal one: where the pull causes it the faces are pulled flat, and where the load
+    alone causes it the pull adds nothing.
     """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))

@@ -21,11 +21,9 @@ _NEAR_BODY = 0.5
 class Strength:
     """Hold the distribution of the strength of an interface.
 
-    states: with weights that sum to 1; none where the strength is stated. stated: tau_0 [Pa] or None. coefficient: its
-    growth with
-    pressure as stated; takes_states: whether that of the state replaces it. aged: factor of tau_0 by hold time. Arrays (n
-    or 1, m or
-    1) over draws and points.
+    states: with weights that sum to 1; none where the strength is stated. stated: tau_0 [Pa] or None. coefficient: its growth
+    with pressure as stated; takes_states: whether that of the state replaces it. aged: factor of tau_0 by hold time. Arrays (n
+    or 1, m or 1) over draws and points.
     """
 
     def __init__(self, asked: Asked):
@@ -87,9 +85,8 @@ class Strength:
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
     """Return tau_0, at most the shear strength of the weaker body.
 
-    Beyond that strength it lies between the values of Tresca and Mises; from twice the strength on, anywhere between them
-    at this
-    level. For metals the growth of junctions is wider by far.
+    Beyond that strength it lies between the values of Tresca and Mises; from twice the strength on, anywhere between them at
+    this level. For metals the growth of junctions is wider by far.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)
