@@ -7,7 +7,7 @@ from typing import Any
 
 from docstrings import as_markdown, cell, said_of, summary
 
-from stiction.case.read import json_schema
+from stiction.case.case_tables import json_schema
 
 # Where a part of the schema stands in a case file, in the order of the page; those without are values (held by a test).
 TABLES = {

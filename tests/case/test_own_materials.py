@@ -7,7 +7,8 @@ from typer.testing import CliRunner
 
 from refusals import refusal
 from stiction import cli
-from stiction.case.read import json_schema, read_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import read_case
 from stiction.contact.materials import Material, material
 from stiction.quantities.errors import InputError
 
@@ -142,7 +143,7 @@ def test_what_is_wrong_is_said_in_one_line(read, old, new, message):
         (BESIDE, "[materials", "materials: my_materials.toml: '"),
         (BESIDE, MATERIALS + '[steel]\nhardness = "7 GPa"', "materials: my_materials.toml: steel: "),
         (BESIDE, "", "materials: my_materials.toml: materials: not given; allowed: tables [materials.NAME]"),
-        ("materials = 3\n" + CONTACT, None, "materials: 3; allowed: tables [materials.NAME], or the name of a file"),
+        ("materials = 3\n" + CONTACT, None, "materials: 3; allowed: tables [materials.NAME], or the path of a file"),
         ("materials = { bronze = 3 }\n" + CONTACT, None, "materials.bronze: 3; allowed: a table [materials.bronze]"),
     ],
 )

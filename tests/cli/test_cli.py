@@ -13,7 +13,8 @@ import xarray
 from typer.testing import CliRunner
 
 from stiction import cli
-from stiction.case.read import json_schema, read_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import read_case
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityLaw, FilmLaw, RoughSurface, find, incompatibility, of_kind
 from stiction.solving.solve import solve

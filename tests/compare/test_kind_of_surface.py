@@ -8,7 +8,8 @@ import pytest
 
 import stiction as st
 from refusals import refusal
-from stiction.case.read import json_schema, parse_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import parse_case
 from stiction.solving.accuracy.solved_set import OF_KIND, solved_set
 from stiction.surfaces.finishes import SURFACE_KINDS, finish, finish_names
 from stiction.surfaces.theory.moments import bandwidth

@@ -309,7 +309,7 @@ def test_a_method_from_outside_is_like_the_others(outside, tmp_path):
     assert measured.method == "every_point" and tuple(measured.by_method) == (*KEYS, "every_point")
     cited = st.cite(st.solve_case(st.read_case(tmp_path / "case.toml"), Choice("greenwood_williamson_1966")))
     assert "{somebody_2031," in cited and "{mccool_1986," in cited and "{hertz_1882," in cited
-    from stiction.case.read import json_schema
+    from stiction.case.case_tables import json_schema
 
     assert "every_point" in json_schema()["$defs"]["MeasuredRoughness"]["properties"]["method"]["description"]
 

@@ -12,7 +12,8 @@ import pytest
 import stiction as st
 from cases import STEEL_ON_STEEL
 from refusals import refusal
-from stiction.case.read import json_schema, parse_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import parse_case
 from stiction.contact.indices import Groups
 from stiction.quantities.errors import InputError
 from stiction.records.registry import AsperityLaw, FilmLaw, TangentialLaw, of_kind

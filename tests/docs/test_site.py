@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 
 import stiction as st
 from stiction import cli
-from stiction.case.read import json_schema
+from stiction.case.case_tables import json_schema
 from stiction.records.registry import kinds, of_kind, records
 
 matplotlib.use("Agg")

@@ -8,7 +8,8 @@ import pytest
 
 import stiction as st
 from refusals import refusal
-from stiction.case.read import json_schema, parse_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import parse_case
 from stiction.case.text import as_toml
 from stiction.contact.interfaces import Interface, interface
 from stiction.quantities.errors import InputError

@@ -11,7 +11,8 @@ from typer.testing import CliRunner
 from cases import BARE
 from refusals import refusal
 from stiction import cli
-from stiction.case.read import json_schema, parse_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies.case_results import compare_case, solve_case

@@ -12,7 +12,8 @@ from typer.testing import CliRunner
 
 import stiction as st
 from refusals import refusal
-from stiction.case.read import json_schema, read_content
+from stiction.case.case_tables import json_schema
+from stiction.case.read import read_content
 from stiction.cli import app
 from stiction.studies.sweep.plan import make_plan
 

@@ -10,7 +10,8 @@ import scipy.stats
 
 from cases import BARE
 from refusals import refusal
-from stiction.case.read import json_schema, parse_case, read_case
+from stiction.case.case_tables import json_schema
+from stiction.case.read import parse_case, read_case
 from stiction.case.text import as_toml
 from stiction.case.uncertain import read_distribution
 from stiction.quantities.errors import InputError
@@ -203,19 +204,19 @@ SIGMA = "roughness.asperity_height_deviation"
         ("48 +/- nm", f"contact.{SIGMA}: '48 +/- nm'; allowed: a number and its standard deviation, e.g. \"48 +/- 4.8 nm\""),
         ("48 +/- 0 nm", f"contact.{SIGMA}: '48 +/- 0 nm'; allowed: a standard deviation above 0"),
         ("48 +/- 5 N", f"contact.{SIGMA}: '48 +/- 5 N'; allowed: > 0 m"),
-        ("48 +/- 30 nm", f"contact.{SIGMA}: '48 +/- 30 nm'; allowed: > 0 m but for 2.5%, here 5.5% is beyond: less of"),
+        ("48 +/- 30 nm", f"contact.{SIGMA}: '48 +/- 30 nm'; allowed: > 0 m for all but 2.5% of values, here 5.5%"),
         ({"low": "48 nm"}, f"contact.{SIGMA}.high: not given; allowed: the high end"),
-        ({"low": "48 nm", "high": "8 nm"}, f"contact.{SIGMA}.high: '8 nm'; allowed: more than the low end, 48 nm"),
+        ({"low": "48 nm", "high": "8 nm"}, f"contact.{SIGMA}.high: '8 nm'; allowed: above the low end, 48 nm"),
         ({"low": "48 nm", "hi": "8 nm"}, f"contact.{SIGMA}.hi: '8 nm'; allowed: "),
         ({"low": 4, "high": "8 nm"}, f"contact.{SIGMA}.low: 4; allowed: text with a unit"),
         ({"median": "48 nm"}, f"contact.{SIGMA}.factor: not given; allowed: a factor above 1"),
         ({"median": "48 nm", "factor": 0.5}, f"contact.{SIGMA}.factor: 0.5; allowed: a factor above 1"),
         ({"median": "48 nm", "factor": "2"}, f"contact.{SIGMA}.factor: '2'; allowed: a factor above 1"),
-        ({"factor": 2}, f"contact.{SIGMA}.median: not given; allowed: the value that is"),
+        ({"factor": 2}, f"contact.{SIGMA}.median: not given; allowed: the median"),
         ({"samples": "none.txt", "unit": "nm"}, f"contact.{SIGMA}.samples: 'none.txt'; allowed: a file of numbers"),
         ({"samples": "some.txt"}, f"contact.{SIGMA}.unit: not given; allowed: the unit of the numbers in the file, e.g."),
         ({"samples": "some.txt", "unit": "N"}, f"contact.{SIGMA}.samples: '1 N'; allowed: > 0 m"),
-        ({"samples": "word.txt", "unit": "nm"}, f"contact.{SIGMA}.samples: 'two'; allowed: numbers; this is value 2 of"),
+        ({"samples": "word.txt", "unit": "nm"}, f"contact.{SIGMA}.samples: 'two'; allowed: a number; this is value 2 of"),
         ({"samples": "both.txt", "unit": "nm"}, f"contact.{SIGMA}.column: not given; allowed: a, b"),
         ({"samples": "both.txt", "unit": "nm", "column": "c"}, f"contact.{SIGMA}.column: 'c'; allowed: a, b"),
         ({"samples": "bad.txt", "unit": "nm"}, f"contact.{SIGMA}.samples: -2e-09; allowed: > 0 m"),

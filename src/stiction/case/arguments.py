@@ -1,4 +1,4 @@
-"""Name the types of arguments that stand for a case, for editors and type checkers."""
+"""Type aliases of arguments that accept a case, for editors and type checkers."""
 
 from collections.abc import Mapping
 from typing import TypeAlias

@@ -1,4 +1,4 @@
-"""Refuse numbers without a unit in case files: a reader cannot tell their unit."""
+"""The check that a case file states the unit of every number that needs one."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -9,7 +9,10 @@ from stiction.quantities.table import QUANTITIES
 
 
 def refuse_bare_numbers(table: Mapping, path: str) -> None:
-    """Raise InputError for numbers of a table that need a unit and have none; path: dotted name of the table."""
+    """Raise InputError if a number of the table needs a unit and has none.
+
+    path: dotted name of the table, e.g. "contact.coating"; "" for the whole case.
+    """
     for key, value in table.items():
         where = f"{path}.{key}" if path else key
         if isinstance(value, Mapping):
@@ -19,9 +22,10 @@ def refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Return whether a number is text, or a range with text ends.
+    """Return whether a value is text, or a range of two texts, and so may state a unit.
 
-    Swept numbers are checked where they are read; distributions in Python are in SI units.
+    Lists and distributions count as text: swept numbers are checked when they are read, and distributions made in Python
+    are in SI units.
     """
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)

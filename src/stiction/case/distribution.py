@@ -1,7 +1,7 @@
-"""Distributions of uncertain numbers: named ones, those of scipy.stats, and measured values.
+"""Probability distributions of uncertain inputs: named ones, those of scipy.stats, and samples.
 
-The errors that are written are standard ones: `0.5 +/- 0.1` has a standard deviation of 0.1 (a standard uncertainty after
-JCGM 100:2008, 2.3.1), and a median with a factor has the logarithm of the factor as the standard deviation of its logarithm.
+An error is a standard deviation: `0.5 +/- 0.1` has the standard deviation 0.1 (a standard uncertainty after JCGM 100:2008,
+2.3.1). A median with a factor is a log-normal distribution whose logarithm has the standard deviation ln(factor).
 """
 
 import math
@@ -24,13 +24,17 @@ _LEAST_SHARE = 1e-12
 
 @dataclass(frozen=True)
 class _Values:
-    """The distribution of values (n,), each as likely, in the order in which they stand: in a file, rows stay together."""
+    """The empirical distribution of samples (n,), all equally likely.
+
+    Quantiles follow the order of the samples. Unsorted columns of one file, read at the same quantile level, therefore give
+    values of the same row.
+    """
 
     values: np.ndarray
 
     def ppf(self, share: Any) -> np.ndarray:
-        at = (np.asarray(share) * self.values.size).astype(int)
-        return self.values[np.minimum(at, self.values.size - 1)]
+        index = (np.asarray(share) * self.values.size).astype(int)
+        return self.values[np.minimum(index, self.values.size - 1)]
 
     def cdf(self, value: Any) -> Any:
         return np.searchsorted(np.sort(self.values), value, side="right") / self.values.size
@@ -38,7 +42,10 @@ class _Values:
 
 @dataclass(frozen=True)
 class _Normal:
-    """A normal distribution of a number, or of its logarithm."""
+    """A normal distribution, or a log-normal one if `log` is true.
+
+    mean, deviation: mean and standard deviation of the number, or of its natural logarithm.
+    """
 
     mean: float
     deviation: float
@@ -60,7 +67,7 @@ class _Normal:
 
 @dataclass(frozen=True)
 class _Even:
-    """Any number between two ends is as likely, or any logarithm."""
+    """A uniform distribution from `low` to `high`, or a log-uniform one if `log` is true."""
 
     low: float
     high: float
@@ -82,10 +89,11 @@ _LAWS: dict[str, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class Distribution:
-    """Describe the distribution of a number of a quantity, in SI units.
+    """The probability distribution of one uncertain input, in SI units.
 
-    nominal: the plain number; kind, parameters: type of distribution; words: how it is printed. It is truncated at the bounds
-    of the quantity. `ppf(share)` is its inverse: the value (any shape) below which that share is, 0 to 1.
+    quantity: name of the quantity; nominal: value used where the input counts as exact; kind, parameters: type of the
+    distribution and its parameters; words: text that describes it to users. Values outside the bounds of the quantity are
+    cut off.
     """
 
     quantity: str
@@ -101,7 +109,7 @@ class Distribution:
 
     @cached_property
     def _ends(self) -> tuple[float, float]:
-        """The shares of the law below the lower and the upper bound of the quantity."""
+        """Return the quantile levels of the lower and the upper bound of the quantity."""
         quantity = QUANTITIES[self.quantity]
         if self.kind in ("uniform", "log-uniform", "values"):
             return 0.0, 1.0  # each end was read as a value of the quantity
@@ -109,50 +117,58 @@ class Distribution:
 
     @property
     def beyond(self) -> float:
-        """The share of the law beyond the bounds of the quantity."""
+        """Return the probability of values outside the bounds of the quantity."""
         low, high = self._ends
         return low + 1.0 - high
 
     def ppf(self, share: Any) -> np.ndarray:
-        """Return the values (n,) below which these shares of the distribution are."""
+        """Return the quantiles (n,) at quantile levels (n,) from 0 to 1."""
         low, high = self._ends
         inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
 
     def as_table(self) -> dict[str, Any]:
-        """Return the distribution as plain numbers."""
+        """Return kind, parameters and nominal value, in SI units, as a table for JSON."""
         return {"distribution": self.kind, "parameters": list(self.parameters), "nominal": self.nominal}
 
 
 def normal(quantity: str, mean: float, deviation: float, field: str, given: Any) -> Distribution:
-    """Return a normal distribution; raises InputError if its tails are often out of bounds."""
+    """Return a normal distribution with this mean and standard deviation.
+
+    field, given: address and value of the input for an error message. Raises InputError if more than 2.5 % of the
+    distribution is outside the bounds of the quantity.
+    """
     words = f"{show(mean, quantity)} ± {show(deviation, quantity)}"
     return _checked(Distribution(quantity, mean, "normal", (mean, deviation), words), field, given)
 
 
 def within_factor(quantity: str, median: float, factor: float, field: str, given: Any) -> Distribution:
-    """Return a log-normal distribution from a median and one standard deviation as a factor.
+    """Return a log-normal distribution with this median and geometric standard deviation.
 
-    Raises InputError if its tails are often out of bounds.
+    factor: exp of the standard deviation of the logarithm. Raises InputError if more than 2.5 % of the distribution is
+    outside the bounds of the quantity.
     """
     words = f"{show(median, quantity)}, within a factor {factor:g}"
     return _checked(Distribution(quantity, median, "log-normal", (median, factor), words), field, given)
 
 
 def between(quantity: str, low: float, high: float, log: bool) -> Distribution:
-    """Anything from low to high, or any logarithm: its nominal value is the middle."""
+    """Return a uniform or log-uniform distribution from `low` to `high`; the nominal value is its median."""
     nominal = (low * high) ** 0.5 if log else (low + high) / 2.0
     return in_range(quantity, low, high, nominal, log)
 
 
 def in_range(quantity: str, low: float, high: float, nominal: float, log: bool) -> Distribution:
-    """Anything from low to high, or any logarithm, with a nominal value that need not be the middle."""
+    """Return a uniform or log-uniform distribution from `low` to `high` with a given nominal value."""
     words = f"{show(low, quantity)} to {show(high, quantity)}" + (", by its logarithm" if log else "")
     return Distribution(quantity, nominal, "log-uniform" if log else "uniform", (low, high), words)
 
 
 def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution:
-    """Values that were measured, each as likely; ordered: by size, or as they stand."""
+    """Return the empirical distribution of measured values (n,), all equally likely.
+
+    ordered: sort the values; False keeps the rows of several columns together.
+    """
     known = np.sort(values) if ordered else values
     ends = " to ".join(show(float(end), quantity) for end in (values.min(), values.max()))
     words = f"one of {values.size} values, {ends}"
@@ -160,14 +176,14 @@ def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution
 
 
 def is_law(value: Any) -> bool:
-    """Whether a value is a distribution, such as those of scipy.stats with their parameters."""
+    """Return whether a value is a distribution object with `ppf` and `cdf`, such as those of scipy.stats."""
     return callable(getattr(value, "ppf", None)) and callable(getattr(value, "cdf", None))
 
 
 def of_law(quantity: str, law: Any, field: str) -> Distribution:
-    """Return a distribution of scipy.stats in SI units, with the median as nominal value.
+    """Return a scipy.stats distribution, in SI units, with its median as nominal value.
 
-    Raises InputError if its tails are often out of bounds.
+    Raises InputError if its parameters are missing, or if more than 2.5 % of it is outside the bounds of the quantity.
     """
     name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
     given = f"scipy.stats.{name}"
@@ -176,16 +192,20 @@ def of_law(quantity: str, law: Any, field: str) -> Distribution:
     except (TypeError, ValueError):  # one of scipy.stats without its parameters
         raise InputError(field, given, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
     if not np.isfinite(median):
-        raise InputError(field, given, "a distribution with a median")
+        raise InputError(field, given, "a distribution with a finite median")
     shares = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])
     parameters = tuple(np.asarray(law.ppf(shares), dtype=float).tolist())
     return _checked(Distribution(quantity, median, given, parameters, given, law), field, given)
 
 
-def _checked(found: Distribution, field: str, given: Any) -> Distribution:
-    quantity = QUANTITIES[found.quantity]
-    if found.beyond > _BEYOND:
-        advice = "less of an error, or { median, factor }, or { low, high }"
+def _checked(distribution: Distribution, field: str, given: Any) -> Distribution:
+    quantity = QUANTITIES[distribution.quantity]
+    if distribution.beyond > _BEYOND:
+        advice = "state a smaller error, { median, factor } or { low, high }"
         shown = given if not isinstance(given, Mapping) else dict(given)
-        raise InputError(field, shown, f"{quantity.allowed} but for {_BEYOND:.1%}, here {found.beyond:.1%} is beyond: {advice}")
-    return found
+        raise InputError(
+            field,
+            shown,
+            f"{quantity.allowed} for all but {_BEYOND:.1%} of values, here {distribution.beyond:.1%} are outside: {advice}",
+        )
+    return distribution

@@ -1,4 +1,4 @@
-"""Numbers of a case that are free between two ends: what is fitted, or chosen."""
+"""Free parameters of a case: numbers that a fit or a design varies within an interval."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,20 +15,24 @@ from stiction.quantities.units import show
 
 
 class Interval(Input):
-    """Hold the ends of a free number.
+    """The table of a free parameter: its lower and upper limit.
 
-    spacing: "log" searches evenly in the logarithm, the default where both ends are above 0.
+    spacing: "log" searches uniformly in the logarithm and is the default if both limits are positive.
     """
 
-    low: Any = Field(description="the lower end, with its unit")
-    high: Any = Field(description="the upper end, with its unit")
+    low: Any = Field(description="the lower limit, with its unit")
+    high: Any = Field(description="the upper limit, with its unit")
     spacing: Literal["linear", "log"] | None = Field(None, description="linear, log")
-    each_sample: bool = Field(False, strict=True, description="true: every sample has its own")
+    each_sample: bool = Field(False, strict=True, description="true or false: whether each sample has its own value")
 
 
 @dataclass(frozen=True)
 class Free:
-    """A number that is free. path: where it stands; name: without the table; low, high: SI; share 0 is low, 1 is high."""
+    """A parameter of a case that a fit or a design varies from `low` to `high`, in SI units.
+
+    path: address in the case; log: whether positions in the interval are uniform in the logarithm; each_sample: whether
+    every sample of a fit has its own value.
+    """
 
     path: Address
     low: float
@@ -45,13 +49,16 @@ class Free:
         return self.path[-1]
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Values at shares of the way, evenly in the number or its logarithm; at 0 and 1 exactly the ends."""
+        """Return the values at positions from 0 (`low`) to 1 (`high`) of the interval, of any shape.
+
+        Positions are uniform in the number, or in its logarithm if `log` is true. Positions 0 and 1 give the limits exactly.
+        """
         share = np.clip(share, 0.0, 1.0)
         inner = self.low * (self.high / self.low) ** share if self.log else self.low + share * (self.high - self.low)
         return np.where(share >= 1.0, self.high, np.where(share <= 0.0, self.low, inner))
 
     def share(self, value: Any) -> np.ndarray:
-        """Return the shares of the interval at which these values are."""
+        """Return the positions of values in the interval: 0 at `low`, 1 at `high`. Inverse of `at`."""
         value = np.asarray(value, dtype=float)
         if self.log:
             return np.log(value / self.low) / np.log(self.high / self.low)
@@ -62,14 +69,17 @@ class Free:
 
 
 def read_free(path: Address, entry: Any, where: str) -> Free:
-    """Return the free number of a table {low, high}. Raises InputError."""
+    """Return the free parameter of a table {low, high}.
+
+    where: name of the table in error messages. Raises InputError.
+    """
     if not isinstance(entry, Mapping):
         example = QUANTITIES[path[-1]].example or "1"
-        raise InputError(where, entry, f'a table with its ends, e.g. {{ low = "{example}", high = "..." }}')
+        raise InputError(where, entry, f'a table with both limits, e.g. {{ low = "{example}", high = "..." }}')
     with field_below(where):
-        given = Interval(**entry)
-    low, high = read_ends(given, path[-1], where)
+        interval = Interval(**entry)
+    low, high = read_ends(interval, path[-1], where)
     if not np.isfinite(high / low if low > 0.0 else high - low):
-        raise InputError(where, [given.low, given.high], "ends that are less than a factor 1e300 apart")
-    log = low > 0.0 if given.spacing is None else given.spacing == "log"
-    return Free(path, low, high, log, given.each_sample)
+        raise InputError(where, [interval.low, interval.high], "limits less than a factor of 1e300 apart")
+    log = low > 0.0 if interval.spacing is None else interval.spacing == "log"
+    return Free(path, low, high, log, interval.each_sample)

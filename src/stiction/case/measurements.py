@@ -1,4 +1,4 @@
-"""Measured series: a table of text, its units in the heads of its columns, as numbers in SI units."""
+"""Measured series from CSV files, converted to SI units."""
 
 import csv
 import io
@@ -30,18 +30,15 @@ _SAMPLE, _NOTES = "sample", ("note", "source")
 _LARGEST_FILE, _MOST_ROWS = 10**7, 20_000
 _LEAST_ERROR = 1e-10  # of the largest value
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d+([eE][+-]?\d+)?\s*")
-_FORM = (
-    "a table with commas or semicolons between its cells and heads like "
-    '"load [mN],friction_coefficient,friction_coefficient_error"'
-)
+_FORM = 'a CSV table whose first line names the columns, e.g. "load [mN],friction_coefficient,friction_coefficient_error"'
 
 
 @dataclass(frozen=True)
 class Measurements:
-    """Hold n measured values.
+    """n measured values in SI units, with their loads, standard errors and samples.
 
-    Each (n,): quantity, sample, load [N] (NaN where none is needed), standard error (NaN where none is stated) and line of the
-    file. known: numbers of the contact in the file, path -> value, in SI units.
+    Each field has n entries. load: in N, NaN if the quantity needs no load; error: standard error, NaN if not stated;
+    known: numbers of the contact in the same row, by address; line: line number in the file.
     """
 
     quantity: tuple[str, ...]
@@ -64,16 +61,19 @@ class Measurements:
         return list(dict.fromkeys(self.quantity))
 
     def some(self, rows: np.ndarray) -> "Measurements":
-        """Those of these numbers, or where a mask (n,) is true."""
-        at = np.flatnonzero(rows) if np.asarray(rows).dtype == bool else np.asarray(rows)
-        lists = (tuple(one[i] for i in at) for one in (self.quantity, self.sample, self.known, self.line))
+        """Return the measurements at these indices, or where a mask (n,) is true."""
+        indices = np.flatnonzero(rows) if np.asarray(rows).dtype == bool else np.asarray(rows)
+        lists = (tuple(column[i] for i in indices) for column in (self.quantity, self.sample, self.known, self.line))
         quantity, sample, known, line = lists
-        return Measurements(quantity, sample, self.load[at], self.value[at], self.error[at], known, line)  # type: ignore[arg-type]
+        return Measurements(quantity, sample, self.load[indices], self.value[indices], self.error[indices], known, line)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
 class _Column:
-    """Describe a column: role ("known", "value", "error", "load", "sample"), quantity, unit, and address of a known number."""
+    """A column of the file.
+
+    kind: "known" (a number of the contact), "value", "error", "load", "sample" or "note"; path: address of a known number.
+    """
 
     kind: str
     quantity: str
@@ -82,18 +82,24 @@ class _Column:
 
 
 def read_measurements(path: Any, content: Mapping) -> Measurements:
-    """Read the measured series in a CSV file.
+    """Read measured values from a CSV file.
 
-    content: tables of the case that it is compared with. The first line that is no comment (#) has the heads: `load [mN]`;
-    one or more of MEASURABLE; its standard error, `friction_coefficient_error`; `sample`, the name of a series; numbers of
-    the contact that differ from row to row, by their names in the case, `coating.thickness [nm]`; `note` and `source`, which
-    are ignored. A cell may be empty. Cells are separated by commas, or by semicolons if the heads have them; numbers may then
-    have decimal commas. Raises InputError, one line with the line of the file and the column.
+    content: tables of the case to which the values belong. The first line without a comment (#) has the column names:
+
+    - `load [mN]`
+    - one or more of MEASURABLE, e.g. `friction_coefficient`
+    - `friction_coefficient_error`: standard error
+    - `sample`: name of the series
+    - numbers of the contact that change from row to row, e.g. `coating.thickness [nm]`
+    - `note` and `source`, which are ignored
+
+    A cell may be empty. Commas separate cells. If the column names are separated by semicolons, all cells are, and numbers
+    may have decimal commas. Raises InputError with the line and the column.
     """
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
     text = read_text(Path(path), "--data", "a CSV file", _LARGEST_FILE)
-    lines = [(at, line) for at, line in enumerate(text.splitlines(), start=1) if _says(line)]
+    lines = [(line_number, line) for line_number, line in enumerate(text.splitlines(), start=1) if _says(line)]
     if not lines:
         raise InputError("--data", str(path), f"{_FORM}; this file is empty")
     between = ";" if ";" in lines[0][1] else ","
@@ -101,11 +107,11 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     columns = [_column(head, content) for head in heads]
     _check_heads(columns, heads)
     entries: list[tuple] = []
-    for at, line in lines[1:]:
-        cells = _cells(at, line, between)
+    for line_number, line in lines[1:]:
+        cells = _cells(line_number, line, between)
         if len(cells) != len(heads):
-            raise InputError(f"line {at}", f"{len(cells)} cells", f"{len(heads)}, as many as there are heads")
-        entries += _entries(at, dict(zip(heads, cells, strict=True)), dict(zip(heads, columns, strict=True)))
+            raise InputError(f"line {line_number}", f"{len(cells)} cells", f"{len(heads)} cells, one for each column name")
+        entries += _entries(line_number, dict(zip(heads, cells, strict=True)), dict(zip(heads, columns, strict=True)))
     if not entries:
         raise InputError("--data", str(path), "at least one measured value")
     if len(entries) > _MOST_ROWS:
@@ -116,11 +122,13 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     return measured
 
 
-def _cells(at: int, line: str, between: str) -> list[str]:
+def _cells(line_number: int, line: str, between: str) -> list[str]:
     try:
         cells = next(csv.reader(io.StringIO(line), delimiter=between))
     except csv.Error:  # a cell of more than 131072 characters
-        raise InputError(f"line {at}", line, "cells with commas between them; one of these is out of all proportion") from None
+        raise InputError(
+            f"line {line_number}", line, "cells of at most 131072 characters, separated by commas or semicolons"
+        ) from None
     if between == ",":
         return cells
     # Spreadsheets of countries with a decimal comma; a cell with a comma and a point is no number, and refused as one.
@@ -148,36 +156,47 @@ def _column(head: str, content: Mapping) -> _Column:
     try:
         path = placed(name, content, "--data")
     except InputError:
-        known = [_SAMPLE, "load", *MEASURABLE, *(f"{one}{_ERROR}" for one in MEASURABLE), "note"]
-        raise InputError("--data", head, f"a column of {nearest(name, known)}, or a number of the contact") from None
+        known = [_SAMPLE, "load", *MEASURABLE, *(f"{quantity}{_ERROR}" for quantity in MEASURABLE), "note"]
+        raise InputError("--data", head, f"a number of the contact, or one of these columns: {nearest(name, known)}") from None
     return _Column("known", path[-1], _unit(path[-1], unit, head, False), path)
 
 
 def _unit(quantity: str, unit: str, head: str, normalised: bool) -> str:
-    """Return the unit of a column. Raises InputError if it is missing, or not allowed."""
+    """Return the unit in the name of a column.
+
+    normalised: whether the column has no unit. Raises InputError if a unit is missing or not allowed.
+    """
     wanted = "" if normalised else QUANTITIES[quantity].unit
     if bool(unit) != bool(wanted) and not (wanted == "" and unit == "1"):
-        raise InputError("--data", head, f'a head with its unit, like "{quantity} [{wanted}]"' if wanted else "no unit here")
+        raise InputError(
+            "--data",
+            head,
+            f'a column name with its unit, e.g. "{quantity} [{wanted}]"' if wanted else "no unit: the column is dimensionless",
+        )
     return unit if wanted else ""
 
 
 def _check_heads(columns: list[_Column], heads: list[str]) -> None:
-    keys = [(one.kind, one.quantity, one.path) for one in columns if one.kind != "note"]
-    for key, head in zip(keys, [h for h, one in zip(heads, columns, strict=True) if one.kind != "note"], strict=True):
+    keys = [(column.kind, column.quantity, column.path) for column in columns if column.kind != "note"]
+    for key, head in zip(keys, [h for h, column in zip(heads, columns, strict=True) if column.kind != "note"], strict=True):
         if keys.count(key) > 1:
-            raise InputError("--data", head, "each column once")
-    measured = [one.quantity for one in columns if one.kind == "value"]
+            raise InputError("--data", head, "each column only once")
+    measured = [column.quantity for column in columns if column.kind == "value"]
     if not measured:
-        raise InputError("--data", ", ".join(heads), "a column of what was measured: " + ", ".join(MEASURABLE))
-    for one in columns:
-        if one.kind == "error" and one.quantity not in measured:
-            raise InputError("--data", f"{one.quantity}{_ERROR}", f"together with a column {one.quantity}")
-    if not any(one.kind == "load" for one in columns) and set(measured) - set(_NEED_NO_LOAD):
-        raise InputError("--data", ", ".join(heads), 'a column of the loads, like "load [mN]"')
+        raise InputError("--data", ", ".join(heads), "a column with a measured quantity: " + ", ".join(MEASURABLE))
+    for column in columns:
+        if column.kind == "error" and column.quantity not in measured:
+            raise InputError("--data", f"{column.quantity}{_ERROR}", f"only together with a column {column.quantity}")
+    if not any(column.kind == "load" for column in columns) and set(measured) - set(_NEED_NO_LOAD):
+        raise InputError("--data", ", ".join(heads), 'a column with the loads, e.g. "load [mN]"')
 
 
-def _entries(at: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) -> list[tuple]:
-    """Return the measured values of a line."""
+def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) -> list[tuple]:
+    """Return one row per measured value of a line.
+
+    at: line number; cells: text by column name. A row is (quantity, sample, load, value, error, known, line number), in SI
+    units.
+    """
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}
     errors: dict[str, float] = {}
@@ -188,7 +207,7 @@ def _entries(at: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) 
         elif column.kind == "note" or not cell:
             continue
         else:
-            number = _number(cell, column, f"line {at}, {head}")
+            number = _number(cell, column, f"line {line_number}, {head}")
             if column.kind == "known":
                 known[column.path] = number
             elif column.kind == "load":
@@ -197,19 +216,19 @@ def _entries(at: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) 
                 (values if column.kind == "value" else errors)[column.quantity] = number
     for quantity in values:
         if not np.isfinite(load) and quantity not in _NEED_NO_LOAD:
-            raise InputError(f"line {at}", None, f"a load where {quantity} was measured")
+            raise InputError(f"line {line_number}", None, f"a load for each measured {quantity}")
         if quantity == "friction_coefficient" and not load > 0.0:
-            raise InputError(f"line {at}, load", load, "above 0 where friction_coefficient was measured")
+            raise InputError(f"line {line_number}, load", load, "above 0 for a measured friction_coefficient")
         if quantity in errors and not errors[quantity] > 0.0:
-            raise InputError(f"line {at}, {quantity}{_ERROR}", errors[quantity], "above 0")
-    return [(q, sample, load, value, errors.get(q, float("nan")), known, at) for q, value in values.items()]
+            raise InputError(f"line {line_number}, {quantity}{_ERROR}", errors[quantity], "above 0")
+    return [(q, sample, load, value, errors.get(q, float("nan")), known, line_number) for q, value in values.items()]
 
 
 def _number(cell: str, column: _Column, where: str) -> float:
     try:
         plain = float(cell)
     except ValueError:
-        raise InputError(where, cell, "a number, with a decimal point (or comma, with semicolons between the cells)") from None
+        raise InputError(where, cell, "a number with a decimal point; a decimal comma needs semicolons between cells") from None
     if not np.isfinite(plain):
         raise InputError(where, cell, "a finite number")
     with field_named(where):
@@ -217,16 +236,21 @@ def _number(cell: str, column: _Column, where: str) -> float:
 
 
 def _check_errors(measured: Measurements) -> None:
-    """Errors of a quantity are given for all its values, or for none, and no value has more digits than a number."""
+    """Raise InputError for standard errors that a fit cannot use.
+
+    A quantity needs an error for each of its values or for none. No error may be below 1e-10 of the largest value.
+    """
     for quantity in measured.quantities:
-        of = np.array([one == quantity for one in measured.quantity])
-        there = np.isfinite(measured.error[of])
+        rows = np.array([name == quantity for name in measured.quantity])
+        there = np.isfinite(measured.error[rows])
         if there.any() and not there.all():
-            line = np.array(measured.line)[of][~there][0]
-            raise InputError(f"line {line}, {quantity}{_ERROR}", None, "a standard error for every value, or for none")
-        least = _LEAST_ERROR * np.abs(measured.value[of]).max()
-        small = of & (measured.error < least)
+            line = np.array(measured.line)[rows][~there][0]
+            raise InputError(
+                f"line {line}, {quantity}{_ERROR}", None, f"a standard error for each value of {quantity}, or for none"
+            )
+        least = _LEAST_ERROR * np.abs(measured.value[rows]).max()
+        small = rows & (measured.error < least)
         if small.any():
-            at = int(np.flatnonzero(small)[0])
-            allowed = f"{show(float(least), quantity)} or more, {_LEAST_ERROR:g} of the largest value"
-            raise InputError(f"line {measured.line[at]}, {quantity}{_ERROR}", float(measured.error[at]), allowed)
+            index = int(np.flatnonzero(small)[0])
+            allowed = f"at least {show(float(least), quantity)}, which is {_LEAST_ERROR:g} of the largest value"
+            raise InputError(f"line {measured.line[index]}, {quantity}{_ERROR}", float(measured.error[index]), allowed)

@@ -1,4 +1,4 @@
-"""Materials of a case: tables [materials.NAME] in the case, or in a file that it names."""
+"""User-defined materials: tables [materials.NAME] in a case file, or in a separate file that the case names."""
 
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
@@ -10,23 +10,23 @@ from stiction.case.several import Address
 from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError, field_as, field_below
 
-_FORM = 'tables [materials.NAME], or the name of a file that has them, e.g. materials = "my_materials.toml"'
+_FORM = 'tables [materials.NAME], or the path of a file with such tables, e.g. materials = "my_materials.toml"'
 
 
 def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
-    """Return the tables of a case with the contents of its file of materials, if it names one.
+    """Return the tables of a case with its file of materials, if it names one, read in.
 
-    folder: of the case; read: returns the tables of a TOML file, with units. Raises InputError, with the name of the file
-    before the field.
+    folder: folder of the case file; read: function that returns the tables of a TOML file and checks their units. Raises
+    InputError; its field starts with the name of the file.
     """
-    given = content.get("materials")
-    if not isinstance(given, str):
+    materials = content.get("materials")
+    if not isinstance(materials, str):
         return content
-    name = Path(given).name
+    name = Path(materials).name
     try:
-        tables = read(folder / given)
+        tables = read(folder / materials)
         for key in tables.keys() - {"materials"}:
-            raise InputError(key, tables[key], "materials: a file of materials has tables [materials.NAME] and nothing else")
+            raise InputError(key, tables[key], "only tables [materials.NAME] in a materials file")
         if not isinstance(tables.get("materials"), Mapping):
             raise InputError("materials", tables.get("materials"), _FORM)
     except InputError as error:
@@ -36,25 +36,31 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
 
 
 def telling_the_file(content: Mapping) -> AbstractContextManager[None]:
-    """Put the name of the file that has the materials of a case before the field of an InputError about them."""
-    given = content.get("materials")
-    before = f"materials: {Path(given).name}: " if isinstance(given, str) else ""
+    """Return a context manager that adds the materials file to the field of an InputError about a material."""
+    materials = content.get("materials")
+    before = f"materials: {Path(materials).name}: " if isinstance(materials, str) else ""
     return field_as(lambda field: before * field.startswith("materials.") + field)
 
 
 def with_own_materials(content: Mapping) -> Mapping:
-    """Replace the names of materials of the case by these materials. Raises InputError."""
-    given = content.get("materials")
-    if given is None:
+    """Return the tables with every name of a user-defined material replaced by the material.
+
+    Raises InputError.
+    """
+    tables = content.get("materials")
+    if tables is None:
         return content
-    own = _materials(given)
+    own = _materials(tables)
     named: dict[Address, Any] = {path: body for path in BODIES if (body := entry_at(content, path)) is not None}
-    found = {path: _found(body, own, ".".join(path)) for path, body in named.items()}
-    return with_numbers(content, {**found, ("materials",): own})
+    materials = {path: _found(body, own, ".".join(path)) for path, body in named.items()}
+    return with_numbers(content, {**materials, ("materials",): own})
 
 
 def _materials(tables: Any) -> dict[str, Material]:
-    """Name -> material, of the tables of numbers; a material may start from a preset, but not bear its name."""
+    """Return the user-defined materials by name.
+
+    A material may start from a preset, but must not have the name of a preset. Raises InputError.
+    """
     if not isinstance(tables, Mapping):
         raise InputError("materials", tables, _FORM)
     return {name: _material(name, numbers) for name, numbers in tables.items()}
@@ -63,16 +69,20 @@ def _materials(tables: Any) -> dict[str, Material]:
 def _material(name: str, numbers: Any) -> Material:
     where = f"materials.{name}"
     if name in material_names():
-        raise InputError(where, name, "a name that no preset has")
+        raise InputError(where, name, "a name that no preset has; choose another name")
     if not isinstance(numbers, Mapping):
-        raise InputError(where, numbers, f"a table [{where}] of its numbers")
+        raise InputError(where, numbers, f"a table [{where}] of material properties")
     with field_below(where):
-        found = as_material({"name": name, **numbers})
-        return found if isinstance(found, Material) else Material(**found)
+        material = as_material({"name": name, **numbers})
+        return material if isinstance(material, Material) else Material(**material)
 
 
 def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
-    """Return the material of a body that names one of the case, with its changes; other bodies are returned unchanged."""
+    """Return the user-defined material that a body names, with the changes stated for this body.
+
+    A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name; where: address of
+    the body. Raises InputError for an unknown name.
+    """
     name = body.get("preset") if isinstance(body, Mapping) else body
     if not isinstance(name, str):
         return body

@@ -1,4 +1,4 @@
-"""Where the numbers of a contact stand in a case, and what may stand there in place of one."""
+"""Addresses of the numbers of a contact in the tables of a case: find, read and replace them."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -27,14 +27,14 @@ BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "m
 
 
 def entry_at(content: Any, path: Address) -> Any:
-    """Return what stands at a path of tables and records; None if nothing does."""
+    """Return the entry at an address in nested tables and records, or None."""
     for key in path:
         content = content.get(key) if isinstance(content, Mapping) else getattr(content, "part", lambda _: None)(key)
     return content
 
 
 def subject_table(content: Mapping) -> str:
-    """Return the table of the subject: "contact" or "indices"."""
+    """Return the table that describes the contact: "contact" or "indices"."""
     return "indices" if "indices" in content else "contact"
 
 
@@ -43,7 +43,7 @@ def _numbers_of(record: type[Input]) -> list[str]:
 
 
 def _known(content: Mapping) -> list[str]:
-    """Dotted names of all numbers that this case may have."""
+    """Return the dotted names of all numbers that this case can have."""
     if subject_table(content) == "indices":
         return _numbers_of(Indices)
     absent = [part for part in ("coating", "liquid") if entry_at(content, ("contact", part)) is None]
@@ -52,23 +52,26 @@ def _known(content: Mapping) -> list[str]:
 
 
 def placed(name: str, content: Mapping, where: str) -> Address:
-    """Return the address of the number of this name.
+    """Return the address of a number from its dotted or short name.
 
-    ("contact", "coating", "thickness") for "coating.thickness", or for "thickness" if there is only one. Raises InputError,
-    naming `where`, for a name that is no number of the case.
+    "coating.thickness", or "thickness" if no other number has that name, gives ("contact", "coating", "thickness"). where:
+    field of the InputError for a name that is unknown or ambiguous.
     """
     known = _known(content)
-    found = [name] if name in known else [one for one in known if one.rpartition(".")[2] == name]
-    if len(found) != 1:
-        allowed = ", ".join(found) if found else nearest(name, known)
+    matches = [name] if name in known else [known_name for known_name in known if known_name.rpartition(".")[2] == name]
+    if len(matches) != 1:
+        allowed = ", ".join(matches) if matches else nearest(name, known)
         raise InputError(where, name, f"a number of the case: {allowed}")
-    return subject_table(content), *found[0].split(".")
+    return subject_table(content), *matches[0].split(".")
 
 
 def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
-    """Dotted name and entry of everything in a table of tables, down to what is a leaf."""
+    """Yield the dotted name and the entry of every leaf of nested tables.
+
+    is_leaf: function that returns whether a table counts as one entry. Raises InputError if `table` is no table.
+    """
     if not isinstance(table, Mapping):
-        raise InputError(where, table, "a table of numbers of the case, by their names")
+        raise InputError(where, table, "a table whose keys are names of numbers of the case")
     for key, value in table.items():
         if isinstance(value, Mapping) and not is_leaf(value):
             for name, leaf in flat(value, f"{where}.{key}", is_leaf):
@@ -78,9 +81,9 @@ def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
 
 
 def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
-    """Return tables or a record with these entries at their addresses.
+    """Return a copy of tables or a record with these entries at their addresses.
 
-    A body that is named by its preset keeps its other numbers. Records are checked. Raises InputError.
+    A preset name becomes a table that starts from the preset. Records are validated again. Raises InputError.
     """
     changes: dict[str, Any] = {}
     for key in dict.fromkeys(path[0] for path in numbers):
@@ -94,21 +97,24 @@ def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
 
 
 def _as_table(entry: Any) -> Any:
-    """Return a preset by its name as a table that starts from it, and nothing as an empty table."""
+    """Return a preset name as {"preset": name}, None as an empty table, and any other entry unchanged."""
     return {"preset": entry} if isinstance(entry, str) else {} if entry is None else entry
 
 
 def roughness_in(content: Mapping) -> Any:
-    """Return what the tables of a case have as the roughness of the contact; None where they have nothing."""
+    """Return the entry contact.roughness of a case, or None."""
     return entry_at(content, ("contact", "roughness"))
 
 
 def with_roughness(content: Mapping, roughness: Any) -> Any:
-    """Return the tables of a case with another roughness of the contact."""
+    """Return a copy of the tables of a case with this entry as contact.roughness."""
     return with_numbers(content, {("contact", "roughness"): roughness})
 
 
 def as_numbers(content: Mapping) -> Mapping:
-    """Replace scans by the roughness numbers of the method that represents them, so that studies can vary these."""
+    """Return the tables with scans replaced by roughness parameters, so that a study can vary these.
+
+    The parameters are those of the asperity method that represents the scan.
+    """
     rough = roughness_in(content)
     return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

@@ -1,4 +1,4 @@
-"""Numbers of a case file that are several: lists, ranges, and quantities that vary together."""
+"""Swept numbers of a case file: lists, ranges, and parameters that vary together."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -33,7 +33,7 @@ _TAKEN = (
 
 
 def as_point(value):
-    """Validate one number, or text with a number and its unit."""
+    """Return a number, or text with a number and its unit, unchanged. Raises InputError for anything else."""
     if isinstance(value, bool) or not isinstance(value, float | int | str):
         raise InputError("", value, "a number, or text with a number and its unit")
     return value
@@ -43,7 +43,7 @@ Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | 
 
 
 class Range(Input):
-    """Evenly spaced points, both ends included; evenly spaced logarithms with spacing = "log"."""
+    """Evenly spaced points from `start` to `stop`; spacing = "log" spaces their logarithms evenly."""
 
     start: Point = Field(description="the first point")
     stop: Point = Field(description="the last point")
@@ -53,16 +53,16 @@ class Range(Input):
 
 def _along(value):
     if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z]\w{0,63}", value) or value in QUANTITIES or value in _TAKEN:
-        raise InputError("", value, "a name of letters, digits and _, that is no quantity's")
+        raise InputError("", value, "a name of letters, digits and _ that is neither a quantity nor reserved")
     return value
 
 
 Along = Annotated[Any, BeforeValidator(_along, json_schema_input_type=str)]
-_TOGETHER = "name of a dimension: quantities with the same vary together, point by point"
+_TOGETHER = "name of a dimension; numbers with the same dimension vary together, point by point"
 
 
 class _Ends(Range):
-    """The same of a number of a contact. A sample between the ends needs no count."""
+    """A swept number as a range. A case that is sampled within the range needs no count."""
 
     count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
         None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
@@ -71,7 +71,7 @@ class _Ends(Range):
 
 
 class _Values(Input):
-    """Values one by one, with the name of their dimension."""
+    """A swept number as a list of values, with the name of its dimension."""
 
     values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
@@ -91,11 +91,11 @@ Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[flo
 
 @dataclass(frozen=True)
 class Several:
-    """Hold a swept number of a contact.
+    """A swept number of a contact.
 
-    path: its address, such as ("contact", "coating", "thickness"); dimension: along which it varies; name: of its coordinate.
-    values (n,) in SI units, or the two ends with the number and spacing of the points between them (None: as many as are
-    sampled).
+    path: its address, e.g. ("contact", "coating", "thickness"); dimension: dimension along which it varies; name: name of
+    its coordinate. values: values (n,) in SI units, or the two ends of a range. count, spacing: number and spacing of the
+    points of a range; count None: as many as the study samples.
     """
 
     path: Address
@@ -116,11 +116,11 @@ class Several:
 
     @property
     def words(self) -> InWords:
-        """How many there are, and their ends."""
+        """Return a text with the number of values and the first and last of them."""
         return several_in_words(self.values, self.where, self.count)
 
     def numbers(self) -> np.ndarray:
-        """All values (n,). Raises InputError for a range that does not say how many there are."""
+        """Return all values (n,) in SI units. Raises InputError for a range without count."""
         if not self.is_range:
             return self.values
         if self.count is None:
@@ -128,21 +128,24 @@ class Several:
         return _spaced(self.values, self.count, self.spacing)
 
     def as_table(self) -> dict[str, Any]:
-        """Return the input in SI units, as a table of a case file."""
+        """Return the swept number as a table of a case file, in SI units."""
         if not self.is_range:
             return {"values": self.values.tolist(), "along": self.dimension}
         start, stop = self.values.tolist()
         return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Return the values at these shares (n,), from 0 to below 1, of the range or the list."""
+        """Return values at positions (n,), 0 up to but not including 1, of the range or the list."""
         start, stop = self.values[0], self.values[-1]
         if not self.is_range:
             return self.values[(share * len(self.values)).astype(int)]
         return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
 
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
-        """Return some of the values as a labelled array along its dimension, or along another one."""
+        """Return values (n,) of this number as a labelled array.
+
+        dimension: dimension of the array, by default that of the swept number.
+        """
         import xarray
 
         quantity, dimension = QUANTITIES[self.quantity], dimension or self.dimension
@@ -157,21 +160,21 @@ class Several:
 
 
 def several_numbers(content: Mapping) -> dict[Address, Several]:
-    """Every number of [contact] or [indices] that is several, by where it stands. Raises InputError."""
-    found = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
-    short = [path[-1] for path in found]
-    return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in found.items()}
+    """Return the swept numbers of [contact] or [indices] by address. Raises InputError."""
+    entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
+    short = [path[-1] for path in entries]
+    return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in entries.items()}
 
 
 def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[Address, Any]]:
-    """Where in these tables a number is not one: a list, a range, or uncertain; and what stands there."""
+    """Yield the address and the entry of every number in these tables that is swept or uncertain."""
     for table in tables:
         if isinstance(content.get(table), Mapping):
             yield from _in_table(content[table], (table,))
 
 
 def with_error(entry: Any) -> bool:
-    """Whether what stands in the place of a number says how uncertain it is."""
+    """Return whether the entry of a number describes an uncertain number."""
     if isinstance(entry, str):
         return any(sign in entry for sign in _ERROR_SIGNS)
     return is_law(entry) or isinstance(entry, Distribution) or (isinstance(entry, Mapping) and bool(entry.keys() & _ERROR_KEYS))
@@ -194,25 +197,29 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> Several:
     if isinstance(entry, list):
         entry = {"values": entry}
     with field_as(lambda field: f"{where}.{field}".removesuffix(".values")):
-        given = _Ends(**entry) if entry.keys() & {"start", "stop", "count", "spacing"} else _Values(**entry)
+        table = _Ends(**entry) if entry.keys() & {"start", "stop", "count", "spacing"} else _Values(**entry)
     name = ".".join(path[1:]) if ambiguous else path[-1]
-    if isinstance(given, _Values):
-        return Several(path, given.along or name, name, _numbers(given.values, path, ("",)))
-    ends = _numbers([given.start, given.stop], path, (".start", ".stop"))
-    _check_spacing(where, given, start=ends[0], stop=ends[1])
-    return Several(path, given.along or name, name, ends, True, given.count, given.spacing)
+    if isinstance(table, _Values):
+        return Several(path, table.along or name, name, _numbers(table.values, path, ("",)))
+    ends = _numbers([table.start, table.stop], path, (".start", ".stop"))
+    _check_spacing(where, table, start=ends[0], stop=ends[1])
+    return Several(path, table.along or name, name, ends, True, table.count, table.spacing)
 
 
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
-    """Return the numbers in SI units, each checked like a single number; ends: suffixes of their names."""
-    where = [".".join(path) + ends[min(at, len(ends) - 1)] for at in range(len(entries))]
-    return np.array([number_of(entry, path[-1], at) for entry, at in zip(entries, where, strict=True)])
+    """Return the entries as numbers (n,) in SI units, after checking each.
+
+    ends: suffixes that name the entries in errors, e.g. (".start", ".stop"). Raises InputError.
+    """
+    where = [".".join(path) + ends[min(address, len(ends) - 1)] for address in range(len(entries))]
+    return np.array([number_of(entry, path[-1], address) for entry, address in zip(entries, where, strict=True)])
 
 
 def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
-    """Return a number of a case file in SI units; plain if the quantity has no unit.
+    """Return an entry of a case file as a number in SI units.
 
-    given: the entry that contains it. Raises InputError.
+    name: quantity, which decides whether a unit is needed; where: address for errors; given: larger entry that contains
+    this one, shown in errors. Raises InputError.
     """
     quantity = QUANTITIES[name]
     if quantity.unit and not isinstance(entry, str):
@@ -226,19 +233,23 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
 
 
 def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
-    """Return the low and the high end of a table in SI units. Raises InputError."""
+    """Return the lower and the upper end of a table in SI units.
+
+    Raises InputError if `low` is not below `high`, or not positive with logarithmic spacing.
+    """
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
-        raise InputError(f"{where}.high", given.high, f"more than the low end, {given.low}")
+        raise InputError(f"{where}.high", given.high, f"above the low end, {given.low}")
     _check_spacing(where, given, low=low)
     return low, high
 
 
 def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
-    """Return the points of [solve] as numbers (n,), None for none.
+    """Return the points of [solve] as numbers (n,), or None if there are none.
 
-    In SI units for a Contact, dimensionless for Indices. Plain separations are over sigma. If sigma is swept, they are a
-    labelled array of lengths, over sigma and `separation`.
+    name: "load" or "mean_separation"; where: address for errors. Numbers are in SI units for a Contact and dimensionless
+    for Indices. Separations without unit are multiples of sigma. If sigma is swept, they are lengths in a labelled array
+    along `separation` and the dimension of sigma. Raises InputError.
     """
     if points is None:
         return None
@@ -246,11 +257,11 @@ def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
     entries = [points.start, points.stop] if is_range else points
     ends = (".start", ".stop") if is_range else ("",) * len(entries)
     numbers = [subject.read_point(entry, name, where + end) for entry, end in zip(entries, ends, strict=True)]
-    by_sigma = any(hasattr(one, "dims") for one in numbers)
+    by_sigma = any(hasattr(number, "dims") for number in numbers)
     if by_sigma:
         text = next((entry for entry in entries if isinstance(entry, str)), None)
         if text is not None:
-            raise InputError(where, text, "plain numbers, over sigma, like the others: sigma is several here")
+            raise InputError(where, text, "multiples of sigma without unit for all separations, because sigma is swept")
         numbers = [plain_number(entry, where) for entry in entries]
     h = np.array(numbers)
     if is_range:
@@ -268,10 +279,10 @@ def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
 
 
 def _check_spacing(where: str, given: Any, **ends: float) -> None:
-    """Raise InputError for ends that have no logarithm where logarithms are spaced."""
+    """Raise InputError for an end of a logarithmic range that is not positive."""
     for end, number in ends.items():
         if given.spacing == "log" and number <= 0.0:
-            raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 where spacing = "log"')
+            raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 with spacing = "log"')
 
 
 def _over_sigma(h: np.ndarray, subject: Any) -> Any:
@@ -283,7 +294,10 @@ def _over_sigma(h: np.ndarray, subject: Any) -> Any:
 
 
 def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -> None:
-    """Let every number of the tables of a contact in a JSON schema also be several, or of one of the other forms, by name."""
+    """Extend a JSON schema so that each number of a contact may also be swept or uncertain.
+
+    schema: changed in place; more: further forms of a number, by their name in the schema.
+    """
     forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)
     several = {name: cls.model_json_schema() for name, cls in forms}
     schema["$defs"] |= several
@@ -295,6 +309,6 @@ def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -
                 several_of = [
                     {"type": "array", "items": of_one, "minItems": 1},
                     *([] if of_one["type"] == "string" else [{"type": "string", "pattern": "\\+/-|±"}]),
-                    *({"$ref": f"#/$defs/{one}"} for one in several),
+                    *({"$ref": f"#/$defs/{form}"} for form in several),
                 ]
                 schema["$defs"][table]["properties"][name] = rest | {"anyOf": [of_one, *several_of]}

@@ -1,4 +1,4 @@
-"""Find the tables that studies read from a case file."""
+"""The tables that studies add to a case file."""
 
 import importlib
 import importlib.util
@@ -13,18 +13,25 @@ from stiction.quantities.inputs import Input
 
 @cache
 def study_tables() -> dict[str, tuple[type[Input], str]]:
-    """Return the form and the description of every study's table by its key.
+    """Return the data model and the description of every study's table by name.
 
-    A study that reads a table has a file `table.py` with `TABLE = (form, description)`; the name of its folder is the key.
-    They are found by their place, as laws are, so that this room imports no study.
+    A study that reads a table has a module `table.py` with `TABLE = (data model, description)`. The folder of the study
+    names the table. Modules are found by their path, because `case` must not import `studies`.
     """
     studies = importlib.import_module("stiction.studies")
-    modules = {one.name: f"{studies.__name__}.{one.name}.table" for one in pkgutil.iter_modules(studies.__path__) if one.ispkg}
+    modules = {
+        module.name: f"{studies.__name__}.{module.name}.table"
+        for module in pkgutil.iter_modules(studies.__path__)
+        if module.ispkg
+    }
     return {name: importlib.import_module(path).TABLE for name, path in modules.items() if importlib.util.find_spec(path)}
 
 
 def study_table(content: Mapping[str, Any], name: str, wanted: str) -> Any:
-    """Return the table of a study in a case, checked; wanted: what such a table has. Raises InputError."""
+    """Return the checked table of a study.
+
+    name: name of the table; wanted: what it must contain, for errors. Raises InputError.
+    """
     table = content.get(name)
     if not isinstance(table, Mapping):
         raise InputError(name, table, wanted)

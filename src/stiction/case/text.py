@@ -1,4 +1,4 @@
-"""A case as text: a TOML file that `stiction run` reads."""
+"""The text of case files: tables written as TOML that `stiction run` reads."""
 
 import json
 import os
@@ -20,33 +20,36 @@ _TABLES = ("contact", "indices", "materials")  # in which numbers may be values 
 
 
 def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str, Any]:
-    """Return the tables of a case as written, with these SI numbers as text with units."""
+    """Return the tables of a case with these SI numbers, by address, written as text with units."""
     return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
 
 
 def show_exactly(value: float, name: str) -> Any:
-    """Return a number of the named quantity as text of a case file, to ten digits."""
+    """Return an SI number as a case file states it: text with unit, or a plain number; ten digits.
+
+    name: name of the quantity.
+    """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
 
 
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
-    """Return the tables as TOML, after comments.
+    """Return the tables as TOML text, below these comment lines.
 
-    Names of files (scans, values, materials) are relative to `folder` in the input, and to the folder of `out` in the text.
+    Paths of scans, samples and materials files are relative to `folder` in the tables and to the folder `out` in the text.
     """
     return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
 
 
 def as_toml(content: Mapping) -> str:
-    """Return the tables as TOML; keys without a value are left out."""
+    """Return the tables as TOML text, without keys that have no value."""
     return tomli_w.dumps(_plain(content, ""))
 
 
 def inline(value: Any) -> str:
-    """Return a value as it stands on one line of a case file."""
+    """Return a value as TOML on one line."""
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{key} = {inline(one)}" for key, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{key} = {inline(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(inline, value)) + "]"
     return json.dumps(value, ensure_ascii=False)
@@ -59,9 +62,11 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
     def placed(entry: Any, keys: tuple[str, ...]) -> Any:
         if not isinstance(entry, Mapping):
             return entry
-        return {key: moved(one) if key in keys and isinstance(one, str) else placed(one, keys) for key, one in entry.items()}
+        return {
+            key: moved(value) if key in keys and isinstance(value, str) else placed(value, keys) for key, value in entry.items()
+        }
 
-    changed = {key: placed(one, ("samples", "file")) if key in _TABLES else one for key, one in content.items()}
+    changed = {key: placed(value, ("samples", "file")) if key in _TABLES else value for key, value in content.items()}
     if isinstance(changed.get("materials"), str):
         changed["materials"] = moved(changed["materials"])
     rough = roughness_in(changed)
@@ -69,11 +74,14 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
 
 
 def _plain(value: Any, name: str) -> Any:
-    """Return what TOML can hold: a distribution that a file cannot say becomes the number that stands for it."""
+    """Return a copy of the value that TOML can hold.
+
+    A distribution object of Python, for which TOML has no form, becomes its nominal value. name: quantity of the value.
+    """
     if isinstance(value, Distribution) or is_law(value):
         return show_exactly(read_distribution(value, name, name).nominal, name)
     if isinstance(value, Mapping):
-        return {str(key): _plain(one, str(key)) for key, one in value.items() if one is not None}
+        return {str(key): _plain(entry, str(key)) for key, entry in value.items() if entry is not None}
     if isinstance(value, list | tuple | np.ndarray):
-        return [_plain(one, name) for one in value]
+        return [_plain(entry, name) for entry in value]
     return value.item() if isinstance(value, np.generic) else value

@@ -1,4 +1,4 @@
-"""Numbers of a case file that are uncertain: an error, ends, a factor, or values from a file, in place of the number."""
+"""Uncertain numbers of a case file: with a standard deviation, an interval, a factor, or samples from a file."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -34,7 +34,7 @@ _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_
 _MOST_SAMPLES = 1_000_000
 _LARGEST_FILE = 200_000_000
 _NOT_OF_A_CONTACT = ("surface_energy",)  # a contact has a work of adhesion of its own
-_TOGETHER = "name of a dimension: quantities with the same vary together"
+_TOGETHER = "name of a dimension; numbers with the same dimension are sampled together"
 
 
 def _power_of_two(value: Any) -> Any:
@@ -44,46 +44,53 @@ def _power_of_two(value: Any) -> Any:
 
 
 class Uncertainty(Input):
-    """How uncertain numbers are drawn.
+    """The table [uncertainty]: how uncertain numbers are sampled.
 
-    count: points, of Sobol's sequence, scrambled; seed: of the scrambling; coverage: the share of all points that a band holds.
-    ranges: whether numbers of materials vary within their ranges.
+    count, seed: number of samples and seed of the scrambled Sobol sequence. coverage: coverage probability of the
+    prediction interval. ranges: whether material presets vary within their stated ranges.
     """
 
     count: Annotated[int, BeforeValidator(_power_of_two)] = Field(
         1024, strict=True, description="a power of two, 64 to 1048576"
     )
     seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
-    coverage: float = Field(0.9, gt=0.0, lt=1.0, strict=True, description="a share above 0 and below 1, e.g. 0.9")
-    ranges: bool = Field(False, strict=True, description="true: numbers of materials vary within their ranges; or false")
+    coverage: float = Field(0.9, gt=0.0, lt=1.0, strict=True, description="a probability above 0 and below 1, e.g. 0.9")
+    ranges: bool = Field(
+        False, strict=True, description="true or false: whether material properties vary within their stated ranges"
+    )
 
 
 class _Between(Input):
-    """Anything between two ends."""
+    """An uncertain number with a uniform or log-uniform distribution between two limits."""
 
     low: Point = Field(description="the low end")
     high: Point = Field(description="the high end")
     spacing: Literal["linear", "log"] = Field(
-        "linear", description="linear: the number is as likely anywhere; log: its logarithm is"
+        "linear", description="linear: uniform distribution; log: uniform distribution of the logarithm"
     )
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
 class _Factor(Input):
-    """A median, and the factor that is one standard deviation of the logarithm."""
+    """An uncertain number with a log-normal distribution: its median and geometric standard deviation."""
 
-    median: Point = Field(description="the value that is as likely too high as too low")
-    factor: float = Field(gt=1.0, le=1e6, strict=True, description="a factor above 1: two thirds of the values lie within it")
+    median: Point = Field(description="the median, with its unit")
+    factor: float = Field(
+        gt=1.0,
+        le=1e6,
+        strict=True,
+        description="a factor above 1; two thirds of the values are within this factor of the median",
+    )
     along: Along = Field(None, validate_default=False, description=_TOGETHER)
 
 
 class _Samples(Input):
-    """Values from a file: text with a column for each quantity."""
+    """An uncertain number whose distribution is given by samples in a file."""
 
-    samples: str = Field(description="a file beside the case, with a number in every line, or columns under their names")
+    samples: str = Field(description="path of a file with one number per line, or with named columns")
     unit: str | None = Field(None, description="the unit of the numbers in the file")
-    column: str | None = Field(None, description="the name of the column, where the file has several")
-    along: Along = Field(None, validate_default=False, description="name of a dimension: rows of one file stay together")
+    column: str | None = Field(None, description="name of the column, if the file has several")
+    along: Along = Field(None, validate_default=False, description="name of a dimension; rows of one file are sampled together")
 
 
 # The tables that say how uncertain a number is, by the names that they have in a JSON schema.
@@ -92,10 +99,10 @@ FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFac
 
 @dataclass(frozen=True)
 class Uncertain(Several):
-    """Hold an uncertain number of a contact and its distribution.
+    """An uncertain number of a contact: its address and its distribution.
 
-    Numbers of the same `dimension` are sampled together. `values` has the nominal value; `at(share)` returns the values at
-    quantile levels (n,) of the distribution.
+    Numbers of the same `dimension` are sampled together. `values` holds the nominal value only. `at` returns the quantiles
+    (n,) at quantile levels (n,).
     """
 
     distribution: Any = None
@@ -110,8 +117,8 @@ class Uncertain(Several):
         return InWords(self.distribution.words)
 
     def numbers(self) -> np.ndarray:
-        """Refused: there are as many as are drawn."""
-        drawn = 'a number, a list or a range; or points that are drawn, sample = { method = "sobol", count = 1024 }'
+        """Raise InputError: an uncertain number has no list of values to sweep."""
+        drawn = 'a number, a list or a range; or sample the sweep, e.g. sample = { method = "sobol", count = 1024 }'
         raise InputError(self.where, self.words, drawn)
 
     def as_table(self) -> dict[str, Any]:
@@ -122,37 +129,39 @@ class Uncertain(Several):
 
 
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
-    """Return the uncertain numbers of [contact], [indices] and [materials], by address.
+    """Return the uncertain numbers of [contact], [indices] and [materials] by address.
 
-    folder: of files of values; of_materials: folder of files of values of [materials], if these are in a file elsewhere. Raises
-    InputError.
+    folder: folder of the files of samples; of_materials: their folder for [materials], if it differs. Raises InputError.
     """
-    found = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
+    entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
-    for path, entry in found.items():
+    for path, entry in entries.items():
         beside = folder if of_materials is None or path[0] != "materials" else of_materials
-        one = read_distribution(entry, path[-1], ".".join(path), beside)
+        distribution = read_distribution(entry, path[-1], ".".join(path), beside)
         along = entry.get("along") if isinstance(entry, Mapping) else None
-        read[path] = Uncertain.of(path, one, along or ".".join(path[1:]))
+        read[path] = Uncertain.of(path, distribution, along or ".".join(path[1:]))
     _check_rows(read)
     return read
 
 
 def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
-    """InputError where files whose rows stay together have not as many."""
+    """Raise InputError if samples of the same dimension come from files with different numbers of rows."""
     first: dict[str, Uncertain] = {}
-    for one in numbers.values():
-        if one.distribution.kind != "values":
+    for number in numbers.values():
+        if number.distribution.kind != "values":
             continue
-        other = first.setdefault(one.dimension, one)
-        count, wanted = (len(each.distribution.parameters) for each in (one, other))
+        other = first.setdefault(number.dimension, number)
+        count, wanted = (len(uncertain.distribution.parameters) for uncertain in (number, other))
         if count != wanted:
-            allowed = f"{wanted}, as many as {other.where} has: rows of both go together"
-            raise InputError(f"{one.where}.samples", f"{count} values", allowed)
+            allowed = f"{wanted} values as in {other.where}, because rows of both are sampled together"
+            raise InputError(f"{number.where}.samples", f"{count} values", allowed)
 
 
 def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:
-    """Read the distribution of a number; where: its address in the file. Raises InputError."""
+    """Return the distribution that an entry describes.
+
+    where: address of the entry; folder: folder of the files of samples. Raises InputError.
+    """
     if isinstance(entry, Distribution):
         return entry
     if is_law(entry):
@@ -163,20 +172,20 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     likeliest = max(forms, key=lambda form: len(entry.keys() & form.model_fields.keys() - {"along"}))  # names its missing field
     form = next((form for form in forms if next(iter(form.model_fields)) in entry), likeliest)
     with field_below(where):
-        given = form(**entry)
-    if isinstance(given, _Samples):
-        return of_samples(quantity, _values(given, quantity, where, folder), ordered=given.along is None)
-    if isinstance(given, _Factor):
-        median = number_of(given.median, quantity, f"{where}.median")
+        table = form(**entry)
+    if isinstance(table, _Samples):
+        return of_samples(quantity, _values(table, quantity, where, folder), ordered=table.along is None)
+    if isinstance(table, _Factor):
+        median = number_of(table.median, quantity, f"{where}.median")
         if not median > 0.0:
-            raise InputError(f"{where}.median", given.median, "above 0")
-        return within_factor(quantity, median, given.factor, where, entry)
-    assert isinstance(given, _Between)
-    return between(quantity, *read_ends(given, quantity, where), given.spacing == "log")
+            raise InputError(f"{where}.median", table.median, "above 0")
+        return within_factor(quantity, median, table.factor, where, entry)
+    assert isinstance(table, _Between)
+    return between(quantity, *read_ends(table, quantity, where), table.spacing == "log")
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
-    """Read a number with its standard deviation: "0.5 +/- 0.1 GPa", "0.5 GPa +/- 20 %"."""
+    """Return the normal distribution of text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %"."""
     match = _ERROR.fullmatch(text)
     if match is None:
         raise InputError(where, text, f'a number and its standard deviation, e.g. "{_example(quantity)}"')
@@ -201,36 +210,36 @@ def _example(quantity: str) -> str:
     return f"{number} +/- {float(f'{float(number) / 10.0:.2g}'):g} {unit}".strip()
 
 
-def _values(given: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
-    """Return the values (n,) of a file in SI units."""
-    rows = _table(folder / given.samples, f"{where}.samples", given.samples)
+def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
+    """Return the samples (n,) of a file in SI units. Raises InputError."""
+    rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
-    at = _column(heads, given.column, len(rows[0]), where)
-    texts = [row[at] if at < len(row) else "" for row in rows[0 if heads is None else 1 :]]
+    column = _column(heads, table.column, len(rows[0]), where)
+    texts = [row[column] if column < len(row) else "" for row in rows[0 if heads is None else 1 :]]
     wanted = QUANTITIES[quantity]
-    if wanted.unit and not given.unit:
+    if wanted.unit and not table.unit:
         raise InputError(
             f"{where}.unit", None, f'the unit of the numbers in the file, e.g. "{wanted.example.partition(" ")[2]}"'
         )
     if not 2 <= len(texts) <= _MOST_SAMPLES:
-        raise InputError(f"{where}.samples", given.samples, f"a file with 2 to {_MOST_SAMPLES} values")
+        raise InputError(f"{where}.samples", table.samples, f"a file with 2 to {_MOST_SAMPLES} values")
     for line, text in enumerate(texts, start=1):
         if not _is_number(text):
-            raise InputError(f"{where}.samples", text, f"numbers; this is value {line} of {given.samples}")
+            raise InputError(f"{where}.samples", text, f"a number; this is value {line} of {table.samples}")
     numbers = np.array([float(text) for text in texts])
     scale = 1.0
     if wanted.unit and numbers.any():
         first = int(np.flatnonzero(numbers)[0])
-        scale = number_of(f"{texts[first]} {given.unit}", quantity, f"{where}.samples") / numbers[first]
+        scale = number_of(f"{texts[first]} {table.unit}", quantity, f"{where}.samples") / numbers[first]
     with field_named(f"{where}.samples"):
         return np.asarray(to_si(numbers * scale, quantity))
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """Return the lines of a file without comments, split into columns."""
+    """Return the cells of each line of a file, without comments and empty lines."""
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
-    kept = [line.partition("#")[0].strip() for line in text.splitlines()]
-    rows = [re.split(r"[,;\t]\s*|\s+", line) for line in kept if line]
+    lines = [line.partition("#")[0].strip() for line in text.splitlines()]
+    rows = [re.split(r"[,;\t]\s*|\s+", line) for line in lines if line]
     if not rows:
         raise InputError(where, name, "a file of numbers; this one is empty")
     return rows
@@ -240,7 +249,7 @@ def _column(heads: list[str] | None, wanted: str | None, columns: int, where: st
     if wanted is None and columns == 1:
         return 0
     if heads is None or wanted not in heads:
-        known = ", ".join(heads or []) or "nothing: the columns of the file have no names"
+        known = ", ".join(heads or []) or "a file with a single column, or with column names in its first line"
         raise InputError(f"{where}.column", wanted, known)
     return heads.index(wanted)
 
@@ -253,22 +262,25 @@ def _is_number(text: str) -> bool:
 
 
 def placed(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
-    """Yield the numbers where they are used: those of a material in every body of that material."""
-    for path, one in numbers.items():
+    """Yield the uncertain numbers at the addresses of the bodies.
+
+    A number of a user-defined material is repeated for every body of that material, unless the body states its own value.
+    """
+    for path, number in numbers.items():
         if path[0] != "materials":
-            yield one
+            yield number
             continue
         for body in BODIES:
             table = entry_at(content, body)
             name = table.get("preset") if isinstance(table, Mapping) else table
             if name == path[1] and not (isinstance(table, Mapping) and path[-1] in table):
-                yield replace(one, path=(*body, path[-1]))
+                yield replace(number, path=(*body, path[-1]))
 
 
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
-    """Yield the numbers of materials that have ranges, but for those at the addresses that are taken.
+    """Yield the numbers of materials that have a stated range, except at addresses in `taken`.
 
-    Within its range a number is as likely by its logarithm, where it is above 0; two bodies of one material vary together.
+    A positive number is log-uniform in its range, others are uniform. Two bodies of one material are sampled together.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))
@@ -282,17 +294,17 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
 
 
 def _material_of(body: Any) -> Material | None:
-    """Return the material of a body, where there is one."""
-    found = as_material(body)
-    return Material(**found) if isinstance(found, Mapping) else found
+    """Return the material of a body, or None."""
+    material = as_material(body)
+    return Material(**material) if isinstance(material, Mapping) else material
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
-    """Return the numbers with unique names: the short name if no other number has it."""
-    short = [one.path[-1] for one in numbers]
-    found = []
-    for one in numbers:
-        whole = ".".join(one.path[1:])
-        name = one.path[-1] if short.count(one.path[-1]) == 1 else whole
-        found.append(replace(one, name=name, dimension=name if one.dimension == whole else one.dimension))
-    return found
+    """Return the numbers with unique names: the short name, or the dotted name if two numbers share the short one."""
+    short = [number.path[-1] for number in numbers]
+    renamed = []
+    for number in numbers:
+        dotted_name = ".".join(number.path[1:])
+        name = number.path[-1] if short.count(number.path[-1]) == 1 else dotted_name
+        renamed.append(replace(number, name=name, dimension=name if number.dimension == dotted_name else number.dimension))
+    return renamed

@@ -94,7 +94,7 @@ def cite(
 @app.command()
 def schema(out: Path | None = option("File to write; by default the schema is printed.")) -> None:
     """Print the JSON schema of a case file, for editors that complete and check TOML."""
-    from stiction.case.read import json_schema
+    from stiction.case.case_tables import json_schema
     from stiction.report.files import as_json
 
     if out is None:
