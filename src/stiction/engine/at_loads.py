@@ -1,9 +1,12 @@
-"""Sums of the load alone, over a whole way of approach: from where separations under given loads are found.
+"""Find starting values of the separation at a given load, for Gaussian heights.
 
-Under Gaussian heights all that a law adds to the load at a separation h is a sum over nodes of exp(-(h + w)^2 / 2), w the
-displacement there. So its nodes are placed once; on an even grid of separations every node's term is the one before times a
-factor of its own (the recurrence), and elsewhere slope and curvature of the load cost no more exponentials than the load does.
-What is found so is a start: the sums of the engine, whose nodes lie elsewhere at each separation, have the last word.
+Under Gaussian heights the load at a separation h is a sum over nodes of a weight times exp(-(h + w)^2 / 2), where w is the
+displacement at the node. The nodes therefore do not depend on h and are placed once. On an even grid of separations, the term
+of a node at the next h is its term at the last h times a constant factor (a recurrence). Between grid points, the slope and
+curvature of the load need no exponentials beyond those of the load itself.
+
+The results are starting values. The caller refines them with the sums of `summation`, which place new nodes at each
+separation.
 """
 
 import math
@@ -37,7 +40,11 @@ _MOST_STEPS = 60
 
 @kernel
 def _sample(way, w_top, nodes):
-    """Fill the way, even and falling separations h, with loads[i, at] of each law i and their slopes by separation."""
+    """Fill `loads` and `slopes` (n laws, H) with the load and its derivative by h.
+
+    way: (h, loads, slopes), where h (H,) is an even, falling grid of separations. w_top: displacement at which the recurrence
+    factors are scaled to 1, to avoid overflow. nodes: displacements, weights and number of nodes of each law.
+    """
     h, loads, slopes = way
     place, held, used = nodes
     step = h[0] - h[1]
@@ -63,7 +70,10 @@ def _sample(way, w_top, nodes):
 
 @kernel
 def _sums(h, place, held, count):
-    """Load, its first two derivatives by separation, and its size, the sum of the absolute terms, of one law."""
+    """Return the load of one law at h, its first and second derivative by h, and its size.
+
+    The size is the sum of the absolute terms of the load. place, held: displacements and weights of the nodes.
+    """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
         z = h + place[node]
@@ -77,7 +87,10 @@ def _sums(h, place, held, count):
 
 @kernel
 def _turning_point(far, near, slope_far, slope_near, place, held, count):
-    """Return the separation between far and near where the slope of the load, of unlike signs at these ends, is zero."""
+    """Return the separation between `far` and `near` at which the slope of the load is zero.
+
+    The slopes at `far` and `near` must have opposite signs.
+    """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
         _, slope, curvature, _ = _sums(x, place, held, count)
@@ -96,10 +109,11 @@ def _turning_point(far, near, slope_far, slope_near, place, held, count):
 
 @kernel
 def _find_lowest(way, lowest, nodes):
-    """Fill in the lowest point of the way.
+    """Fill `lowest` with the largest tension of each law on the grid of separations.
 
-    The largest tension (n,), 0 where there is none; the separation (n,) at which it occurs, else NaN; and the number (n,) of
-    the first separation of h that is nearer.
+    way: (h, loads, slopes), as in `_sample`. lowest: (tension, where, nearer), each (n,). tension is 0 without tension. where
+    is the separation of the largest tension, NaN without tension. nearer is the index of the first grid point of h that is
+    closer to contact than `where`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -125,9 +139,9 @@ def _find_lowest(way, lowest, nodes):
 
 @formula
 def _between(target, far, near, load_far, load_near, slope_far, slope_near):
-    """Return the separation between far and near where a cubic through both loads and slopes equals the target.
+    """Return the separation between `far` and `near` at which the interpolated load equals the target.
 
-    Logarithms are interpolated where the loads are compressive.
+    A cubic is fitted to the loads and slopes at both ends; to the logarithm of the load if the loads are compressive.
     """
     span = far - near
     if load_far > 0.0:
@@ -155,9 +169,9 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 
 @kernel
 def _root(target, far, near, x, place, held, count):
-    """Return the separation where the load is the target, and slope and size of the load there.
+    """Return the separation at which the load equals the target, and the slope and size of the load there.
 
-    By Halley's method from x on, bracketed between far and near.
+    Halley's method starts at x and stays between `far` and `near`.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
@@ -179,11 +193,11 @@ def _root(target, far, near, x, place, held, count):
 
 @kernel
 def _carried(h, loads, slopes, start, first, most, could, odd):
-    """Fill in what the load may reach on the way, for each separation from number `start` on.
+    """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
-    The largest load up to there, a bound of the load between separations, and whether a load that rises at both ends may fall
-    in between: where a cubic is not known to be monotonic (Fritsch & Carlson 1980, region of their circle). first: separation,
-    load and slope before these.
+    most: largest load at the grid points so far. could: upper bound of the load so far, between grid points too. odd: True if
+    a load that rises at both ends of the interval might fall in between, because its cubic is not known to be monotonic
+    (Fritsch & Carlson 1980, region of their circle). first: (separation, load, slope) before grid point `start`.
     """
     most[:start], could[:start] = -np.inf, -np.inf
     for at in range(start, h.size):
@@ -198,7 +212,10 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
 
 @formula
 def _first_not_below(ascending, value):
-    """Return the number of values below; `searchsorted` would take a second to compile."""
+    """Return the index of the first value of `ascending` that is not below `value`.
+
+    This replaces `searchsorted`, which takes about a second to compile.
+    """
     low, high = 0, ascending.size
     while low < high:
         middle = (low + high) // 2
@@ -211,10 +228,11 @@ def _first_not_below(ascending, value):
 
 @kernel
 def _find_roots(way, lowest, targets, nodes, roots):
-    """Fill roots[i, k] with the separation of the load targets[i, k], and slope and size of the load there.
+    """Fill roots[i, k] with (separation, slope, size) of law i at the load targets[i, k].
 
-    NaN where there is none on the way, or where more than one separation may be too close for this grid. Of more than one the
-    first on approach from where[i] is taken, or, if that is NaN, from afar.
+    The entries are NaN if the load is not reached on the grid, or if several separations may be too close together for the
+    grid to tell them apart. Of several separations the first on approach is taken. The approach starts at the largest tension,
+    where[i], or at the far end of the grid if the law has no tension. way, lowest, nodes: as in `_find_lowest` and `_sample`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -255,11 +273,11 @@ def _find_roots(way, lowest, targets, nodes, roots):
 
 @dataclass(frozen=True)
 class Starts:
-    """Hold the starts that a way of approach gives for n laws under m loads each; NaN where it gives none.
+    """Store starting values of the separation for n laws at m loads each; NaN if no value was found.
 
-    tension (n,): the largest, 0 where there is none; where (n,): the separation at which it occurs. h, slope, size (n, m):
-    separations of the loads, and the derivative by separation and the size, the sum of the absolute parts, of the load there.
-    plain (n,): whether all of the way is within the separations of the grid.
+    tension (n,): largest tension, 0 without tension. where (n,): separation of the largest tension. h (n, m): separations at
+    the loads. slope, size (n, m): derivative of the load by h, and sum of the absolute terms of the load, at h. plain (n,):
+    True if the grid of separations covers the whole approach (see `_plain`).
     """
 
     tension: np.ndarray
@@ -271,7 +289,10 @@ class Starts:
 
 
 def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
-    """Largest tensions of n laws under Gaussian heights, and separations of the loads `targets` (n, m): to 1e-9 or so."""
+    """Return the largest tensions of n laws and the separations at the loads `targets` (n, m).
+
+    Heights are Gaussian. Separations are accurate to about 1e-9 (over sigma).
+    """
     targets = np.ascontiguousarray(targets)
     w_low = max(min(regime.lowest for regime in regimes), _LOWEST)
     alone = specialised(len(targets))
@@ -296,10 +317,10 @@ def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
 
 
 def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Return whether (n,) the way shows everything.
+    """Return for each law (n,) whether the grid of separations covers the whole approach.
 
-    Almost nothing touches at its far end, the largest tension is not there, and compression outweighs all tension at its near
-    end.
+    Three conditions must hold: the load at the far end is negligible, the largest tension is not at the far end, and the load
+    at the near end is at least the largest tension. loads: (n, H).
     """
     lowest = loads.min(axis=1)
     size, farthest = np.maximum(loads.max(axis=1), -lowest), loads[:, 0]

@@ -1,4 +1,4 @@
-"""Bisection along a piece, for kernels: made for each condition that is sought."""
+"""Build bisection formulas that compiled kernels can call, one for each condition."""
 
 import math
 from collections.abc import Callable
@@ -10,9 +10,10 @@ from stiction.engine.compiled import formula
 
 @cache
 def halving(holds: Callable) -> Any:
-    """Return a formula (low, high, given) -> the place, to the last digit, beyond which `holds` is false.
+    """Return a formula (low, high, given) -> u that bisects the condition `holds` to machine precision.
 
-    holds(u, given): a formula, true at low and false at high, that changes once between; given: its further arguments.
+    holds(u, given): a formula that is true at low and false at high and changes once in between. given: its further arguments.
+    The result u is the smallest number found at which `holds` is false.
     """
 
     @formula
@@ -32,10 +33,10 @@ def halving(holds: Callable) -> Any:
 
 @cache
 def up_to(holds: Callable) -> Any:
-    """Return a formula (low, last, step, farthest, given) -> the place up to which `holds` on a piece from low to last.
+    """Return a formula (low, last, step, farthest, given) -> u: `holds` is true from low up to u.
 
-    last may be infinite. The result is low if it holds nowhere, last if everywhere. holds: as in `halving`. On an endless
-    piece the search takes growing steps, the first of this length, up to `farthest`.
+    The result is low if `holds` is false at low, and last if it is true at last. holds: as in `halving`. If last is infinite,
+    an upper bound is searched first: the step starts at `step` and grows fourfold, up to `farthest`.
     """
     halve = halving(holds)
 

@@ -1,4 +1,4 @@
-"""Work in blocks, so that memory is bounded whatever the number of contacts and points."""
+"""Split large computations into blocks of rows, so that their memory stays bounded."""
 
 from collections.abc import Callable, Iterator
 
@@ -8,7 +8,11 @@ _TOGETHER = 400_000  # pairs of a law and a point that are computed together; ha
 
 
 def blocks(rows: int, points: int = 1) -> Iterator[slice]:
-    """Yield slices of rows with so many points each, that together are few enough; one empty slice of no rows."""
+    """Yield slices of about equal size that cover all rows.
+
+    points: number of points in each row. A slice holds at most 400,000 points, or one row. With rows = 0 one empty slice is
+    yielded.
+    """
     largest = max(1, _TOGETHER // max(points, 1))
     step = -(-rows // max(1, -(-rows // largest)))  # of about one size: the loops that sum a block are chosen by its size
     for start in range(0, max(rows, 1), max(step, 1)):
@@ -16,6 +20,6 @@ def blocks(rows: int, points: int = 1) -> Iterator[slice]:
 
 
 def in_blocks(compute: Callable[[slice], dict[str, np.ndarray]], rows: int, points: int = 1) -> dict[str, np.ndarray]:
-    """Compute tables by name, block by block of their first axis, and join them."""
+    """Call `compute` for each block of rows and join the arrays it returns, name by name, along their first axis."""
     parts = [compute(block) for block in blocks(rows, points)]
     return parts[0] if len(parts) == 1 else {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

@@ -1,9 +1,9 @@
-"""Compile formulas and kernels, and name kernels in the cache by the code of all that they call.
+"""Compile formulas and kernels with Numba and cache compiled kernels on disk.
 
-A kernel that works for any law is made by a factory: a plain function that takes the law's formulas and returns a kernel that
-calls them, which Numba compiles as fast as if the formulas stood in it. Every compiled kernel has a file whose name is made
-from the code of the kernel and, in turn, of all that it names or closes over: a kernel is compiled anew when any of that
-changes, and only then. `numba_internals` says why Numba's own cache cannot do that.
+A kernel that works for any law is made by a factory: a plain function that takes the formulas of the law and returns a kernel
+that calls them. Numba then compiles the kernel as if the formulas were written inside it. The file name of a compiled kernel
+is a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore compiled anew if, and
+only if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
 """
 
 import hashlib
@@ -26,9 +26,9 @@ KERNEL: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nsz"}, "error_mod
 
 
 def unpack(row, length):
-    """Return the first numbers of an array as a tuple; in kernels the length must be a constant.
+    """Return the first `length` numbers of an array as a tuple; in kernels `length` must be a constant.
 
-    In plain Python they are Python's own floats, with which formulas run three times as fast as with NumPy's.
+    In plain Python the tuple holds Python floats, with which formulas run three times as fast as with NumPy scalars.
     """
     return tuple(row[:length].tolist())
 
@@ -43,12 +43,12 @@ _KNOWN = ("numpy", "numba", "math")
 
 
 def formula(function: Callable) -> Any:
-    """Let kernels compile a formula of scalars as a part of themselves. Called from Python it stays plain, and takes arrays."""
+    """Mark a function of scalars so that kernels inline it; called from Python it runs uncompiled and accepts arrays."""
     return _inlined(function, FORMULA)
 
 
 def loop(function: Callable) -> Any:
-    """Let kernels compile a loop as a part of themselves: its sums may be reordered, as those of the kernel."""
+    """Mark a loop so that kernels inline it; the compiler may reorder its sums."""
     return _inlined(function, KERNEL)
 
 
@@ -59,7 +59,10 @@ def _inlined(function: Any, options: dict[str, Any]) -> Any:
 
 
 def kernel(function: Callable) -> Any:
-    """Compile a loop over many inputs, with a cache on disk. It may be a closure over formulas and constants."""
+    """Compile a loop over many inputs and cache the result on disk.
+
+    The function may be a closure over formulas and constants.
+    """
     compiled: Any = numba.njit(**KERNEL)(function)
     if compiled is not function:
         keep_on_disk(compiled, digest)
@@ -67,11 +70,11 @@ def kernel(function: Callable) -> Any:
 
 
 class LazyKernel:
-    """A kernel that Python runs until it has filled so much that compiling pays.
+    """Represent a kernel that runs in plain Python until enough elements were computed for compiling to pay.
 
-    Compiling takes a third of a second and more, the interpreter a thousandth for one contact. Where the interpreter refuses
-    what compiled code computes (a division by nothing that a formula deals with), the compiled kernel does the work at once:
-    hence a lazy kernel fills arrays, and never adds to them.
+    Compiling takes a third of a second or more; the interpreter needs a millisecond for one contact. If plain Python raises an
+    arithmetic error where compiled code would not (a division by zero that the formula handles later), the compiled kernel
+    repeats the whole call. A lazy kernel must therefore overwrite its output arrays, never add to them.
     """
 
     def __init__(self, function: Callable, worth: int):
@@ -96,7 +99,10 @@ def _typeof_lazy(value, _):
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator: as `kernel`, but compiled when it has filled so many elements of its last array, in all calls."""
+    """Return a decorator that makes a `LazyKernel`.
+
+    worth: number of elements of the last argument, summed over all calls, after which the kernel is compiled.
+    """
 
     def decorate(function: Callable) -> Any:
         return function if numba.config.DISABLE_JIT else LazyKernel(function, worth)  # type: ignore[attr-defined]
@@ -105,15 +111,15 @@ def lazy_kernel(worth: int) -> Callable:
 
 
 def digest(function: Callable) -> str:
-    """Return a name for everything that determines the compiled code of a function."""
+    """Return a hash of everything that determines the compiled code of a function."""
     return hashlib.sha256(_decides(function, []).encode()).hexdigest()
 
 
 def _decides(value: Any, seen: list[Callable]) -> str:
     """Return the text that determines the compiled code of a value.
 
-    For a function its own code and that of all that it names or closes over; for anything else its value. seen: functions
-    before, which are named by their position.
+    For a function the text holds its own code and, recursively, every value it refers to. For any other value it is the value
+    as text. seen: functions already described; these are named by their index in this list.
     """
     function = getattr(value, "py_func", value)
     if isinstance(value, tuple):
@@ -137,14 +143,14 @@ def _decides(value: Any, seen: list[Callable]) -> str:
 
 
 def _code(code: types.CodeType, doc: str | None = None) -> str:
-    """Return the instructions of a function with their constants and names; its docstring does not count."""
+    """Return the instructions, constants and names of a code object as text, without its docstring `doc`."""
     constants = [_code(one) if isinstance(one, types.CodeType) else repr(one) for one in code.co_consts if one is not doc]
     names = code.co_names, code.co_varnames, code.co_freevars, code.co_argcount, code.co_flags
     return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"
 
 
 def _named(function: types.FunctionType) -> dict[str, Any]:
-    """Values of the names that a function takes from outside: of its closure, its module, and what it takes from modules."""
+    """Return the values, by name, that a function takes from its closure, its module and imported modules."""
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}

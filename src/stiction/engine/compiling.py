@@ -1,4 +1,4 @@
-"""Tells when kernels are compiled: the first use of a model on a machine takes some seconds more than all later ones."""
+"""Report the compilation of kernels: the first use of a model on a computer takes some seconds longer than later uses."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -8,7 +8,7 @@ from numba.core import event
 
 
 class _Kernels(event.Listener):
-    """Counts kernels that are compiled, not those that come from the cache, nor the formulas inside them."""
+    """Listen to Numba's compile events and count the kernels compiled; cached kernels and inlined formulas do not count."""
 
     def __init__(self, tell: Callable[[int], None]):
         self.tell, self.done = tell, 0
@@ -24,12 +24,15 @@ class _Kernels(event.Listener):
 
 
 def _is_kernel(event: Any) -> bool:
-    """Formulas are taken in whole by kernels, and have no cache of their own."""
+    """Return whether a compile event belongs to a kernel; inlined formulas have the option `forceinline`."""
     return event.data["dispatcher"].targetoptions.get("forceinline") is None
 
 
 @contextmanager
 def telling(tell: Callable[[int], None]) -> Iterator[None]:
-    """Call tell(number of kernels done) whenever a kernel starts or ends compiling; never, if all are in the cache."""
+    """Within the context, call tell(number of kernels compiled so far) whenever a kernel starts or finishes compiling.
+
+    `tell` is not called for kernels that are loaded from the cache.
+    """
     with event.install_listener("numba:compile", _Kernels(tell)):
         yield

@@ -1,4 +1,4 @@
-"""Where a formula changes its sign along pieces, looked for between samples: for kernels, made for each formula."""
+"""Build kernels that find the sign changes of a formula by sampling and refining."""
 
 from collections.abc import Callable
 from functools import cache
@@ -15,9 +15,9 @@ _CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one pl
 def narrowing(excess: Callable) -> Any:
     @formula
     def narrow(left, right, at_left, at_right, row):
-        """Return the place between left and right where the sign changes.
+        """Return the place between `left` and `right` at which `excess` changes sign.
 
-        Secants (Illinois variant) alternate with halvings, which alone converge where the sign changes by a jump.
+        Secant steps (Illinois variant) alternate with bisection steps. Only bisection converges if the sign changes by a jump.
         """
         rises, last = at_right > 0.0, left
         for step in range(_STEPS):
@@ -39,14 +39,18 @@ def narrowing(excess: Callable) -> Any:
 
 @cache
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
-    """Return the kernel that finds the sign changes of excess(u, row), where row has this number of parameters."""
+    """Return a kernel that finds the sign changes of excess(u, row).
+
+    row: tuple of `parameters` numbers. samples: number of samples between two neighbouring edges.
+    """
     narrow = narrowing(excess)
 
     @lazy_kernel(worth=300)
     def fill_crossings(table, edges, out):
-        """Fill in the sign changes between two edges (n, m).
+        """Fill out[i] with the sign changes between the edges of law i, in ascending order.
 
-        At most as many places as out (n, k) has room for; the first edge stands for none. Edges are finite.
+        table (n, p): parameters of each law. edges (n, m): finite ends and kinks. out (n, k): room for k sign changes; unused
+        entries hold the first edge.
         """
         for i in range(edges.shape[0]):
             row, found = unpack(table[i], parameters), 0

@@ -1,6 +1,6 @@
-"""Distributions of asperity heights, all standardised: mean 0 and standard deviation 1, in units of sigma.
+"""Provide distributions of asperity heights, standardised to mean 0 and standard deviation 1.
 
-A new distribution is one density, one window and one constructor below, and a line in DISTRIBUTIONS.
+Heights are in units of sigma. To add a distribution, write a density, a window and a constructor, and add it to DISTRIBUTIONS.
 """
 
 import math
@@ -28,13 +28,13 @@ _NO_DENSITY = 745.0  # exp of less than minus this is 0
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """A standardised height distribution.
+    """Represent a height distribution with mean 0 and standard deviation 1; heights z are in units of sigma.
 
-    density(z, shape): probability density at the height z over sigma. window(z_left, z_right, shape) -> (low, high): the
-    part of that interval outside which the density is negligible. shape: the parameters of both. knots: heights at which
-    the density is not smooth; the engine splits there. tops: the highest height, and all others with a gap above them, where
-    asperities begin to touch anew; none of a density that fades out. entire: the density has no singularity at all, so that
-    sums over many separations may use its Chebyshev expansion.
+    key: name of the distribution. density(z, shape): probability density. window(z_left, z_right, shape) -> (low, high): the
+    part of the interval in which the density is not negligible. shape: parameters of density and window. knots: heights at
+    which the density is not smooth; the integration is split there. tops: upper ends of the ranges in which heights occur, at
+    which asperities come into contact anew on approach; empty if the density fades out without an end. entire: True if the
+    density is an entire function (it has no singularity), so that sums over many separations can be interpolated.
     """
 
     key: str
@@ -48,7 +48,7 @@ class Heights:
 
 @formula
 def gaussian_density(z, shape):
-    """phi(z) = exp(-z^2/2) / sqrt(2 pi)."""
+    """Return the standard normal density exp(-z^2/2) / sqrt(2 pi)."""
     return _INV_SQRT_2PI * exponential(-0.5 * z * z)
 
 
@@ -61,13 +61,13 @@ def gaussian_window(z_left, z_right, shape):
 
 @cache
 def gaussian() -> Heights:
-    """Gaussian heights, the default of the field (Greenwood & Williamson 1966)."""
+    """Return Gaussian heights, the usual assumption (Greenwood & Williamson 1966)."""
     return Heights("gaussian", gaussian_density, gaussian_window, entire=True)
 
 
 @formula
 def exponential_density(z, shape):
-    """exp(-(z + 1)) for z >= -1."""
+    """Return exp(-(z + 1)) for z >= -1, else 0."""
     return exponential(-(z + 1.0)) if z >= -1.0 else 0.0
 
 
@@ -79,13 +79,16 @@ def exponential_window(z_left, z_right, shape):
 
 @cache
 def exponential_heights() -> Heights:
-    """Exponential heights: every sum has a closed form (Greenwood & Williamson 1966, section 3)."""
+    """Return exponential heights, for which every sum has a closed form (Greenwood & Williamson 1966, section 3)."""
     return Heights("exponential", exponential_density, exponential_window, knots=np.array([-1.0]))
 
 
 @formula
 def weibull_density(z, shape):
-    """Weibull density of y = mean + deviation z, times the deviation; shape = (exponent, mean, deviation), scale 1."""
+    """Return the standardised Weibull density at z.
+
+    shape: (exponent, mean, deviation) of the Weibull variable y = mean + deviation z with scale 1.
+    """
     exponent, mean, deviation = shape[0], shape[1], shape[2]
     y = mean + deviation * z
     if y <= 0.0:
@@ -108,9 +111,9 @@ def weibull_window(z_left, z_right, shape):
 
 @cache
 def weibull(exponent: float) -> Heights:
-    """Return Weibull heights of the given shape parameter (1 is exponential, 3.6 nearly Gaussian).
+    """Return Weibull heights with the given shape parameter, 1 (exponential) to 100; 3.6 is nearly Gaussian.
 
-    A parameter below 1 is refused, because the density has a pole.
+    Parameters below 1 raise an InputError, because the density has a pole.
     """
     if not 1.0 <= exponent <= 100.0:
         raise InputError("height_distribution.exponent", exponent, "1 to 100")
@@ -122,7 +125,7 @@ def weibull(exponent: float) -> Heights:
 
 @formula
 def empirical_density(z, shape):
-    """Piecewise linear density; shape = (first knot, spacing, density at each knot ...)."""
+    """Return the density at z by linear interpolation; shape: (first knot, spacing, density at each knot ...)."""
     position = (z - shape[0]) / shape[1]
     last = shape.size - 3
     if position < 0.0 or position > last:
@@ -138,9 +141,10 @@ def empirical_window(z_left, z_right, shape):
 
 
 def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
-    """Heights as measured: the frequency polygon of `samples` (any unit), scaled to mean 0 and standard deviation 1.
+    """Return the distribution of measured heights as a frequency polygon, scaled to mean 0 and standard deviation 1.
 
-    cells: number of histogram cells; by default the rule of Freedman & Diaconis (1981).
+    samples: 10 or more heights in any unit. cells: number of histogram cells; by default from the rule of Freedman & Diaconis
+    (1981).
     """
     samples = np.asarray(samples, dtype=float).ravel()
     if samples.size < 10 or not np.all(np.isfinite(samples)) or np.ptp(samples) == 0.0:
@@ -169,7 +173,7 @@ DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
 
 
 class HeightParameters(TypedDict, total=False):
-    """Parameters of height distributions."""
+    """Name the parameters of the height distributions and their types."""
 
     exponent: float
     samples: "ArrayLike"
@@ -185,21 +189,21 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     key : str
         "gaussian", "exponential", "weibull" or "empirical".
     exponent : float, optional
-        Shape parameter of "weibull".
+        Shape parameter of "weibull", 1 to 100.
     samples : array_like (n,), optional
-        Measured heights of "empirical", in any unit.
+        Measured heights for "empirical", in any unit; 10 or more.
     cells : int, optional
-        Number of cells of the density of "empirical"; by default by the number of samples.
+        Number of histogram cells of "empirical"; chosen from the samples by default.
 
     Returns
     -------
     Heights
-        Distribution with mean 0 and standard deviation 1, for `heights` of `solve`.
+        Distribution with mean 0 and standard deviation 1, for the argument `heights` of `solve`.
 
     Raises
     ------
     InputError
-        The name is not known, or a parameter is missing or out of bounds.
+        The name is unknown, or a parameter is missing or out of bounds.
 
     Examples
     --------

@@ -1,11 +1,12 @@
-"""Place nodes and evaluate a law there, in stages: only two short loops are compiled for each law.
+"""Place integration nodes, evaluate a law there and sum, in separate stages that compile quickly.
 
-`evaluating` and `inverting` make the two loops of a regime. All else knows no law: `cutting` finds the parts of pieces that
-count, `place_nodes` puts Gauss-Legendre nodes on them, `adding` sums what the law gives
-there; `placing` is for many separations.
-A loop that does everything for one regime (`sum_kernels.scattering`) runs faster and takes six times as long to compile.
+Only two short loops are compiled for each regime, by `evaluating` and `inverting`. The other stages work for every law:
+`cutting` finds the parts of pieces that contribute, `place_nodes` puts Gauss-Legendre nodes on them, and `adding` sums the
+values of the law. `placing` does the same for many separations at once. The single loop of `sum_kernels.scattering` runs
+faster but takes six times as long to compile.
 
-parts: the arrays of `Parts`, as the kernels take them.
+A "law" is one parameter set of a regime, a "piece" is the range between two neighbouring edges of a regime. Kernels take
+`parts` as the plain tuple of arrays of `Parts`.
 """
 
 import math
@@ -25,7 +26,11 @@ Rules = tuple[np.ndarray, np.ndarray]
 
 
 class Laws(NamedTuple):
-    """A regime as the kernels take it: parameters (n, p), edges (n, m + 1), branch (n, b), whether that is two-sided."""
+    """Store the arrays of a regime for n laws as the kernels take them.
+
+    table (n, p): parameters. edges (n, m + 1): ends of the pieces. branch (n, b): branch points of `Regime`. two_sided: True
+    if a piece may also end at a branch point.
+    """
 
     table: np.ndarray
     edges: np.ndarray
@@ -34,23 +39,23 @@ class Laws(NamedTuple):
 
     @classmethod
     def of(cls, regime: Regime) -> "Laws":
-        """Return the arrays of a regime."""
+        """Return the arrays of a regime; without branch points `branch` is -inf."""
         edges = np.ascontiguousarray(regime.edges)
         branch = np.full(len(edges), -np.inf) if regime.branch is None else np.ascontiguousarray(regime.branch)
         two_sided = branch.ndim == 2
         return cls(columns(regime.parameters, len(edges)), edges, branch if two_sided else branch[:, None], two_sided)
 
     def some(self, rows: slice) -> "Laws":
-        """Return a block of the laws."""
+        """Return the arrays of some of the laws."""
         return Laws(self.table[rows], self.edges[rows], self.branch[rows], self.two_sided)
 
 
 class Parts(NamedTuple):
-    """Hold k parts of pieces.
+    """Store k parts of pieces, each of which gets its own integration nodes.
 
-    The law, the sum that each part is added to, its ends (k, 2) in the coordinate of the law, which are those of its piece
-    where `asked` (k, 2) is NaN, and else at that displacement; the number of its rule, and whether it starts at a knot of the
-    heights.
+    law (k,): index of the law. owner (k,): index of the sum to which the part is added. ends (k, 2): ends in the coordinate u
+    of the law. asked (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the piece
+    applies. rule (k,): index of the integration rule. at_knot (k,): True if the part starts at a knot of the height density.
     """
 
     law: np.ndarray
@@ -62,17 +67,17 @@ class Parts(NamedTuple):
 
     @classmethod
     def room(cls, size: int) -> "Parts":
-        """Return arrays for so many parts."""
+        """Return empty arrays for `size` parts."""
         law, owner, rule = np.empty((3, size), dtype=np.int64)
         ends, asked = np.empty((2, size, 2))
         return cls(law, owner, ends, asked, rule, np.empty(size, dtype=np.bool_))
 
 
 class Evaluated(NamedTuple):
-    """Hold a law evaluated at the nodes of parts, in rows of at most LONGEST nodes.
+    """Store the values of a law at integration nodes, in r rows of at most LONGEST nodes.
 
-    The owner of each row (r,), its number of nodes (r,), their weights (r, LONGEST), and the six values of the law (r, 6
-    LONGEST), one after another.
+    owner (r,): index of the sum to which the row is added. counts (r,): number of nodes. weights (r, LONGEST): integration
+    weights. states (r, 6 LONGEST): the six values that `Regime.along` returns, LONGEST places for each value.
     """
 
     owner: np.ndarray
@@ -83,13 +88,17 @@ class Evaluated(NamedTuple):
 
 @cache
 def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
-    """Return the kernel that fills a table with the values of a law at nodes; parameters, values: how many there are."""
+    """Return the kernel that evaluates a law at nodes.
+
+    parameters: number of parameters of the law. values: number of values to store, 4 or 6 of those that `along` returns.
+    """
 
     @lazy_kernel(worth=400_000)
     def evaluate(u, law, count, table, out):
-        """Fill out[i] with the values at u[i, :count[i]], of the law number law[i]; counts are multiples of eight.
+        """Fill out[i] with the values of the law law[i] at the coordinates u[i, :count[i]]; counts are multiples of eight.
 
-        The values lie at fixed distances in one array: the compiler then sees that rows do not overlap, and vectorises.
+        Each value occupies LONGEST places of the row. With this fixed distance the compiler can prove that the stores do not
+        overlap, and vectorises the loop.
         """
         for i in range(law.size):
             places, row, found = u[i], unpack(table[law[i]], parameters), out[i]
@@ -108,7 +117,7 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 
 @cache
 def inverting(coordinate: Callable, parameters: int) -> Any:
-    """Return the kernel that fills an array with the coordinates of displacements."""
+    """Return the kernel that computes the coordinates u of given displacements."""
 
     @lazy_kernel(worth=10_000)
     def invert(w, law, table, out):
@@ -124,7 +133,7 @@ def displacements(regime: Regime, laws: Laws) -> np.ndarray:
 
 
 def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6) -> np.ndarray:
-    """Return the values (n, values, k) of n laws at coordinates (n, k)."""
+    """Return the values (n, values, k) of n laws at the coordinates u (n, k)."""
     evaluate, found = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
     out = np.empty((min(len(u), _BLOCK), values * LONGEST))
     law, eight = np.arange(len(out)), np.full(len(out), 8)
@@ -139,21 +148,21 @@ def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6
 
 
 def _eight(u: np.ndarray) -> np.ndarray:
-    """Return up to eight columns as eight, the last one repeated."""
+    """Return u padded to eight columns by repeating its last column."""
     return np.concatenate([u, np.repeat(u[:, -1:], 8 - u.shape[1], axis=1)], axis=1)
 
 
 @cache
 def cutting(window: Callable) -> Any:
-    """Return the kernel that finds the parts of pieces whose heights count at single separations."""
+    """Return the kernel that finds, for each separation, the parts of pieces on which the height density is not negligible."""
 
     clip = clipping(window)
 
     @kernel
     def cut(h, law, heights, laws, parts):
-        """Fill `parts` for the laws number law[i] at the separations h[i], their owners i, and return how many there are.
+        """Fill `parts` for the law law[i] at the separation h[i], with owner i, and return the number of parts.
 
-        laws: edges and the displacements there, both (n, m + 1).
+        laws: (edges, displacements at the edges), both (n, m + 1).
         """
         (_, knots), (edges, displaced), (laws_of, owner, ends, asked, rule, at_knot) = heights, laws, parts
         used = 0
@@ -183,7 +192,7 @@ def cutting(window: Callable) -> Any:
 
 @kernel
 def place_nodes(parts, branch, two_sided, rules, nodes):
-    """Fill rows of nodes with coordinates and weights, and return how many rows there are."""
+    """Fill the rows of `nodes` with coordinates and weights of all parts, and return the number of rows."""
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
     u, weights, row_law, row_owner, row_count, _ = nodes
     used = 0
@@ -206,10 +215,10 @@ def place_nodes(parts, branch, two_sided, rules, nodes):
 
 
 class Rows(NamedTuple):
-    """Hold rows of nodes, as `place_nodes` and `evaluating` fill them.
+    """Store r rows of integration nodes, which `place_nodes` and `evaluating` fill.
 
-    Coordinates and weights (r, LONGEST), the law, the owner and the number of nodes of each row, and the values of the law
-    (r, 6 LONGEST), one after another.
+    u, weights (r, LONGEST): coordinates and weights. law, owner, counts (r,): index of the law, index of the sum, number of
+    nodes. states (r, 6 LONGEST): as in `Evaluated`.
     """
 
     u: np.ndarray
@@ -221,7 +230,7 @@ class Rows(NamedTuple):
 
     @classmethod
     def room(cls, parts: int, rules: Rules) -> "Rows":
-        """Return arrays for the nodes of so many parts."""
+        """Return empty arrays with room for the nodes of `parts` parts."""
         rows = parts * -(-int(rules[1].max()) // LONGEST)
         u, weights = np.empty((2, rows, LONGEST))
         law, owner, count = np.empty((3, rows), dtype=np.int64)
@@ -229,7 +238,10 @@ class Rows(NamedTuple):
 
 
 def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: Rules, rows: Rows) -> Evaluated:
-    """Evaluate a regime at the nodes of the first so many parts; rows: where to put them."""
+    """Evaluate a regime at the nodes of the first `used` parts.
+
+    rows: work arrays; the result refers to their memory.
+    """
     parts = Parts(*(array[:used] for array in parts))
     _settle(regime, laws, parts)
     count = place_nodes(tuple(parts), laws.branch, laws.two_sided, rules, tuple(rows))
@@ -239,7 +251,7 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
-    """Replace the ends of pieces by the coordinates of the requested displacements."""
+    """Compute the ends of parts that are given as displacements, and store them in `parts.ends`."""
     w, found = np.empty((2, parts.asked.size))
     law, place = np.empty((2, parts.asked.size), dtype=np.int64)
     count = list_asked(tuple(parts), w, law, place)
@@ -249,7 +261,10 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
 
 @kernel
 def list_asked(parts, w, law, place):
-    """List the requested displacements, their laws and the numbers of their ends; return their number."""
+    """List the ends that are given as displacements, and return their number.
+
+    w: displacement. law: index of the law. place: 2 i for the start and 2 i + 1 for the end of part i.
+    """
     law_of, _, _, asked, _, _ = parts
     used = 0
     for i in range(law_of.size):
@@ -262,7 +277,7 @@ def list_asked(parts, w, law, place):
 
 @kernel
 def put_ends(found, place, ends):
-    """Store coordinates at the ends of their pieces, clipped to the piece."""
+    """Store computed coordinates in `ends`, clipped to the piece; place: as in `list_asked`."""
     for at in range(place.size):
         i, end = place[at] // 2, place[at] % 2
         ends[i, end] = max(ends[i, 0], found[at]) if end == 0 else min(ends[i, 1], found[at])
@@ -270,11 +285,11 @@ def put_ends(found, place, ends):
 
 @cache
 def adding(density: Callable) -> Any:
-    """Return the kernel that sums a law over heights at single separations."""
+    """Return the kernel that sums evaluated laws over a height density, one separation for each owner."""
 
     @kernel
     def add(h, shape, evaluated, out):
-        """Fill out (m, 5) with the sums of every owner."""
+        """Fill out (m, 5) with the five sums of each owner, in the order of `summation.QUANTITIES`."""
         owner, counts, weights, states = evaluated
         out[:] = 0.0
         for row in range(owner.size):

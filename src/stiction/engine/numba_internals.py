@@ -1,8 +1,8 @@
-"""All that is used of Numba and is not part of its public interface: its tests fail on a release that breaks it.
+"""Contain all uses of Numba that are not part of its public interface; tests fail if a Numba release breaks them.
 
-Numba's own cache (`cache=True`) cannot serve kernels: it hashes a closure with the identities of the compiled functions in it,
-which differ in every process; it notices edits only in the kernel's own file; and processes that compile one kernel for
-different inputs at the same time can mix up each other's files, because one index is shared by all of them.
+Numba's own cache (`cache=True`) cannot serve kernels, for three reasons. It hashes a closure by the identities of the compiled
+functions in it, which differ in every process. It notices edits only in the kernel's own file. Processes that compile the same
+kernel for different input types at the same time can mix up each other's files, because all types share one index file.
 """
 
 import hashlib
@@ -27,14 +27,14 @@ _CHECKSUM = hashlib.sha256().digest_size
 
 
 def keep_on_disk(compiled: Any, digest: Callable[[Any], str]) -> None:
-    """Give a compiled kernel a cache on disk whose files are named by the digest of its code."""
+    """Give a compiled kernel a cache on disk; its file names contain the digest of the code."""
     compiled._cache = _KernelCache(compiled, digest)
 
 
 class _KernelCache(NullCache):
-    """Cache one kernel: a file for each kind of inputs and processor.
+    """Cache one kernel on disk, in one file for each combination of input types and processor.
 
-    Files are replaced as a whole, so that processes that compile at the same time do not mix up their files.
+    Each file is replaced as a whole, so that processes that compile at the same time do not mix up their files.
     """
 
     def __init__(self, compiled: Any, digest: Callable[[Any], str]):
@@ -45,9 +45,9 @@ class _KernelCache(NullCache):
         return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled kernel for inputs of these types, or None.
+        """Return the compiled kernel for inputs of the types `sig`, or None if it is not in the cache.
 
-        Numba asks before it compiles, when everything that the kernel names is defined.
+        The digest is computed here, at the first call: only then are all functions defined to which the kernel refers.
         """
         if not self._digest:
             # In its name too: two that are loaded into one process must not be taken for each other by the linker.

@@ -1,8 +1,7 @@
-"""Linear algebra on one thread: small systems, many of them.
+"""Run linear algebra on one thread, for computations with many small systems.
 
-Threads gain nothing on systems of some dozens of unknowns; where several processes of a machine have as many each, all of them
-wait for each other, ten times as long. And sums are rounded as they are shared out: with one thread the same case has the same
-bits, whoever computes it.
+Threads do not speed up systems of some dozens of unknowns, and several processes with many threads each slow each other down
+tenfold. On one thread, sums are also rounded the same way each time: the same case gives the same bits in every process.
 """
 
 from collections.abc import Callable
@@ -21,7 +20,7 @@ def _controller() -> Any:
 
 
 def on_one_thread(function: Callable[_Given, _Result]) -> Callable[_Given, _Result]:
-    """Run a function with numpy's linear algebra on one thread."""
+    """Return the function, wrapped so that NumPy's linear algebra inside it runs on one thread."""
 
     @wraps(function)
     def alone(*args: _Given.args, **given: _Given.kwargs) -> _Result:

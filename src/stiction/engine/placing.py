@@ -1,4 +1,4 @@
-"""Nodes that are placed once for many separations, by shared loops or by one that is compiled for the regime."""
+"""Place integration nodes once for many separations, by shared loops or by one loop compiled for the regime."""
 
 import math
 from collections.abc import Callable
@@ -16,15 +16,15 @@ from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
 
 @cache
 def spanning(window: Callable) -> Any:
-    """Return the kernel that finds the parts of pieces whose displacements count at any of many separations."""
+    """Return the kernel that finds the parts of pieces that contribute at any of many separations."""
 
     parts_of = reaching(window)
 
     @kernel
     def span(reach, shape, laws, parts):
-        """Fill `parts` and their owner for every law, and return their number.
+        """Fill `parts` for every law, with the index of the law as owner, and return the number of parts.
 
-        reach: as in `reaching`; laws: as in `cutting`.
+        reach: as in `sum_kernels.reaching`. laws: as in `nodes.cutting`.
         """
         edges, displaced = laws
         laws_of, owner, ends, asked, rule, at_knot = parts
@@ -58,16 +58,17 @@ def _copy(state, count, out):
 
 @loop
 def _weigh(weight, state, count, quantity, out):
-    """Fill in the weights of nodes times one value of the law, the derivative of the displacement included."""
+    """Fill `out` with weight times one value of the law times the derivative of the displacement, at each node."""
     for node in range(8 * (count // 8)):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
 
 
 @kernel
 def append_nodes(evaluated, nodes):
-    """Append rows to the tables of nodes of their owners.
+    """Append evaluated nodes to the table of nodes of each law.
 
-    values (n, rows, room) has one row for the load, three for load, area and resistance, five for all quantities.
+    nodes: (displacements, values, used) as described in `sum_kernels`. values (n, rows, room) has one row for the load alone,
+    three for load, area and total resistance, or five for all QUANTITIES.
     """
     (owner, counts, weights, states), (places, values, used) = evaluated, nodes
     rows = values.shape[1]
@@ -92,10 +93,10 @@ def append_nodes(evaluated, nodes):
 
 @dataclass(frozen=True)
 class Placing:
-    """Describe a regime whose nodes are placed once for many separations.
+    """Describe a regime whose integration nodes are placed once for many separations.
 
-    parts: largest number of parts of a law; displaced: displacements at its edges (n, m + 1), None if the loop compiled for the
-    regime places nodes; rows: number of summed rows, as in `append_nodes`.
+    window: window of the height distribution. parts: largest number of parts of one law. displaced (n, m + 1): displacements
+    at the edges, None if the loop compiled for the regime is used. rows: number of summed values, as in `append_nodes`.
     """
 
     regime: Regime
@@ -107,9 +108,10 @@ class Placing:
 
     @classmethod
     def of(cls, regime: Regime, window: Callable, widest: float, rows: int, specialised: bool) -> "Placing":
-        """Return a regime under heights of this window.
+        """Return the description of a regime under heights with this window.
 
-        widest: largest displacement that counts; specialised: whether a loop is compiled for the regime.
+        widest: largest span of displacements in which nodes are placed. specialised: whether to use a loop compiled for the
+        regime.
         """
         laws = Laws.of(regime)
         parts = (laws.edges.shape[1] - 1) * (1 + int(widest / WIDEST))
@@ -118,13 +120,13 @@ class Placing:
 
     @property
     def room(self) -> int:
-        """Return the most nodes that a law has."""
+        """Return the largest number of nodes of one law."""
         return self.parts * LONGEST
 
     def on(self, laws: int, rules: Rules) -> Callable:
-        """Return the function (reach, shape, block, nodes) that appends the nodes of a block of laws to their tables.
+        """Return the function append(reach, shape, block, nodes), which places the nodes of one block of laws.
 
-        laws: largest number in a block; reach: as in `reaching`.
+        laws: largest number of laws in a block. reach: as in `sum_kernels.reaching`.
         """
         regime, displaced = self.regime, self.displaced
         if displaced is None:

@@ -1,4 +1,4 @@
-"""A regime: one smooth piece of an asperity's behaviour, as data for the summation engine."""
+"""Describe one smooth part of an asperity's behaviour (a regime) as data for the summation engine."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -11,25 +11,26 @@ MENISCUS = "meniscus"
 
 @dataclass(frozen=True)
 class Regime:
-    """One smooth piece of one asperity's behaviour, for n parameter sets ("laws") at once.
+    """Describe one smooth part of an asperity's behaviour, for n parameter sets ("laws") at once.
 
-    along(u, *parameters) -> (displacement, its derivative by u, load, contact area, slip-limited and yield-limited
-    tangential resistance) of one asperity at the coordinate u; coordinate(displacement, *parameters) -> u is its inverse.
-    Both are formulas (stiction.engine.compiled.formula) of scalars. Displacements are over sigma; loads, areas and resistances
-    in the model's own units.
+    along(u, *parameters) returns for one asperity at the coordinate u: displacement, derivative of the displacement by u,
+    load, contact area, and the slip-limited and the yield-limited part of its tangential resistance. coordinate(displacement,
+    *parameters) -> u is the inverse of the displacement. Both are scalar formulas (`compiled.formula`). Displacements are in
+    units of sigma; loads, areas and resistances are in the units of the model.
 
-    parameters: arrays (n,) or numbers, in the order that `along` takes them.
-    edges: array (n, m + 1). The regime reaches from the first to the last edge in its coordinate; the edges between are
-        kinks, at which the engine splits. A pair of edges that does not increase is an empty piece, so that one
-        regime may hold pieces that do not adjoin.
-    branch: array (n,), a coordinate from which on the resistance grows like a square root; or (n, b), coordinates at which
-        it does so on either side; or None. A piece that begins (or, for the second, ends) at or near one is integrated in
-        the square root of the distance to it.
-    lowest: no displacement of the regime is below this.
-    state: "elastic", "plastic" ...; body: "bare", "film" or "substrate": what answers. Sums are reported by both.
-    touching: whether an asperity here is counted as one that touches (a film and its substrate share asperities).
-    in_half_space: False where a film's own law is used beyond the depth to which it is a half-space.
-    yields_by_degrees: an asperity here flows in part, and only what does not yet flow of it resists.
+    parameters: arrays (n,) or numbers, in the order in which `along` takes them.
+    edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,
+        at which the integration is split. A pair of edges that does not increase is an empty piece; with it one regime can
+        describe pieces that are not adjacent.
+    branch: coordinates at which the resistance behaves like a square root, or None. An array (n,) applies above the
+        coordinate, an array (n, b) on both sides. Near a branch point the integration variable is the square root of the
+        distance to it.
+    lowest: lower bound of the displacement.
+    state: state of the asperity, such as "elastic" or "plastic". body: "bare", "film" or "substrate", the body that deforms.
+        Results are reported by state and body.
+    touching: whether asperities here count as touching (False avoids counting an asperity on film and substrate twice).
+    in_half_space: False if the asperity is pressed in deeper than the film's half-space law is valid.
+    yields_by_degrees: True if part of the contact flows plastically, and only the rest contributes to the resistance.
     """
 
     along: Callable
@@ -46,7 +47,7 @@ class Regime:
 
 
 def columns(parameters: Sequence[np.ndarray | float], laws: int) -> np.ndarray:
-    """Parameters, each an array (n,) or a number, as a table (n, p), which kernels take. A law may have none (Hertz)."""
+    """Return the parameters as a table (n, p) for the kernels; each parameter is an array (n,) or a number, and p may be 0."""
     table = np.empty((laws, len(parameters)))
     for at, values in enumerate(parameters):
         table[:, at] = values

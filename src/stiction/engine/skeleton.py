@@ -1,8 +1,9 @@
-"""Extend sums at a few separations to many, by a matrix that depends on heights and separations alone.
+"""Extend sums at a few separations to many, by a matrix that depends only on the heights and the separations.
 
-For a law that is a single spike at the displacement w, the sum at h is the density at h + w. As functions of h these are so
-much alike that a few separations, the skeleton, tell all others. The matrix is the one that is best for all spikes (least
-squares), and so for every law. What loses digits on the way is marked, to be summed at its own separation after all.
+For a law that is a single spike at the displacement w, the sum at the separation h is the height density at h + w. These
+functions of h are so similar that their values at a few separations (the skeleton) determine all others. The matrix is the
+least-squares best for all spikes, and therefore for every law. Sums that may have lost digits in the product are marked, and
+are then computed directly.
 """
 
 import math
@@ -25,7 +26,7 @@ _LOST = 8e-11
 
 
 def near_each_other(h: np.ndarray) -> list[np.ndarray]:
-    """Return the numbers of the separations h (H,), in parts that each span at most _SPAN."""
+    """Return the indices of the separations h (H,), in groups that each span at most _SPAN."""
     if not h.size or np.ptp(h) <= _SPAN:
         return [np.arange(h.size)]
     order = np.argsort(h, kind="stable")
@@ -36,11 +37,13 @@ def near_each_other(h: np.ndarray) -> list[np.ndarray]:
 
 @lru_cache(maxsize=64)
 def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return few separations, a matrix and a threshold for sums at all separations of h.
+    """Return a few separations, an extension matrix and an accuracy threshold for the separations h.
 
-    The separations (L,); the matrix that extends sums at them to h, in tiles; and the share (H,) of the size, the sum without
-    the density, below which a positive sum may have lost digits. h_bytes: bytes of the array h (H,). w_low, w_high:
-    displacements of all spikes. Empty where no such matrix is accurate.
+    h_bytes: bytes of the array h (H,). w_low, w_high: range of the displacements.
+
+    Returns the few separations (L,), the matrix (L, H) in tiles that maps sums there to sums at h, and the threshold (H,). A
+    positive sum may have lost digits if it is below threshold times size, where the size is the sum without the height
+    density. The first two arrays are empty if no matrix is accurate enough.
     """
     h = np.frombuffer(h_bytes)
     spikes = w_low + (w_high - w_low) * (1.0 - np.cos(np.linspace(0.0, math.pi, 300))) / 2.0
@@ -60,7 +63,7 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
 
 
 def _spike_sums(h: np.ndarray, spikes: np.ndarray, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
-    """Density at h + w (H, spikes) over its largest value at each h, and that value (H,)."""
+    """Return the density at h + w for each spike w, divided by its maximum at each h, (H, spikes), and that maximum (H,)."""
     z = np.add.outer(h, spikes)
     density = np.empty(z.size)
     _densities(heights.density)(z.ravel(), heights.shape, density)
@@ -84,7 +87,7 @@ _TILE = 128
 
 
 def _tiled(carry: np.ndarray) -> np.ndarray:
-    """Return a matrix (L, H) as tiles (tiles, L, width), width a multiple of eight, the last one padded with zeros."""
+    """Return a matrix (L, H) as tiles (tiles, L, width); width is a multiple of eight, the last tile is padded with zeros."""
     tiles = -(-carry.shape[1] // _TILE)
     width = 8 * -(-carry.shape[1] // (8 * tiles))
     padded = np.zeros((len(carry), tiles * width))
@@ -94,10 +97,10 @@ def _tiled(carry: np.ndarray) -> np.ndarray:
 
 @loop
 def _add_four(few, row, at, tile, product):
-    """Add four terms of the product of four rows of `few` and a tile.
+    """Add four terms of the matrix product of four rows of `few` and one tile to `product`.
 
-    `product` has a row every _TILE, a fixed distance: the compiler then sees that rows do not overlap, and vectorises. A loaded
-    value of the tile is used for four rows.
+    `product` stores one row every _TILE places. With this fixed distance the compiler can prove that the rows do not overlap,
+    and vectorises the loop. Each value of the tile is loaded once for the four rows.
     """
     a0, a1, a2, a3 = few[row, at], few[row, at + 1], few[row, at + 2], few[row, at + 3]
     b0, b1, b2, b3 = few[row + 1, at], few[row + 1, at + 1], few[row + 1, at + 2], few[row + 1, at + 3]
@@ -113,7 +116,7 @@ def _add_four(few, row, at, tile, product):
 
 @loop
 def _store(product, sums, size, doubtful_below, doubtful):
-    """One row of a product, and which of it is too small against the size."""
+    """Copy one row of the product to `sums` and mark in `doubtful` the sums that are too small against their size."""
     for to in range(sums.size):
         sums[to] = product[to]
         doubtful[to] = doubtful[to] | (product[to] < size * doubtful_below[to])
@@ -121,11 +124,12 @@ def _store(product, sums, size, doubtful_below, doubtful):
 
 @kernel
 def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
-    """Fill sums[i, row] = few[i * rows + row] @ matrix, and mark sums that may have lost digits; return whether any has.
+    """Fill sums[i, row] = few[i * rows + row] @ matrix, mark inaccurate sums in `doubtful`, and return whether there are any.
 
-    A positive sum is marked if it is too small against its size, the sum without the density. few: (a multiple of four, L);
-    nodes: as in `sum_kernels`. signed: the row of the load, which changes sign; it is as accurate as the area. The product is
-    a loop of this package, because a threaded library would compete with the threads of callers.
+    A sum of positive terms is marked if it is too small against its size, the sum without the height density. few: (multiple
+    of four, L). tiles: the matrix, from `skeleton`. nodes: as in `sum_kernels`. signed: index of the row that holds the load;
+    it changes sign and is not checked, because it is as accurate as the area. The product is written as a loop here, because a
+    threaded library would compete with the threads of the caller.
     """
     _, values, used = nodes
     laws, rows, separations = sums.shape

@@ -1,4 +1,4 @@
-"""Sort a few numbers in a kernel: the general sort of the compiler takes two seconds to compile."""
+"""Sort a few numbers inside a kernel; NumPy's general sort takes two seconds to compile."""
 
 from stiction.engine.compiled import formula
 

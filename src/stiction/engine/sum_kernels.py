@@ -1,9 +1,12 @@
-"""Loops of the summation engine that are compiled for one kind of heights, and one that is compiled for a regime too.
+"""Build the loops of the summation engine for a height distribution and, for some of them, for a regime.
 
-heights: (shape, knots) of a Heights. laws: (parameters (n, p), edges (n, m), branch (n, b), whether that is two-sided) of a
-regime. rules: (nodes and weights (rules, 2, longest) on [0, 1], how many (rules,)). nodes: the table that `nodes.append_nodes`
-fills, of a block of laws: displacements (n, room), weights times what is summed (n, rows, room), how many are used (n,).
-Tuples, because a kernel takes them as they are.
+Arguments of the kernels are tuples, because kernels accept these directly:
+
+- heights: (shape, knots) of a `Heights`.
+- laws: the fields of `nodes.Laws`: parameters (n, p), edges (n, m), branch points (n, b), two_sided.
+- rules: nodes and weights (rules, 2, longest) on [0, 1], and number of nodes (rules,).
+- nodes: displacements (n, room), weights times summed values (n, rows, room), number of nodes used (n,). `nodes.append_nodes`
+  and `placing` fill them for one block of laws.
 """
 
 import math
@@ -25,10 +28,11 @@ LONGEST = 56
 
 @formula
 def map_piece(low, high, origins, two_sided):
-    """Return the coefficients of u = low + linear t + square t^2, t in [0, 1].
+    """Return `linear` and `square` of the map u = low + linear t + square t^2 from t in [0, 1] to [low, high].
 
-    Linear, or in the square root of the distance to a square root branch point of the integrand at or shortly below `low` or,
-    if two_sided, at or shortly above `high`.
+    The map is linear, unless a square-root branch point of the integrand lies at or slightly below `low` (if two_sided, also
+    at or slightly above `high`). Then t is linear in the square root of the distance to that point. origins: the branch
+    points.
     """
     nearest, origin = 0.1 * (high - low), math.inf
     for at in range(origins.size):
@@ -46,9 +50,10 @@ def map_piece(low, high, origins, two_sided):
 
 @cache
 def clipping(window: Callable) -> Any:
-    """Return the formula (z_left, z_right, heights) -> the heights between which a piece counts, and its first and last knot.
+    """Return a formula that clips a piece to the heights at which the density is not negligible.
 
-    Nothing counts where the first height is not below the second.
+    The formula maps (z_left, z_right, heights) to (z_low, z_high, first, last): the clipped range, and the indices first to
+    last - 1 of the knots inside it. The piece contributes nothing if z_low >= z_high.
     """
 
     @formula
@@ -70,7 +75,7 @@ def clipping(window: Callable) -> Any:
 def _adding(along: Callable, density: Callable) -> Any:
     @loop
     def add(sums, h, shape, row, mapped, rule, count):
-        """Add the nodes of one piece to the five sums; mapped: its coefficients low, linear, square."""
+        """Return the five sums with the nodes of one piece added; mapped: (low, linear, square) as in `map_piece`."""
         touching, load, area, slip_limited, yield_limited = sums
         low, linear, square = mapped
         for node in range(8 * (count // 8)):
@@ -90,12 +95,15 @@ def _adding(along: Callable, density: Callable) -> Any:
 
 @cache
 def scattering(along: Callable, coordinate: Callable, density: Callable, window: Callable, parameters: int) -> Any:
-    """Return the kernel that sums one regime of this number of parameters at pairs of a law and a separation."""
+    """Return the kernel that sums one regime at pairs of a law and a separation.
+
+    parameters: number of parameters of the law.
+    """
     clip, add = clipping(window), _adding(along, density)
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Fill out[i, quantity] for the law number law[i] at the separation h[i]."""
+        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i]."""
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
@@ -127,9 +135,10 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
-        """Fill in the displacements at the nodes of one piece and its weights times the summed values, one after another.
+        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one piece.
 
-        The array has fixed distances, in which the compiler sees that rows do not overlap, and vectorises.
+        Each quantity occupies LONGEST places. With this fixed distance the compiler can prove that the stores do not overlap,
+        and vectorises the loop.
         """
         low, linear, square = mapped
         for node in range(count):
@@ -155,12 +164,13 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return the formula (w_left, w_right, reach, shape) -> how a piece is cut.
+    """Return a formula that limits a piece to the displacements that contribute at many separations, and divides it into parts.
 
-    The displacement at its start, the step to the end of each part, the number of parts (0 for none), the displacement at its
-    end, and the number of the rule. reach: the displacements w_low and w_top between which nodes count, and the nearest
-    separation. A piece ends where the density is negligible against its own left end at the nearest separation, and so at all
-    others.
+    The formula maps (w_left, w_right, reach, shape) to: displacement at the start, step to the end of each part, number of
+    parts (0 if nothing contributes), displacement at the end, index of the integration rule. reach: (w_low, w_top, nearest),
+    the displacements between which nodes are placed and the smallest separation. The piece ends where the density at the
+    smallest separation has become negligible against the density at the start; at larger separations it is then negligible
+    too.
     """
 
     @formula
@@ -178,15 +188,15 @@ def reaching(window: Callable) -> Any:
 
 @cache
 def placing(along: Callable, coordinate: Callable, window: Callable, parameters: int, rows: int) -> Any:
-    """Return the kernel that places the nodes of one regime, with the values to be summed.
+    """Return the kernel that places the nodes of one regime and stores the values to be summed there.
 
-    The load in 1 of `rows`; load, area and resistance in 3; the five quantities in 5.
+    rows = 1: the load. rows = 3: load, area and total resistance. rows = 5: all QUANTITIES.
     """
     put, parts_of = _putting(along, rows), reaching(window)
 
     @kernel
     def place(reach, shape, laws, rules, nodes):
-        """Append to the table of each law the nodes of the regime; reach: as in `reaching`."""
+        """Append the nodes of the regime to the table of nodes of each law; reach: as in `reaching`."""
         (table, edges, branch, two_sided), (rule_table, counts), (places, values, used) = laws, rules, nodes
         scratch = np.empty(6 * LONGEST)
         for i in range(edges.shape[0]):
@@ -217,11 +227,17 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 
 @cache
 def summing(density: Callable, totals: bool) -> Any:
-    """Return the kernel that sums the placed nodes."""
+    """Return the kernel that sums placed nodes at many separations.
+
+    totals: True to sum load, area and total resistance, False to sum the five QUANTITIES.
+    """
 
     @kernel
     def sum_rows(h, reach, shape, nodes, wanted, out):
-        """Fill out[i, row, at] at the separation h[at] where wanted[i, at], without displacements beyond reach[at]."""
+        """Fill out[i, row, k] with the sum of law i at the separation h[k], wherever wanted[i, k] is True.
+
+        reach[k]: displacement beyond which nodes are skipped at h[k].
+        """
         places, values, used = nodes
         last = values.shape[1] - 1
         for i in range(used.size):

@@ -1,13 +1,14 @@
-"""The engine: sums any asperity law over any distribution of heights. The only place that integrates.
+"""Sum any asperity law over any distribution of heights; all integration over heights happens here.
 
-For mean separation h (over sigma) and heights with density phi, a regime contributes
+For mean separation h (in units of sigma) and heights with density phi, a regime contributes
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
-for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Gauss-Legendre on every piece
-between kinks, where everything is smooth; the engine knows nothing of any model.
+for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Every piece between two kinks is
+    smooth
+and is integrated by a Gauss-Legendre rule. The engine contains no law.
 
-Two ways. `scattered`: each law has its own h. `on_grid`: all laws share many h. Sums are smooth in h, and so alike that a
-few separations tell all others: every law is summed at those (its nodes are placed only once), and one matrix, which knows
-the heights but no law, carries the sums over to all separations (`skeleton`). The loops are in `sum_kernels`.
+There are two ways. `scattered` takes one separation for each law. `on_grid` takes many separations that all laws share: it
+sums every law at a few separations, with nodes placed once, and extends these sums to all separations by one matrix
+(`skeleton`). The loops are in `sum_kernels` and `nodes`.
 """
 
 from collections import deque
@@ -38,9 +39,10 @@ _COUNTS = np.array([24, LONGEST])
 
 
 def _make_rules(counts: np.ndarray) -> np.ndarray:
-    """Return nodes and weights (rules, 2, longest) on [0, 1].
+    """Return integration nodes and weights (rules, 2, longest) on [0, 1], one rule for each number of nodes.
 
-    Gauss-Legendre in t, placed at t + 0.3 t (1 - t), which moves nodes to the left end, where most asperities are.
+    Gauss-Legendre nodes t are moved to t + 0.3 t (1 - t), and the weights with them: this resolves small t better, because
+    most asperities are at the left end of a piece.
     """
     rules = np.zeros((len(counts), 2, max(counts)))
     for rule, count in zip(rules, counts, strict=True):
@@ -54,13 +56,13 @@ _RULES = _make_rules(_COUNTS)
 
 
 def check_threads(threads: object) -> None:
-    """InputError unless it is a number of threads."""
+    """Raise an InputError unless `threads` is a whole number of 1 or more."""
     if isinstance(threads, bool) or not (isinstance(threads, int | np.integer) and threads >= 1):
         raise InputError("threads", threads, "a whole number, 1 or more")
 
 
 def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
-    """Do `work` on every part, so many at a time. The kernels let go of the interpreter, so that threads run side by side."""
+    """Call `work` for every part, on up to `threads` threads; kernels release the global interpreter lock."""
     if threads == 1:
         for part in parts:
             work(part)
@@ -76,7 +78,7 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
 
 
 def _shares(size: int, threads: int) -> list[slice]:
-    """So many slices of about the same length, one for each thread; no more than there are places."""
+    """Return at most `threads` slices of about equal length that cover `size` elements."""
     ends = np.linspace(0, size, min(threads, max(size, 1)) + 1).astype(int)
     return [slice(int(start), int(stop)) for start, stop in pairwise(ends)]
 
@@ -84,10 +86,10 @@ def _shares(size: int, threads: int) -> list[slice]:
 def scattered(
     regimes: Sequence[Regime], h: np.ndarray, heights: Heights, law: np.ndarray | None = None, threads: int = 1
 ) -> np.ndarray:
-    """Return the sums of every regime at pairs of a law and a mean separation.
+    """Return the sums of every regime at m pairs of a law and a mean separation.
 
-    regimes: each for n laws. h: array (m,), over sigma. law: array (m,) of numbers of laws; by default m = n and h[i]
-    belongs to law i. Returns an array (regimes, m, 5), per asperity, in the order of QUANTITIES.
+    regimes: each describes n laws. h: array (m,) in units of sigma. law: array (m,) of indices of laws; by default h[i]
+    belongs to law i, and m = n. Returns an array (regimes, m, 5) of averages over all asperities, in the order of QUANTITIES.
     """
     h = np.ascontiguousarray(h, dtype=float)
     law = np.arange(h.size) if law is None else np.ascontiguousarray(law)
@@ -103,14 +105,14 @@ def scattered(
 
 
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:
-    """Return the function (h, law, sums) that fills sums by the loop that is compiled for the regime."""
+    """Return the function fill(h, law, sums), which uses one loop compiled for the regime."""
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
     given = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
     return lambda h, law, sums: compiled(h, law, *given, sums)
 
 
 def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
-    """Return the function (h, law, sums) that fills sums by shared loops and two short loops of the regime."""
+    """Return the function fill(h, law, sums), which uses shared loops and two short loops compiled for the regime."""
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)
     cut, add, of_heights = cutting(heights.window), adding(heights.density), (heights.shape, heights.knots)
@@ -136,9 +138,9 @@ _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache
 
 
 def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads: int = 1) -> np.ndarray:
-    """Return the sums of every regime for n laws at H mean separations that they share.
+    """Return the sums of every regime for n laws at H mean separations that all laws share.
 
-    h: array (H,), over sigma. Returns an array (regimes, n, 5, H) of the quantities of `scattered`.
+    h: array (H,) in units of sigma. Returns an array (regimes, n, 5, H), in the order of QUANTITIES.
     """
     sums = np.empty((len(regimes), len(regimes[0].edges), len(QUANTITIES), np.size(h)))
     for regime, out in zip(regimes, sums, strict=True):
@@ -149,9 +151,9 @@ def on_grid(regimes: Sequence[Regime], h: np.ndarray, heights: Heights, threads:
 def totals_on_grid(
     regimes: Sequence[Regime], h: np.ndarray, heights: Heights, out: np.ndarray | None = None, threads: int = 1
 ) -> np.ndarray:
-    """Load, area and resistance (n, 3, H) of n laws at H mean separations that they share: all regimes together.
+    """Return load, area and resistance (n, 3, H), summed over all regimes, of n laws at H separations that all laws share.
 
-    out: where to put them, if given.
+    out: array (n, 3, H) for the result, if given.
     """
     sums = np.empty((len(regimes[0].edges), len(_TOTALS), np.size(h))) if out is None else out
     _on_grid(regimes, h, heights, sums, threads)
@@ -159,7 +161,7 @@ def totals_on_grid(
 
 
 def _on_grid(regimes, h, heights, sums, threads) -> None:
-    """Fill sums (n, 5 or 3, H): the QUANTITIES, or the totals, of all regimes together."""
+    """Fill sums (n, 5 or 3, H) with the QUANTITIES or the totals, summed over the regimes."""
     h = np.ascontiguousarray(h, dtype=float)
     laws = len(sums)
     single = []
@@ -181,7 +183,7 @@ def _on_grid(regimes, h, heights, sums, threads) -> None:
 
 
 def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
-    """As `_on_grid`; False where these separations have no skeleton that is good enough."""
+    """Fill `sums` as `_on_grid` does, by a skeleton; return False if no skeleton is accurate enough for these separations."""
     # What is negligible beside all that touches need not be so for one quantity: down to densities of exp(-9 NEGLIGIBLE).
     lowest = 3.0 * heights.window(-np.inf, np.inf, heights.shape)[0] - h.max()
     w_low = max(min(regime.lowest for regime in regimes), lowest)

@@ -1,4 +1,4 @@
-"""How much is compiled: nothing yet, shared loops in stages, quick to compile, or one loop for a regime, quicker to run."""
+"""Choose which loops run: plain Python, shared compiled loops (quick to compile), or one loop per regime (quick to run)."""
 
 import os
 from collections.abc import Iterator
@@ -20,7 +20,10 @@ _compiled = ContextVar("compiled", default=False)
 
 @contextmanager
 def all_compiled() -> Iterator[None]:
-    """Compile within what Python else runs at first: results then have the same bits, whichever process computes them."""
+    """Within the context, compile lazy kernels at their first call.
+
+    Results then have the same bits in every process.
+    """
     before = _compiled.set(True)
     try:
         yield
@@ -29,7 +32,10 @@ def all_compiled() -> Iterator[None]:
 
 
 def tier() -> str:
-    """Return which loops are wanted: STICTION_LOOPS, one of TIERS. Raises InputError for any other."""
+    """Return the value of the environment variable STICTION_LOOPS, by default "auto".
+
+    Raises an InputError for a value that is not in TIERS.
+    """
     wanted = os.environ.get(VARIABLE, TIERS[0])
     if wanted not in TIERS:
         raise InputError(VARIABLE, wanted, ", ".join(TIERS))
@@ -37,13 +43,16 @@ def tier() -> str:
 
 
 def specialised(laws: int, pairs: int = 0) -> bool:
-    """Return whether so many laws, at so many pairs of a law and a separation, are summed by a loop compiled for the regime."""
+    """Return whether to compile one loop for a regime.
+
+    laws: number of parameter sets. pairs: number of pairs of a law and a separation that will be summed, if known.
+    """
     wanted = tier()
     return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[-1]
 
 
 def interpreted(little: bool) -> bool:
-    """Return whether Python itself runs what belongs to one law: where it is little work, or where that is wanted."""
+    """Return whether plain Python runs a lazy kernel; little: whether the kernel has had little work so far."""
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]
 
@@ -53,15 +62,14 @@ def show_config() -> dict[str, str]:
 
     Returns
     -------
-    dict[str, str]
-        `stiction`, `numba`: versions. `loops`: which loops run, one of TIERS, as the environment variable STICTION_LOOPS asks;
-        `auto` compiles them when that pays. `compiler`: `on`, or `off` where NUMBA_DISABLE_JIT is set. `cache`: folder of
-        compiled loops.
+    dict[str, str] `stiction`, `numba`: versions. `loops`: value of the environment variable STICTION_LOOPS, one of TIERS; with
+        `auto`, loops are compiled when that saves time. `compiler`: `on`, or `off` if NUMBA_DISABLE_JIT is set. `cache`:
+        folder of compiled loops.
 
     Raises
     ------
     InputError
-        For a STICTION_LOOPS that is none of TIERS.
+        STICTION_LOOPS is not one of TIERS.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Elementary functions as polynomials that the compiler takes into a loop and vectorises, which calls of a library prevent."""
+"""Evaluate elementary functions by polynomials, so that the compiler can vectorise loops that use them."""
 
 import math
 
@@ -19,7 +19,7 @@ _SQRT_HALF_BITS = int(np.float64(math.sqrt(0.5)).view(np.int64))
 
 @formula
 def exponential(x):
-    """exp(x) for x <= 0 to 2e-16, as a polynomial that the compiler can vectorise; below -708 it is zero."""
+    """Return exp(x) for x <= 0, accurate to 2e-16; it is 0 below -708."""
     shifted = x * _LOG2E + _ROUNDS  # its last digits are the whole number k next to x/ln 2
     k = shifted - _ROUNDS
     r = (x - k * _LN2_HIGH) - k * _LN2_LOW
@@ -42,7 +42,7 @@ def exponential(x):
 
 @formula
 def arctan(v):
-    """arctan v for v >= 0 to 2e-16, without a call, so that loops over it vectorise."""
+    """Return arctan v for v >= 0, accurate to 2e-16."""
     r = 1.0 / v if v > 1.0 else v
     center = _FAR if r > _BORDER else _NEAR
     r = (r - center) / (1.0 + r * center)  # within tan(pi/16) of zero: the Taylor series needs 12 terms
@@ -65,7 +65,7 @@ def arctan(v):
 
 @formula
 def log_quotient(z):
-    """ln(1 + z)/z for z >= 0 (1 at z = 0), to 4e-16, without a call."""
+    """Return ln(1 + z)/z for z >= 0 (1 at z = 0), accurate to 4e-16."""
     small = z < _SQRT2 - 1.0
     bits = np.float64(1.0 + z).view(np.int64)
     k = (bits - np.int64(_SQRT_HALF_BITS)) >> np.int64(52)
