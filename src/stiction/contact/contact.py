@@ -1,5 +1,6 @@
 """From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
 
+from functools import cached_property
 from math import pi
 from typing import Any
 
@@ -14,7 +15,7 @@ from stiction.contact.materials import Material
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
 from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
-from stiction.quantities.dimensions import coordinates, named_by
+from stiction.quantities.dimensions import coordinates, labelled
 from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
@@ -127,14 +128,17 @@ class Contact(Subject):
         Arrays broadcast by dimension. Raises InputError if a group is out of its bounds (a hardness below the yield stress,
         say).
         """
+        return self._indices
+
+    @cached_property
+    def _indices(self) -> Indices:
         try:
             with np.errstate(all="ignore"):  # what overflows in an array is refused by Indices
-                groups = self._groups()
+                groups = self.unlabelled._groups()
         except ArithmeticError:
             raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
-        # Of quantities along one dimension each would name its points, and a group takes the names of whichever it depends on.
-        names = coordinates(self.arrays())
-        return Indices(**{name: named_by(value, names) for name, value in groups.items()})
+        names = {} if self.unlabelled is self else coordinates(self.arrays())
+        return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
     def known(self, name: str) -> Any:
         """Return a property or group of this name, where the contact decides it; else None."""
@@ -312,6 +316,10 @@ class Contact(Subject):
 
     def scales(self) -> Scales:
         """Return the scales K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n (theory 1)."""
+        return self.unlabelled._scales
+
+    @cached_property
+    def _scales(self) -> Scales:
         K = self._bare.K
         return Scales(
             load=K * self._radius**0.5 * self._sigma**1.5,
@@ -375,7 +383,7 @@ class Contact(Subject):
             return 0.0
         return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
 
-    @property
+    @cached_property
     def _bare(self) -> Pair:
         """Return both bodies without a film, as hard as asperities find them."""
         return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))

@@ -324,7 +324,7 @@ class Indices(Subject):
             check_names(value, name)
             if (unit := value.attrs.get("units", "1")) not in ("", "1"):
                 raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
-            return value.copy(data=array) if array.ndim else float(array)
+            return value.copy(deep=False, data=array) if array.ndim else float(array)
         if array.ndim > 1:
             raise InputError(
                 name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"

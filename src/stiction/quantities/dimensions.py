@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 def without_indexes(array: Any) -> Any:
     """Return the DataArray with its coordinates as plain variables: xarray aligns only by an index."""
-    return array.drop_indexes(list(array.xindexes)) if array.xindexes else array
+    indexes = getattr(array, "xindexes", ())  # a Variable has none
+    return array.drop_indexes(list(indexes)) if indexes else array
 
 
 def check_names(array: Any, field: str) -> None:
@@ -89,7 +90,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     first: dict[str, str] = {}
     arrays = list(arrays)
     for name, array in arrays:
-        for coordinate, values in array.coords.items():
+        for coordinate, values in getattr(array, "coords", {}).items():  # a Variable has none
             dim = str(coordinate)
             if _is_its_own(array, dim) and dim != name.rpartition(".")[2]:
                 own.setdefault(dim, []).append((name, values.variable))
@@ -110,14 +111,17 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def named_by(value: Any, names: Mapping[str, Any]) -> Any:
-    """Return the value, a number or a DataArray, with only these coordinates (name -> xarray.Variable)."""
-    other = [
-        name
-        for name, coordinate in getattr(value, "coords", {}).items()
-        if name not in names or not np.array_equal(names[name].values, coordinate.values)
-    ]
-    return value.drop_vars(other) if other else value
+def labelled(value: Any, names: Mapping[str, Any]) -> Any:
+    """Return an xarray.Variable as a DataArray with those coordinates (name -> Variable) that lie along its dimensions.
+
+    A number is returned unchanged.
+    """
+    if not hasattr(value, "dims"):
+        return value
+    import xarray
+
+    along = {name: coordinate for name, coordinate in names.items() if set(coordinate.dims) <= set(value.dims)}
+    return xarray.DataArray(value, coords=xarray.Coordinates(along, indexes={}))
 
 
 def _is_its_own(array: Any, dim: str) -> bool:

@@ -224,6 +224,8 @@ def _load_alone(problem: Sum) -> Sum:
 
     A model that needs its tangential law is returned unchanged.
     """
+    if problem.chosen.tangential is None:
+        return problem
     alone = replace(problem, chosen=replace(problem.chosen, tangential=None))
     try:
         return alone if alone.regimes else problem

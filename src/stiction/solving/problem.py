@@ -324,7 +324,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
         heights = height_distribution(heights)
     elif not isinstance(heights, Heights):
         raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
-    groups, dims = Groups.of(subject.indices())
+    groups, dims = Groups.of(subject.unlabelled.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
     if isinstance(problem, OnMap) and not own_heights:

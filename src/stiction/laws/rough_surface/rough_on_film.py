@@ -33,6 +33,7 @@ has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
 
 import math
 from collections.abc import Callable
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -91,6 +92,7 @@ def waves_of_moments(density: np.ndarray) -> Waves:
     return Waves(shortest * np.exp(at), share)
 
 
+@cache
 def _log_bandwidths() -> np.ndarray:
     """Return ln alpha at _RATIOS."""
     log = np.log(_RATIOS)

@@ -39,10 +39,10 @@ class Levels:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.others[name]
 
-    def with_rows(self, parts: tuple[str, ...], rows: np.ndarray) -> "Levels":
-        """Return the levels with those of some parts, but for inputs, taken from other rows."""
-        moved = {name for part in parts for name in COLUMNS[part]}
-        return Levels(self.inputs, {name: one[rows] if name in moved else one for name, one in self.others.items()})
+    def with_rows(self, part: str, moved: np.ndarray, rows: np.ndarray) -> "Levels":
+        """Return the levels of these rows, but those of one part from the rows `moved`; inputs are never moved."""
+        others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
+        return Levels(self.inputs[rows], others)
 
 
 def draw_levels(inputs: int, count: int, seed: int) -> Levels:

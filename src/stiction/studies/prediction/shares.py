@@ -41,12 +41,11 @@ def shares_of_variance(mixture: Mixture, levels: Levels, at: int) -> dict[str, f
 
 def _total(log_mu: Quantity, levels: Levels, part: str, whole: np.ndarray) -> float:
     """Return half the mean square change of ln mu where one part is exchanged between draws."""
-    rows, squares = np.arange(len(levels)), []
-    for seed in _EXCHANGES:
-        moved = np.random.default_rng(seed).permutation(len(rows))
-        other = log_mu(levels.with_rows((part,), moved), moved if part == "inputs" else rows)
-        squares.append((whole - other) ** 2)
-    return 0.5 * float(np.nanmean(squares))
+    every = range(len(levels))
+    rows = np.tile(every, len(_EXCHANGES))
+    moved = np.concatenate([np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES])
+    other = log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
+    return 0.5 * float(np.nanmean((whole[rows] - other) ** 2))
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
