@@ -56,7 +56,8 @@ if TYPE_CHECKING:
 
 # a k, with the powers of area and modulus.
 _SIZE, _BY_AREA, _BY_MODULUS = 2.06, 0.086, -0.047
-_HURST, _WAVES = 0.8, 24
+_HURST = 0.8
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # of the waves of a spectrum
 # Ratios of the shortest to the longest wave between which the bandwidth is looked up.
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
 _SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # of a map with its film; area from which on it is not solved
@@ -83,9 +84,8 @@ def waves_of_moments(density: np.ndarray) -> Waves:
     (3/2) M_0 M_4/M_2^2, from which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
-    t, weight = np.polynomial.legendre.leggauss(_WAVES)
-    at = 0.5 * (t - 1.0) * log_ratio  # ln k/k_s
-    share = weight * np.exp((2.0 - 2.0 * _HURST) * at)
+    at = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
+    share = _WEIGHTS * np.exp((2.0 - 2.0 * _HURST) * at)
     share /= share.sum(axis=1, keepdims=True)
     mean_square = np.sum(share * np.exp(2.0 * at), axis=1, keepdims=True)  # M_4/M_2 over k_s^2
     shortest = np.sqrt(8.0 * math.pi * math.sqrt(3.0) * density[:, None] / mean_square)
