@@ -1,6 +1,6 @@
-"""Define the command line.
+"""The command line `stiction`.
 
-What is slow to import is imported inside the commands, so that `stiction --help` answers at once.
+Slow libraries are imported inside the commands that need them, so that `stiction --help` answers at once.
 """
 
 import atexit
@@ -25,8 +25,8 @@ __all__ = ["app", "main"]
 def main() -> None:
     """Run the command `stiction`.
 
-    A command is over in seconds, and what it imports lives until then. Looking for reference cycles again and again while it is
-    imported, and three times at the end, took a third of the processor time of a run.
+    Garbage collection is set to run rarely: a command ends within seconds, and collections during its imports took a third
+    of its processor time.
     """
     if "sweep" not in sys.argv:  # which alone shares its work by dask
         leave_out("dask")

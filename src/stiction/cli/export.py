@@ -1,4 +1,4 @@
-"""`stiction export`: predicted friction for other programs."""
+"""The command `stiction export`, which writes predicted friction for simulation programs."""
 
 from pathlib import Path
 
@@ -18,10 +18,10 @@ def export(
     units: str = option(f"Consistent units of the file: {', '.join(UNITS)}.", "m-kg-s"),
     json: Json = False,
 ) -> None:
-    """Write mu against nominal pressure, with the stiffness before sliding, as the input of another program.
+    """Write mu against nominal pressure, and the tangential stiffness before sliding, as input for another program.
 
-    The table spans the loads of the case, or two decades on either side of a single one. Stiffness, elastic slip and mean
-    separation are those of bare bodies; with a film the table has mu alone.
+    The table covers the loads of the case; for a single load, two decades below and above it. Stiffness, elastic slip and
+    mean separation are computed for bare bodies only; for a coated body the table has only mu.
     """
     with solving():
         from stiction.report.export import export as write

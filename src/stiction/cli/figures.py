@@ -1,4 +1,4 @@
-"""`stiction figures`: the pictures of the 2015 paper, and the map of its claims."""
+"""The command `stiction figures`, which draws the figures of the 2015 paper and a map of its claims."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from stiction.quantities.table import QUANTITIES
 
 
 def _bounds(name: str) -> str:
-    """Return the meaning, bounds and unit of a quantity, for --help."""
+    """Return the help text of a quantity: its meaning, bounds and unit."""
     quantity = QUANTITIES[name]
     return f"{quantity.meaning}; {quantity.wanted}"
 
@@ -19,16 +19,16 @@ def figures(
     theta: float = option(_bounds("theta"), 40.0),
     lam: float = option(_bounds("lam"), 10.0),
     variant: str | None = option(
-        "Of figures 1 to 3: corrected (default), published, or layered: its asperities on a film that is solved."
+        "Variant of figures 1 to 3: corrected (default), published, or layered (the film is solved exactly)."
     ),
     out: Out = Path("figures"),
     json: Json = False,
 ) -> None:
-    """Draw figures 1 to 3 of the 2015 paper, and where in the plane of theta and lambda each of its claims holds.
+    """Draw figures 1 to 3 of the 2015 paper, and a map of theta and lambda that shows where each of its claims holds.
 
-    The paper does not print theta and lambda of its figures; 40 and 10 show its claims (a) to (c). The map of the claims covers
-    theta 1 to 1e4 and lambda 1e-3 to 1e4 in both variants, and with the film solved instead of its law. Files: fig1a.png to
-    fig3.png, curves.csv, claims.png, claims.csv.
+    The paper does not state theta and lambda of its figures; its claims (a) to (c) appear with 40 and 10. The map covers
+    theta 1 to 1e4 and lambda 1e-3 to 1e4 for three models: the corrected and the published formulas, and the film solved
+    exactly. Files: fig1a.png to fig3.png, curves.csv, claims.png, claims.csv.
     """
     require("figures", "matplotlib")
     with solving():

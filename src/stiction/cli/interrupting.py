@@ -1,4 +1,4 @@
-"""Ctrl-C while commands are imported: one line, where Python would print what it was importing."""
+"""Handling of Ctrl-C while the program imports its libraries."""
 
 import os
 import signal
@@ -12,10 +12,9 @@ INTERRUPTED = 130  # exit code
 
 @contextmanager
 def ended_by_interrupts() -> Iterator[None]:
-    """End the program with one line on Ctrl-C.
+    """Return a context manager in which Ctrl-C prints one line and ends the program at once.
 
-    Nothing begun here is worth keeping, and libraries that are being imported would take an exception for one of their own.
-    A handler of Ctrl-C that is already set stays.
+    An exception would not do: a library that is being imported may catch it. A handler that the caller has set is kept.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.default_int_handler or current_thread() is not main_thread():

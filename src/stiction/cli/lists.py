@@ -1,4 +1,4 @@
-"""Commands that list models and laws, materials, interfaces, citations and the schema of a case."""
+"""Commands that list models, materials, interfaces and citations, and print the schema of case files."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -48,7 +48,7 @@ def materials(
 ) -> None:
     """List the material presets with modulus, Poisson's ratio, hardness and surface energy, each with its range.
 
-    With NAME, also print the source of each number. stiction cite KEY prints the entry of a key in brackets.
+    With NAME, also print the source of each number. stiction cite KEY prints the reference of a key in brackets.
     """
     from stiction.report.lists import material_in_full, material_rows, materials_table
 
@@ -67,10 +67,10 @@ def interfaces(
     ),
     json: Json = False,
 ) -> None:
-    """List the states of an interface with their shear strength and its growth with pressure, each with range and grade.
+    """List the states of an interface with shear strength and pressure coefficient, each with its range and grade.
 
-    With NAME, also print the sources and where the state must not be used. stiction cite KEY prints the entry of a key in
-    brackets.
+    With NAME, also print the sources, and the contacts for which the state must not be used. stiction cite KEY prints the
+    reference of a key in brackets.
     """
     from stiction.contact.interfaces import interfaces as rows_of
     from stiction.report.lists import interface_in_full, interfaces_table
@@ -85,7 +85,7 @@ def cite(
         "[KEY]...", "Models or entries; without KEY all of them.", None, autocompletion=every_key
     ),
 ) -> None:
-    """Print BibTeX entries of models, film laws and the bibliography."""
+    """Print the BibTeX entries of models and laws, or of keys of the bibliography."""
     from stiction.solving.overview import cite as bibtex_of
 
     print(bibtex_of(keys or None), end="")

@@ -1,4 +1,4 @@
-"""Options that commands share, and how their words are completed."""
+"""Options that several commands share, and the completion of their values in the shell."""
 
 from collections.abc import Callable
 from importlib import import_module
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """Accept the options of models and laws too, by the names in their records: --variant published."""
+    """A command that also accepts the options of models and laws, e.g. --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
@@ -29,9 +29,9 @@ OPTIONS = "stiction.options"
 
 
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
-    """Return the options of records among the words of a command line, by name, and the other words.
+    """Split the words of a command line into options of models and laws, {name: value}, and the other words.
 
-    own: options of the command itself.
+    own: options of the command itself. Raises InputError for a value that the option does not have.
     """
     from stiction.records.registry import all_options
 
@@ -51,17 +51,20 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
 
 
 def option(text: str, default: Any = None, *names: str, **more: Any) -> Any:
-    """Return an option of a command; names: by default the name of its parameter."""
+    """Return an option of a command with this help text; by default the parameter names it."""
     return typer.Option(default, *names, help=text, **more)
 
 
 def argument(metavar: str, text: str, default: Any = ..., **more: Any) -> Any:
-    """Return an argument of a command, required where it has no default."""
+    """Return a positional argument of a command with this help text; without a default it is required."""
     return typer.Argument(default, metavar=metavar, help=text, **more)
 
 
 def keys_of(kind: str) -> Callable[[str], list[str]]:
-    """Return a completer for the keys of the records of a kind, given by its keyword in `solve`."""
+    """Return a shell completer for the keys of one kind of model or law.
+
+    kind: keyword of the kind in `solve`, e.g. "asperity".
+    """
 
     def complete(incomplete: str) -> list[str]:
         from stiction.records.registry import kinds, of_kind
@@ -73,19 +76,19 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
 
 
 def names_of(module: str, function: str) -> Callable[[str], list[str]]:
-    """Return a completer for the names that a function of the package lists."""
+    """Return a shell completer for the names that `function` of the module `module` returns."""
     return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
 
 
 def every_key(incomplete: str) -> list[str]:
-    """Complete a word to the key of any record."""
+    """Return the keys of all models and laws that begin with this text."""
     from stiction.records.registry import records
 
     return [record.key for record in records() if record.key.startswith(incomplete)]
 
 
 def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
-    """Return the laws and options of a case, with those that a command was given in their place."""
+    """Return the models and options of a case after applying those of the command line."""
     from stiction.solving.choice import LAWS
 
     laws = {name: context.params.get(name) for name in LAWS}
@@ -93,14 +96,14 @@ def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
 
 
 def folder(text: str | Path) -> Path:
-    """Return a path to a folder; refuse an empty name, which would mean the current folder."""
+    """Return the path of a folder. Refuse an empty name, which pathlib takes for the current folder."""
     if not str(text).strip():
         raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
     return Path(text)
 
 
 def _checked(out: Path | None) -> Path | None:
-    """Refuse a place where no folder can be before anything is computed for it."""
+    """Return the output folder. Raise InputError, before anything is computed, if it cannot be created."""
     if out is not None:
         from stiction.report.files import check_folder
 

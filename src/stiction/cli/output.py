@@ -1,4 +1,4 @@
-"""Print the output of commands on any terminal; report in one line where it cannot be written."""
+"""Printing for terminals and pipes with any encoding, and errors of writing as one line."""
 
 import codecs
 import errno
@@ -14,7 +14,10 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
-    """Return a replacement for characters that an encoding lacks: "um^2" for µm², and "?" where there is none."""
+    """Return ASCII text for characters that the encoding of the output lacks: "um^2" for µm², else "?".
+
+    It is an error handler for `codecs.register_error`, which needs the text and the position behind it.
+    """
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_one_in_ascii, error.object[error.start : error.end])), error.end
@@ -31,14 +34,14 @@ codecs.register_error("stiction", _in_ascii)
 
 
 def readable() -> None:
-    """Print what the reader's encoding has, and what stands for the rest."""
+    """Set standard output and error to replace characters that their encoding lacks by ASCII text."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(AttributeError, ValueError):  # what is no text stream is somebody's own
             stream.reconfigure(errors="stiction")  # type: ignore[union-attr]
 
 
 def print_json(content: Any) -> None:
-    """Print one JSON object, with escapes where the reader's encoding lacks characters."""
+    """Print one JSON object, escaped to ASCII unless the output is encoded as UTF-8."""
     from stiction.report.files import as_json
 
     everything = (sys.stdout.encoding or "").lower().replace("_", "-").startswith("utf")
@@ -47,7 +50,7 @@ def print_json(content: Any) -> None:
 
 @contextmanager
 def said_if_unwritable() -> Iterator[None]:
-    """End the program with one line where the output cannot be written: on a full disk, or into a closed pipe."""
+    """Return a context manager that reports an OSError, e.g. a full disk or a closed pipe, in one line and exits."""
     try:
         yield
         sys.stdout.flush()
@@ -56,7 +59,10 @@ def said_if_unwritable() -> Iterator[None]:
 
 
 def give_up_output(error: OSError) -> NoReturn:
-    """End the program, with one line; what is left to be written, at its end, would only fail once more."""
+    """Report an OSError in one line and exit with code 1.
+
+    Standard output is redirected to the null device first, so that flushing it at exit cannot fail again.
+    """
     with suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     where = error.filename or "the output"
@@ -65,5 +71,5 @@ def give_up_output(error: OSError) -> NoReturn:
 
 
 def closed_pipe() -> NoReturn:
-    """Raise BrokenPipeError, as the reader of the output has gone."""
+    """Raise BrokenPipeError, because the program that read the output has ended."""
     raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))

@@ -1,4 +1,4 @@
-"""The program that the commands belong to, and what they share: options, exit codes, waiting lines and bars."""
+"""The typer application to which all commands belong, with its exit codes, progress lines and printing of results."""
 
 import re
 import sys
@@ -31,7 +31,10 @@ _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the t
 
 
 class _Commands(TyperGroup):
-    """Report bad input and wrong usage as one line with exit code 2, an interruption with 130; never a traceback."""
+    """The group of commands. It prints bad input and wrong usage as one line, without a traceback.
+
+    Exit codes: 2 for bad input and wrong usage, 130 for an interruption.
+    """
 
     def __init__(self, *positional, **named):
         super().__init__(*positional, **named)
@@ -58,7 +61,7 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """Print user errors and notices as one line each, and exit with the matching code."""
+    """Return a context manager that prints errors and warnings for users as one line each and sets the exit code."""
     try:
         with warnings.catch_warnings():
             for category in _SAID:
@@ -88,7 +91,7 @@ def _say_in_a_line(message: Any, category: Any, *where: Any, **more: Any) -> Non
 
 
 def _as_input(error: Any) -> InputError:
-    """Return a usage error of typer as an InputError with the field, the value and what is allowed."""
+    """Return a usage error of typer as an InputError with field, value and allowed values."""
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
@@ -113,14 +116,15 @@ def _as_input(error: Any) -> InputError:
 
 
 def _name(param: Any) -> str:
-    """Return how the user writes an option, or the name of an argument."""
+    """Return an option as the user writes it, e.g. "--load", or the name of an argument."""
     return next((name for name in param.opts if name.startswith("--")), param.metavar or param.name)
 
 
 def _refused(error: Any) -> tuple[Any, str]:
-    """Return the refused value of an option, and what is allowed.
+    """Return the value that typer or pydantic refused, and the text of what is allowed.
 
-    The text is "Input should be a valid number, ..." with the value in the cause, or "'abc' is not a valid float".
+    typer writes "'abc' is not a valid float"; pydantic writes "Input should be a valid number, ..." and has the value in
+    the cause of the error.
     """
     value, _, allowed = error.message.rstrip(".").rpartition(" is not ")
     if (cause := error.__cause__) is not None and hasattr(cause, "errors"):
@@ -161,14 +165,17 @@ def console():
 
 @contextmanager
 def busy(text: str) -> Iterator[None]:
-    """Show a line with a running clock on the terminal, and remove it at the end."""
+    """Show a line with this text and a running clock on the terminal until the block ends."""
     with _line(text):
         yield
 
 
 @contextmanager
 def telling_how_far() -> Iterator[Callable[[str], None]]:
-    """Yield a function that shows progress: in a line on the terminal, else as a line printed every ten seconds."""
+    """Yield a function that shows its text as progress.
+
+    On a terminal the text replaces one line. Elsewhere it is printed at most every ten seconds.
+    """
     with _line("") as line:
         if line is not None:
             yield line.say
@@ -190,13 +197,16 @@ _EVERY = 10.0  # seconds between lines that nobody watches
 
 @contextmanager
 def solving() -> Iterator[None]:
-    """Show the same line while something is solved, with the number of kernels compiled on the way."""
+    """Show a line with a clock, compiled kernels and solver residuals on the terminal until the block ends."""
     with _line("Solving") as line, _saying_what_goes_on(line, "Solving"):
         yield
 
 
 def bar(text: str):
-    """Return a wrapper of a list that shows how far its loop is, and which kernels are compiled on the way."""
+    """Return a function that wraps a list and shows a progress bar while a loop reads it.
+
+    text: label of the bar.
+    """
 
     def wrapped(steps):
         with _line(text) as line, _saying_what_goes_on(line, text):
@@ -207,7 +217,7 @@ def bar(text: str):
 
 @dataclass(frozen=True)
 class _Line:
-    """Hold a line on the terminal that can be rewritten."""
+    """A progress line on the terminal, with a text that can be replaced."""
 
     progress: Any
     task: Any
@@ -221,7 +231,7 @@ class _Line:
 
 @contextmanager
 def _line(text: str) -> Iterator[_Line | None]:
-    """Yield a line with a bar and a clock; None where the output is no terminal."""
+    """Yield a progress line with a bar and a clock, or None if standard error is not a terminal."""
     from rich.console import Console
 
     terminal = Console(stderr=True)
@@ -237,7 +247,7 @@ def _line(text: str) -> Iterator[_Line | None]:
 
 @contextmanager
 def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
-    """Show how many kernels are compiled, and how far the solution of a map is."""
+    """Show the number of compiled kernels and the residual of the map solver in a progress line."""
     if line is None:
         yield
         return
@@ -252,7 +262,10 @@ def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
 
 
 def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Case":
-    """Return the case of a file, at one load if one is given; ranges: in place of what the case says."""
+    """Return the case of a case file.
+
+    load: replaces the points of the case. ranges: replaces its setting for the ranges of materials.
+    """
     with busy("Reading the case"):
         from stiction.case.read import read_case
 
@@ -261,10 +274,9 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
 
 
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
-    """Write a result into a folder, if one is given, and print it, as JSON if requested.
+    """Print a result, or its JSON, and write its files if a folder is given.
 
-    details: print all parts instead of the few lines of a short answer. Raises KeyboardInterrupt at the end if the study was
-    interrupted.
+    details: print everything instead of the short answer. Raises KeyboardInterrupt at the end if the study was interrupted.
     """
     names = []
     if out is not None:
@@ -286,7 +298,8 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 def show(parts: Iterable[Any]) -> None:
     """Print paragraphs and tables.
 
-    Text with `no_wrap` stays on one line; a terminal may cut off its end if the text allows that, a pipe never does.
+    A text with `no_wrap` stays on one line. A terminal may cut off its end if its `overflow` allows that; a pipe gets all
+    of it.
     """
     from rich.text import Text
 
@@ -299,7 +312,7 @@ def show(parts: Iterable[Any]) -> None:
 
 
 def written(folder: Path, names) -> None:
-    """Say where the results are."""
+    """Print the names of the written files, and of pictures that need matplotlib."""
     from stiction.report.files import undrawn_of
 
     undrawn = undrawn_of(names)

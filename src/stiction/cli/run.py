@@ -1,4 +1,4 @@
-"""`stiction run`: one case, solved; `stiction slide`: the same contact moved aside."""
+"""The commands `stiction run`, which solves a case, and `stiction slide`, which moves it sideways until it slides."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -42,11 +42,11 @@ def run(
     film: str | None = option("Film law.", autocompletion=keys_of("film"), **LAW),
     **beside: str | None,
 ) -> None:
-    """Answer a case: its friction coefficient with an interval, and what the interval comes from.
+    """Predict the friction coefficient of a case with its interval, and show what the interval depends on.
 
-    Without a named model or law, the applicable ones are combined. With --model, that model is solved along a curve.
-    --out writes curve.csv, curve.nc (netCDF4) and pictures. Options of a model or law, such as --variant published, are listed
-    by stiction models KEY; what is given here overrides the case file.
+    Without a named model or law, all applicable models are combined. With --model, one model is solved along a curve of
+    loads. --out writes curve.csv, curve.nc (netCDF4) and pictures. stiction models KEY lists the options of a model or law,
+    such as --variant published. Options of the command replace those of the case file.
 
     In the case file a number may be an array (a list, or {start, stop, count, spacing}) or uncertain ("0.5 +/- 0.1 GPa",
     {low, high}, {median, factor}, {samples}). stiction schema lists every number with its unit and bounds.
@@ -84,9 +84,9 @@ def slide(
     weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
     **beside: str | None,
 ) -> None:
-    """Move a contact aside, from rest to sliding: tangential force against displacement.
+    """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.
 
-    Asperities, or with --model boundary_elements the points of a map, slip one after another. At most five loads of the case
+    Asperities slip one after another; with --model boundary_elements, points of a map do. At most five loads of the case
     are computed. --out writes sliding.csv, sliding.nc (netCDF4) and a picture.
     """
     chosen = read(case, load, ranges)
@@ -101,7 +101,7 @@ def slide(
 
 
 def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
-    """Return the command with an option for each kind of law that is added to a model."""
+    """Add an option for each kind of law that can be added to a model, such as menisci, to a command."""
     own = [item for item in signature(command).parameters.values() if item.kind is not Parameter.VAR_KEYWORD]
     options = {
         name: option(f"{text.capitalize()}.", autocompletion=keys_of(name), **LAW)

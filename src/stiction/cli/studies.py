@@ -1,4 +1,4 @@
-"""Studies of one case, each a folder of `studies`; a report; measured series."""
+"""The commands of all studies in the package `studies`, and the commands `report` and `validate`."""
 
 import inspect
 from functools import partial
@@ -37,7 +37,10 @@ _SHARED: dict[str, tuple[Any, Any]] = {
 
 
 def _add_command(folder: str, study: Study) -> None:
-    """Add the command of a study, with the options of its plan and --out, --details and --json."""
+    """Add the command of a study to the application.
+
+    Its options are the parameters of `study.plan`, and --out, --details and --json.
+    """
     own = inspect.signature(study.plan).parameters
 
     def command(context: typer.Context, **arguments: Any) -> None:
@@ -89,10 +92,10 @@ def report(
     ranges: Ranges = None,
     json: Json = False,
 ) -> None:
-    """Write a report as one file: answer, validity warnings, inputs with sources, pictures, and every model compared.
+    """Write a report as one file: answer, validity warnings, inputs with sources, pictures, and a comparison of all models.
 
     The file needs neither network nor scripts, can be printed, and contains the case file. --json also prints the answer as
-    numbers. Models are not compared where numbers of the case are arrays.
+    numbers. Models are not compared if a number of the case is an array.
     """
     with busy("Reading the case"):
         from stiction.report.html_report import write_report
@@ -111,11 +114,12 @@ def validate(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """Compare the prediction and every applicable model with measured series: the ratio of predicted to measured friction.
+    """Compare the prediction and every applicable model with measured friction.
 
-    An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source, and a CSV file of
-    values or ranges in [[measured.band]]. A folder stands for every entry in it. --out writes a CSV file for each entry with
-    the values of each model, and a picture of the prediction.
+    ENTRY.toml has the tables [contact] of a case file and [measured], which names the source, and [[measured.band]] with
+    CSV files of measured values or ranges. For a folder, all entries in it are compared. The result is the ratio of
+    predicted to measured friction. --out writes a CSV file for each entry with the values of each model, and a picture of
+    the prediction.
     """
     with busy("Reading the measured series"):
         from stiction.studies.validation import entries_in, read_entry

@@ -1,4 +1,4 @@
-"""`stiction surface`: what one scan says."""
+"""The command `stiction surface`, which analyses one scan."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -37,11 +37,12 @@ def surface(
     out: Out = None,
     json: Json = False,
 ) -> None:
-    """Analyse a measured surface: heights, kind, asperities, and the lines of a case file that use it.
+    """Analyse a measured surface: heights, kind of surface, asperities, and the lines of a case file that use it.
 
-    --contact also solves its contact with a flat, point by point: real area, separation, stiffness.
-    --out writes map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study as fan.png, fan.csv
-    and fan.nc: how sigma, R and N, and with --case mu, change with the method and the shortest wavelength.
+    --contact also solves the contact of the surface with a flat by boundary elements: real area, separation, stiffness.
+    --out writes map.png, spectrum.png, asperities.png, surface.json, spectrum.csv, and the resolution study as fan.png,
+    fan.csv and fan.nc: how sigma, R and N (and with --case mu) depend on the asperity method and on the shortest
+    wavelength.
     """
     if out is None and (case is not None or load is not None):
         what, value = ("--load", load) if case is None else ("--case", str(case))
@@ -81,7 +82,7 @@ def surface(
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:
-    """Return the nominal pressures of --contact; an empty list without that option."""
+    """Return the nominal pressures of --contact, over E* h'; an empty list without --contact. Raises InputError."""
     if contact is None:
         if hardness is not None:
             raise InputError("--hardness", hardness, "only with --contact")
@@ -89,11 +90,11 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
     try:
         return [float(word) for word in contact.replace(",", " ").split()]
     except ValueError:
-        raise InputError("--contact", contact, "numbers > 0 separated by blanks, e.g. 0.01 0.1") from None
+        raise InputError("--contact", contact, "numbers above 0 separated by spaces, e.g. 0.01 0.1") from None
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
-    """Return the case of --case and its load."""
+    """Return the case of --case and its working load, or None and None. Raises InputError."""
     if case is None:
         if load is not None:
             raise InputError("--load", load, "only with --case")
@@ -104,8 +105,8 @@ def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
 
     chosen = read_case(case)
     if not isinstance(chosen.subject, Contact):
-        raise InputError("--case", str(case), "a case with [contact], as dimensionless groups have no surface")
+        raise InputError("--case", str(case), "a case with [contact], because [indices] describe no surface")
     chosen_load = working_load(chosen, load)
     if chosen_load is None:
-        raise InputError("--load", None, "a load, as no load of the case is compressive")
+        raise InputError("--load", None, "a compressive load, because the case has none")
     return chosen, chosen_load

@@ -1,4 +1,4 @@
-"""`stiction sweep`: many contacts, into a store on disk."""
+"""The command `stiction sweep`, which solves many contacts into a store on disk."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -21,10 +21,10 @@ def sweep(
     details: Details = False,
     json: Json = False,
 ) -> None:
-    """Solve many contacts into a labelled store on disk (zarr 3).
+    """Solve many contacts and store the results on disk (zarr 3).
 
-    The table [sweep] of the case selects the contacts: every combination, points of a list, or random points. A sweep can be
-    interrupted; the same command continues it. The store is the same, bit for bit, for any number of workers.
+    The table [sweep] of the case selects the contacts: all combinations, a list of points, or random points. An interrupted
+    sweep continues if the same command is run again. The store is identical, bit for bit, for any number of workers.
     """
     if not _stderr().is_terminal:
         _stderr().print("Reading the case")  # at once: the first points take longer
@@ -45,7 +45,10 @@ def sweep(
 
 
 class _Shown:
-    """Show progress, rate and remaining time of a sweep: in a line on a terminal, else in a line every ten seconds."""
+    """Progress of a sweep: points done, rate and remaining time.
+
+    A terminal shows them in one line; elsewhere a line is printed every ten seconds.
+    """
 
     def __init__(self) -> None:
         self.done = self.size = self.computed = 0
