@@ -76,14 +76,14 @@ def test_only_what_is_outside_is_said_to_be():
     contact = st.Indices(theta=st.axis("theta", [1.0, 15.0, 21.0, 25.0]), lam=10.0)
     (warning,) = warnings_about(contact, [claim(0.5, 20.0)], {})
     assert (warning.outside, warning.points, warning.least, warning.most) == (2, 4, 21.0, 25.0)
-    assert "is 21 to 25 in 2 of 4 points, claimed is 0.5 to 20" in str(warning)
+    assert "is 21 to 25 in 2 of 4 points, valid range 0.5 to 20" in str(warning)
 
 
 def test_where_it_is_outside_is_said_of_two_points_and_not_of_one():
     for points, where in (([30.0, 15.0], "in 1 of 2 points"), ([30.0], "here")):
         contact = st.Indices(theta=st.axis("theta", points), lam=10.0)
         (warning,) = warnings_about(contact, [claim(10.0, 20.0)], {})
-        assert f" is 30 {where}, claimed is 10 to 20" in str(warning)
+        assert f" is 30 {where}, valid range 10 to 20" in str(warning)
 
 
 def test_how_far_beyond_is_told_of_the_worst_end():

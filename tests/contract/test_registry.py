@@ -615,7 +615,7 @@ def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
     record_finding._outside.cache_clear()
     notice.cache_clear()
     try:
-        with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is left out: [^\n]+$") as said:
+        with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is ignored: [^\n]+$") as said:
             assert len(records()) == HOW_MANY + 1
         assert find("somebody_2031", AsperityLaw) is sound and text_of(sound)
         with refusal("asperity", "theirs", "somebody_2031"):

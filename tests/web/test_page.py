@@ -140,7 +140,7 @@ async def test_a_surface_is_known_by_its_finish():
 async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_large_beside_it():
     async with _page(packed(of_one_model())) as user:
         assert _mu(user) == "mu ≈ 0.046"
-        assert any("claimed is" in text for text in _texts(user))
+        assert any("valid range" in text for text in _texts(user))
         predicted = _predicted({name: table for name, table in of_one_model().items() if name != "solve"} | {
             "solve": {"separation": of_one_model()["solve"]["separation"]}})  # fmt: skip
         await _until(user, lambda: predicted.replace("mu", "μ") in _card(user))

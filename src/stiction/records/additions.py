@@ -1,4 +1,4 @@
-"""Find the kinds of laws that go beside a model, without importing one: the folders of `laws` that have a file kind.py."""
+"""The kinds of laws that can be added to a model, such as menisci: every folder of `laws` with a file kind.py."""
 
 from functools import cache
 from importlib import import_module
@@ -7,6 +7,9 @@ from pathlib import Path
 
 @cache
 def names_of_additions() -> dict[str, str]:
-    """Return what each kind is, in words, by its keyword, which is the name of its folder."""
+    """Return a description of each kind of added law, by its keyword, without importing the laws.
+
+    The keyword is the name of the kind's folder.
+    """
     folders = sorted(path.parent.name for path in (Path(__file__).parents[1] / "laws").glob("*/kind.py"))
     return {name: import_module(f"stiction.laws.{name}").__doc__ or "" for name in folders}

@@ -1,4 +1,4 @@
-"""Claims of a record besides its formulas: grade, range of validity, limits, jumps, options."""
+"""What a record states besides its formulas: grade, validity ranges, limiting cases, discontinuities and parameters."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ GRADES = {
     "C": "reconstructed: the source was not available or is misprinted; the sources name what was reconstructed",
 }
 
-# What a tangential law or a film may want of an asperity law, and an asperity law may be.
+# Traits of asperity laws, which tangential and film laws may require.
 TRAITS = {
     "JKR": "while elastic, adhesion acts inside the contact as Johnson, Kendall and Roberts have it",
     "no adhesion": "the load is compressive, and nothing at first touch",
@@ -21,7 +21,7 @@ TRAITS = {
     "2015": "the asperity of the 2015 paper",
 }
 
-# What a junction that has yielded resists, after a tangential law: from first to last are three orders of magnitude.
+# Tangential resistance of a yielded junction in a tangential law; it differs by three orders of magnitude.
 YIELDED = {
     "none": "junctions that have yielded resist nothing",
     "interface": "the strength of the interface acts on their area as the load leaves it",
@@ -29,7 +29,7 @@ YIELDED = {
     "full stick": "they are as strong as the bulk",
 }
 
-# What it means to leave a range, the worst first.
+# Kinds of validity warnings, the most severe first.
 KINDS_OF_WARNING = {
     "impossible": "cannot be so",
     "effect": "leaves out what matters here",
@@ -41,10 +41,9 @@ KINDS_OF_WARNING = {
 
 @dataclass(frozen=True)
 class Validity:
-    """A range in which the authors claim their model, or beyond which an assumption fails.
+    """A range in which the authors claim their model, or outside which one of its assumptions fails.
 
-    quantity: a name in `quantities`, in the sense used there; low and high: the range; why: what fails outside; kind: which
-    of KINDS_OF_WARNING that is.
+    quantity: its name in `quantities`; low, high: ends of the range; why: what fails outside; kind: a key of KINDS_OF_WARNING.
     """
 
     quantity: str
@@ -60,12 +59,12 @@ class Validity:
 
 @dataclass(frozen=True)
 class Limit:
-    """State that the model becomes `parent` (of the same kind) at these values of groups.
+    """A limiting case: for these values of groups, the model agrees with `parent`, a model of the same kind.
 
-    A test over the registry checks it.
+    A test checks every limit in the registry.
 
-    groups: values of groups that make the limit. quantities: result names that must agree. within: relative difference.
-    options: with which it does so.
+    groups: values of the dimensionless groups. quantities: results that must agree. within: relative difference allowed.
+    options: options of the model for which the limit holds.
     """
 
     parent: str
@@ -75,7 +74,7 @@ class Limit:
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
-# What a film has to become, whatever its law: under which a law is held by a test over the registry, or says how far it is off.
+# Limits that every film law should satisfy. A test checks them; a law that fails one states a Departure.
 FILM_LIMITS = {
     "thin": "a film of no thickness leaves the substrate alone",
     "thick": "a film without end is the film alone",
@@ -85,11 +84,11 @@ FILM_LIMITS = {
 
 @dataclass(frozen=True)
 class Departure:
-    """A published film law does not become what it has to: by how much a result is off there, relative to what it should be.
+    """The relative error of a published film law in a limit that every film should satisfy.
 
-    limit: see FILM_LIMITS. least, most: over soft and hard films, at plasticity indices of 0.5 and more; infinite where it has
-    no bound. A test over the registry holds the record to them, and to a range of validity that is left wherever a result is
-    off by more than a fifth.
+    limit: a key of FILM_LIMITS. quantity: the result with the error. least, most: smallest and largest error for soft and
+    hard films at plasticity indices of 0.5 and more; infinite if unbounded. A test checks these numbers. It also checks
+    that the law's validity ranges exclude every film with an error above 20 %.
     """
 
     limit: str
@@ -104,10 +103,11 @@ class Departure:
 
 @dataclass(frozen=True)
 class Jump:
-    """A published law is not continuous: what its load and area are multiplied by where one piece gives way to the next.
+    """A discontinuity of a published law between two of its segments.
 
-    piece: the number of the piece that begins there, 1 for the second. load, area: the factors; groups: for which values of
-    groups, where they depend on them. A test over the registry holds the record to them, to 1 in 1000.
+    piece: index of the segment that begins at the jump, 1 for the second. load, area: factors by which load and area
+    change. where: the place in words. groups: values of the groups for which the factors hold, if they depend on them. A
+    test checks the factors to 1 in 1000.
     """
 
     piece: int
@@ -119,11 +119,11 @@ class Jump:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number, a length or one of a few values that a user may give to a way of finding asperities.
+    """A parameter of an asperity method that the user may set: a number, a length or one of several values.
 
-    meaning: of its value and, where `default` is None, of what is then taken. values: all that is allowed, where that is few;
-    else it is a finite number above `lower`, or from it on if lower_included. unit: "m" of a length, which may also be text
-    with its unit, "" of a plain number.
+    meaning: what the value means, and the default if `default` is None. values: all allowed values; if empty, finite
+    numbers above `lower` (or equal to it if `lower_included`). unit: "m" for a length, which may also be text with its
+    unit; "" for a plain number.
     """
 
     meaning: str
@@ -135,7 +135,7 @@ class Parameter:
 
     @property
     def allowed(self) -> str:
-        """Return the allowed values in words: "5, 9", ">= 0 m, finite", "any finite length in m"."""
+        """Return the allowed values as text: "5, 9", ">= 0 m, finite" or "any finite length in m"."""
         if self.values:
             return ", ".join(map(str, self.values))
         if self.lower == -inf:
@@ -143,7 +143,7 @@ class Parameter:
         return f"{'>=' if self.lower_included else '>'} {self.lower:g}{' ' * bool(self.unit)}{self.unit}, finite"
 
     def allows(self, value: Any) -> bool:
-        """Return whether a value (a length in metres) is allowed."""
+        """Return whether a value, in m if it is a length, is allowed."""
         if self.values:
             return isinstance(value, str | Real) and value in self.values
         number: Any = value if isinstance(value, Real) else nan
@@ -151,7 +151,7 @@ class Parameter:
 
 
 def range_in_words(low: float, high: float) -> str:
-    """ "0 to 0.5", "5 or more"."""
+    """Return a range as text: "0 to 0.5", "5 or more" or "5 or less"."""
     if high == inf:
         return f"{low:g} or more"
     return f"{high:g} or less" if low == -inf else f"{low:g} to {high:g}"

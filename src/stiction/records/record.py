@@ -1,4 +1,7 @@
-"""One model's record, and where records are found: the file of their name in the folder of their kind, and entry points."""
+"""The record that describes a model, and how records are found.
+
+A record is found in the file named after its key in the folder of its kind, or through an entry point of another package.
+"""
 
 import importlib
 import importlib.util
@@ -18,15 +21,20 @@ from stiction.records.sources import Source
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """Describe one model; each kind adds what it computes.
+    """The description of one model or law. Each kind of record adds its formulas.
 
-    kind: what it is, in words; its folder has this name, in this room. keyword: by which a user chooses one, "" if nobody
-    does. key: author_year, or a name. grade: see GRADES. verified: what the numbers were checked against. needs: names of the
-    groups it depends on; takes: other groups, which count where they are given.
-    own_options: option name -> allowed values, the first is the default. load_falls: the source's load falls
-    with growing separation wherever it is compressive. accuracy: sums are good to this, relative to each law's own; larger
-    where kinks of a law are found by scanning. notes: remarks for the user. entries: bibliography entries that the
-    package does not have, key -> BibTeX.
+    - kind: name of the kind and of its folder; room: package with that folder
+    - keyword: argument of `solve` that selects a record of this kind, "" if none does
+    - key: author_year, or a name
+    - grade: a key of GRADES
+    - verified: what the numbers were checked against
+    - needs, takes: dimensionless groups that the model requires, and those that it uses if they are given
+    - validity, limits: ranges in which it is claimed, and limiting cases
+    - own_options: allowed values of each option, the default first
+    - load_falls: whether, in the source, a compressive load always decreases with growing separation
+    - accuracy: relative accuracy of sums over asperities; coarser if kinks of the law are located numerically
+    - notes: remarks for users
+    - entries: BibTeX by key, for sources outside the package's bibliography
     """
 
     kind: ClassVar[str]
@@ -49,11 +57,11 @@ class Record:
 
     @property
     def options(self) -> Mapping[str, tuple[str, ...]]:
-        """Return every option of the record: name -> allowed values, the first is the default."""
+        """Return the allowed values of every option, the default first."""
         return self.own_options
 
     def parts(self, options: Mapping[str, str]) -> list["Record"]:
-        """Return other records that these options use; they have to be cited, too."""
+        """Return the other records that these options use, which must be cited too."""
         return []
 
 
@@ -61,46 +69,50 @@ _R = TypeVar("_R", bound="Record")
 
 
 def _package(kind: type[Record]) -> str:
-    """Return the folder with the records of a kind."""
+    """Return the name of the package that contains the records of a kind."""
     return f"stiction.{kind.room}.{kind.kind.replace(' ', '_')}"
 
 
 @cache
 def _outside() -> tuple[tuple[Record, str], ...]:
-    """Return the records of other distributions, each with its module; name those that cannot be loaded."""
-    found = []
+    """Return the records of installed plug-ins, each with its module. Report plug-ins that cannot be loaded."""
+    loaded = []
     for entry in entry_points(group="stiction"):
         try:
             record = entry.load()
-            problem = "" if isinstance(record, Record) else f"it is {type(record).__name__}, no record of a law"
+            problem = "" if isinstance(record, Record) else f"it is a {type(record).__name__}, not a record of a law"
         except (Exception, SystemExit) as error:  # somebody else's code may raise anything
             problem = " ".join(f"{type(error).__name__}: {error}".split())
         if problem:
-            notice(f"the plug-in {entry.name} ({entry.value}) is left out: {problem}")
+            notice(f"the plug-in {entry.name} ({entry.value}) is ignored: {problem}")
         else:
-            found.append((record, entry.module))
-    return tuple(found)
+            loaded.append((record, entry.module))
+    return tuple(loaded)
 
 
 @cache
 def _inside(folder: str) -> tuple[Record, ...]:
-    """Return the records of one folder of this package."""
+    """Return the records of all modules in one package."""
     package = importlib.import_module(folder)
-    modules = [importlib.import_module(one.name) for one in pkgutil.iter_modules(package.__path__, f"{folder}.")]
+    names = [info.name for info in pkgutil.iter_modules(package.__path__, f"{folder}.")]
+    modules = [importlib.import_module(name) for name in names]
     return tuple(module.RECORD for module in modules if hasattr(module, "RECORD"))
 
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
-    """Load the records of one kind, in alphabetical order: key -> record."""
-    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))  # of two with one key ours is the last
-    found = [one for one in everybody if isinstance(one, kind) and one.kind == kind.kind]
-    return {one.key: one for one in sorted(found, key=lambda one: one.key)}
+    """Return all records of one kind by key, in alphabetical order."""
+    everybody = (
+        *(record for record, _ in _outside()),
+        *_inside(_package(kind)),
+    )  # the package's own record replaces a plug-in's
+    matches = [record for record in everybody if isinstance(record, kind) and record.kind == kind.kind]
+    return {record.key: record for record in sorted(matches, key=lambda record: record.key)}
 
 
 def find(key: str, kind: type[_R]) -> _R:
-    """Return the record of this key and kind, or raise InputError.
+    """Return the record with this key and kind. Raises InputError.
 
-    A record of the package is in the file of its name, so that no other has to be loaded.
+    Only the module of the record is imported, if it belongs to this package.
     """
     module = f"{_package(kind)}.{key}"
     if isinstance(key, str) and key.isidentifier() and importlib.util.find_spec(module) is not None:
@@ -114,10 +126,9 @@ def find(key: str, kind: type[_R]) -> _R:
 
 
 def text_of(record: Record) -> str:
-    """Return the documentation of a record: equations with sources, assumptions, reconstructions; Markdown.
+    """Return the documentation of a record as Markdown: equations with sources, assumptions, reconstructions.
 
-    It is the docstring of the module in which the record stands, of this package or of the project that brought it; "" if that
-    has none.
+    It is the docstring of the module that defines the record, in this package or in a plug-in; "" if there is none.
     """
     name = f"{_package(type(record))}.{record.key}"
     if record.key.isidentifier() and importlib.util.find_spec(name) is not None:

@@ -1,8 +1,8 @@
-"""The registry of models: one record each, found in their folders and in entry points.
+"""The registry of models: the kinds of records, and functions that list and combine them.
 
-A model is a module with a RECORD, in the folder named for its kind. Adding one is one file in its folder (or, outside the
-package, an entry point in the group "stiction"), one file of reference numbers in the tests and one bibliography entry; tables,
-command line, citations and contract tests are made from the record.
+A model is a module with a RECORD in the folder of its kind. To add one, write that module (or, in another package, an entry
+point in the group "stiction"), a file of reference numbers for the tests, and a bibliography entry. Tables, command line,
+citations and contract tests use the record.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -25,12 +25,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class AsperityLaw(Record):
-    """How one asperity carries a normal load.
+    """The relation between displacement, normal load and contact area of one asperity.
 
-    pieces(groups, **own options) -> list of Piece, in the order in which an approaching asperity meets them.
-    traits: what it is, see TRAITS. jumps: where the published pieces do not meet. released(groups, distance, **own options) ->
-    list of Piece, at the displacement that is left: the same after the surfaces were pressed together and then drawn apart by
-    the distance (n,) over sigma; None where the law, if it yields and adheres, says nothing of that.
+    - pieces(groups, **own_options): list of Piece, in the order in which an approaching asperity meets them
+    - released(groups, distance, **own_options): the same for unloading, after the surfaces were pressed together and drawn
+      apart by `distance` (n,), over sigma; None if the law has no unloading
+    - traits: properties of the law, keys of TRAITS
+    - jumps: discontinuities of the published law
     """
 
     kind = keyword = "asperity"
@@ -46,16 +47,19 @@ JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Record):
-    """Compute the force at which one loaded asperity is sheared off.
+    """The tangential force at which one loaded asperity slips.
 
-    tangential_resistance(piece, groups, **own options) -> TangentialResistance, or None for a piece that resists nothing.
-    wants: trait of the asperity law that it cannot do without -> why. interfacial: it shears the interface, wherever that is:
-    of a coated asperity, the whole load and the outer contact area count, whichever body answers. layered: it treats a film and
-    its body as one elastic solid, and goes with film laws that solve them so; of a half-space it is another law. of_half_space:
-    why a law that is neither says nothing of film and body as one; like: key of the law to take there in its place, or "".
-    junctions: keys of laws that may answer, by the option plastic_junctions, for junctions that have yielded, where its own
-    gives them nothing. of_area: its force is the strength of the interface times the contact area, plus a part that depends on
-    the load. yielded: what junctions that have yielded resist, of YIELDED; "" if the source does not state it.
+    - tangential_resistance(piece, groups, **own_options): TangentialResistance, or None if the piece has no resistance
+    - wants: traits that the asperity law must have, with the reason for each
+    - interfacial: whether it shears the interface. For a coated asperity it then uses the whole load and the outer contact
+      area, whether film or substrate carries the load.
+    - layered: whether it treats film and body as one layered elastic solid. It then goes with film laws that are
+      `solved_as_one`.
+    - of_half_space: why a law that is neither of the two cannot be used for such a solid; like: law to use there instead,
+      or ""
+    - of_area: whether the force is shear strength times contact area, plus a part that depends on the load
+    - junctions: laws that the option `plastic_junctions` offers for yielded junctions, if this law gives them no resistance
+    - yielded: resistance of yielded junctions, a key of YIELDED; "" if the source does not state it
     """
 
     kind = keyword = "tangential"
@@ -81,21 +85,23 @@ class TangentialLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class FilmLaw(Record):
-    """Describe how a film and its substrate carry load together.
+    """How a film and its substrate carry the load of an asperity together.
 
-    regimes(groups, law, **own options) -> list of Regime; law: a joining.Law, the asperity of either body. wants: trait
-    of the asperity law that it cannot do without -> why. own_asperity: the film law brings its own asperity law and does not
-    use the one in `law`. one_body: film and substrate are one, with the film's surface: where the film has its own work of
-    adhesion, the work of adhesion of the bodies does not count, nor do the groups in `takes` of `law`. solved_as_one: its
-    elastic asperity is a sphere on the layered solid, so that tangential laws with `layered` go with it, too.
-    bares_substrate: a law of the interface shears what is film of the contact, and the rest shears at the substrate's own
-    strength. confined: the film may bear more than its own hardness, up to the substrate's.
-    tangential: "" if it goes with any tangential law that suits the asperity law, "interface" if only with laws of the
-    interface, or the key of the one built into it. asperity: key of the asperity law that its source takes;
-    any that has what it wants may be taken in its place. interchangeable: False for a film of one variant only.
-    departures: from what films of no thickness, without end, and like their substrate have to be.
-    composites: properties of film and substrate together which options of these names choose among the composites: property ->
-    key of the default.
+    - regimes(groups, law, **own_options): list of Regime; `law` is a joining.Law, the asperity of either body
+    - wants: traits that the asperity law must have, with the reason for each
+    - own_asperity: whether the film law has its own asperity law and ignores the one in `law`
+    - one_body: whether film and substrate count as one body with the film's surface. If the film states a work of adhesion,
+      the one of the bodies and the groups in `takes` of `law` are then ignored.
+    - solved_as_one: whether its elastic asperity is a sphere on a layered solid; tangential laws with `layered` then apply
+      too
+    - bares_substrate: whether the substrate can be exposed. A law of the interface then shears the covered part of the
+      contact, and the rest has the shear strength of the substrate.
+    - confined: whether the film can carry more than its own hardness, up to the hardness of the substrate
+    - tangential: tangential laws it goes with: "" any, "interface" those of the interface, or the key of its own law
+    - asperity: key of the asperity law in its source; another law with the wanted traits may replace it
+    - interchangeable: whether it can be combined with other models; False if it belongs to one variant of one model
+    - departures: errors in the limits of a thin film, a thick film, and a film like its substrate
+    - composites: option -> default key, for properties of film and substrate together that a Composite computes
     """
 
     kind = keyword = "film"
@@ -122,24 +128,31 @@ class FilmLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class RoughSurface(Record):
-    """Describe the contact of a whole rough surface.
+    """A model of the contact of a whole rough surface. It has one of four forms.
 
-    It sums an asperity law over heights, with a tangential law (keys; the defaults of the options of these names: any that
-    suit each other may be taken), bare or, if default_film is given, with any film. tangential "none": contact only. Or,
-    where asperity is "": curve(h, groups, **own options) -> load and area (n, H) in closed form at the separations h (H,), and
-    with it, or None, separation_near(load, groups, **own options) -> separations (n, H), about where the loads (n, H) are
-    carried, not a number where that is not known: curve then takes separations (n, H), too, and does not adhere; or
-    area_at_load(load, groups, **own options) -> area (n, H) at the loads (n, H), for theories without a separation; with
-    it, or None, area_on_map(load, groups, map), the same where the contact has a map (a HeightMap) that stands for both faces,
-    and way(map or None) -> words, how the area is then found.
-    on_film: a theory in closed form of surfaces with a film, which it requires; others allow none.
-    of_surface: it takes sigma, R and N for the moments of a Gaussian surface, which decide, and not asperities as they were
-    found. up_to_full_contact: it includes the interaction of contacts, so that no area of contact is too large for it. adheres:
-    a theory without an asperity law that includes the attraction of the surfaces; of a sum its asperity law says that.
-    regimes(groups, law, film or None, **own options) -> list of Regime, or None where the law is simply summed: a model
-    that is more. film_by_option: value of an own option that brings a film law of its own -> key of that.
-    of_map(surface, contact, pressures, **own options) -> boundary_elements.curve.MapCurve: it solves the contact of a measured
-    HeightMap itself, with the film if there is one, at nominal pressures [Pa]; then it is neither a sum nor in closed form.
+    1. A sum of an asperity law over the heights:
+       - asperity, tangential: keys of the default laws; tangential "none" computes contact only
+       - default_film: default film law; "" if the model is for bare contacts only
+       - film_by_option: option value -> key of the film law that the value selects
+       - regimes(groups, law, film or None, **own_options): list of Regime, if the model is more than a plain sum
+    2. A closed form in the separation h (asperity is ""):
+       - curve(h, groups, **own_options): load and area (n, H) at separations (H,)
+       - separation_near(load, groups, **own_options): estimated separations (n, H) at loads (n, H), NaN if unknown. `curve`
+         then also takes separations (n, H). Only for models without adhesion.
+    3. A closed form in the load, for theories without a separation:
+       - area_at_load(load, groups, **own_options): area (n, H) at loads (n, H)
+       - area_on_map(load, groups, map): the same for a HeightMap that represents both faces
+       - way(map or None): text that says how the area is computed
+    4. A solution of a measured surface:
+       - of_map(surface, contact, pressures, **own_options): boundary_elements.curve.MapCurve of a HeightMap, with a film if
+         there is one, at nominal pressures [Pa]
+
+    Flags:
+
+    - takes_surface_moments: sigma, R and N only stand for the moments of a Gaussian surface; asperities are not used
+    - on_film: a closed form that requires a film; other closed forms allow none
+    - up_to_full_contact: it includes the interaction of contacts and holds for any contact area
+    - adheres: a model without asperity law that includes adhesion
     """
 
     kind, keyword = "rough surface", "model"
@@ -162,12 +175,14 @@ class RoughSurface(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Record):
-    """Compute a property of film and substrate together, as a function of depth.
+    """A property of film and substrate together, as a function of depth. The formulas take scalars.
 
-    property, and value, a formula of scalars: "modulus", over the substrate's, by value(film's over substrate's,
-    thickness over contact radius, nu of film and substrate); "hardness", likewise, by value(film's over substrate's, depth
-    over thickness, constant, exponent), with constants(n_E, n_H, n_Y) -> (n,), n_Y the ratio of the yield stresses, and
-    landmarks(constant, exponent) -> (n, m), depths over thickness between which it is smooth.
+    - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratios of film and substrate)
+      returns the composite modulus over the modulus of the substrate
+    - property "hardness": value(H_film/H_substrate, depth/thickness, constant, exponent) returns the composite hardness
+      over the hardness of the substrate
+    - constants(n_E, n_H, n_Y): constants (n,) of a hardness formula; n_Y is the ratio of the yield stresses
+    - landmarks(constant, exponent): values (n, m) of depth/thickness between which the formula is smooth
     """
 
     kind = "composite"
@@ -183,11 +198,14 @@ OF_AREA = "none, or a tangential law whose force is a strength of the interface 
 
 @dataclass(frozen=True, kw_only=True)
 class Addition(Record):
-    """Describe a law that a contact may have in addition to those of its model.
+    """A law that a contact can have in addition to those of its model, e.g. of menisci.
 
-    A kind of them is a folder of `laws`: `__init__.py` says in its docstring what is to be named, and kind.py has KIND, a
-    subclass of this. default: key of the law that is taken where the contact states what it is about, `is_stated`; "" where
-    none is. order: of its kind among the others. wants: trait of the asperity law that it cannot do without -> why.
+    A folder of `laws` holds one kind of them. The docstring of its `__init__.py` names the kind; its kind.py defines KIND,
+    a subclass of this class.
+
+    - default: key of the law used if the contact has the inputs of this kind (`is_stated`); "" for none
+    - order: position of the kind among the others
+    - wants: traits that the asperity law must have, with the reason for each
     """
 
     default: ClassVar[str] = ""
@@ -196,20 +214,20 @@ class Addition(Record):
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
-        """Return what is allowed instead where no law of this kind suits these, "" where one does."""
+        """Return which laws are allowed instead if this kind does not go with these laws; "" if it does."""
         return ""
 
     @classmethod
     def is_stated(cls, groups: "Groups") -> bool:
-        """Return whether the contact states what this is about."""
+        """Return whether the contact has the inputs that this kind of law needs."""
         return False
 
     def changed(self, groups: "Groups") -> "Groups":
-        """Return the groups that all other laws take."""
+        """Return the groups, changed by this law, that all other laws use."""
         return groups
 
     def regimes(self, groups: "Groups") -> "list[Regime]":
-        """Return what is added to the sum over asperities."""
+        """Return the regimes that this law adds to the sum over asperities."""
         return []
 
     def results(
@@ -218,19 +236,20 @@ class Addition(Record):
         summed: "Callable[[TangentialLaw], np.ndarray]",
         asperities: "np.ndarray | None",
     ) -> "dict[str, np.ndarray]":
-        """Return more results (n, m) of a sum.
+        """Return the results (n, m) that this law adds to a sum, by name.
 
-        summed(law): the sum per asperity of a law in the place of the tangential law;
-        asperities: their number (n, 1), None where that is not known."""
+        summed(law): returns the sum per asperity with `law` as tangential law. asperities: number of asperities (n, 1), or
+        None if unknown.
+        """
         return {}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """Compute a number that separates two kinds of behaviour of a rough surface in contact.
+    """A number that separates two kinds of behaviour of a rough contact, e.g. elastic and plastic.
 
-    ratio(groups) -> array (n,), of asperities with the moments of the surface; below, above: statements on the contact
-    where the ratio is below 1, and above.
+    ratio(groups): array (n,), for asperities with the spectral moments of the surface. below, above: what holds for the
+    contact if the ratio is below or above 1.
     """
 
     kind = "criterion"
@@ -241,16 +260,18 @@ class Criterion(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class AsperityMethod(Record):
-    """A way of finding the asperities of a measured surface: what is one, how high it is and how blunt.
+    """A method that finds the asperities of a measured surface, with their heights and curvatures.
 
-    find(surface, **parameters) -> surfaces.asperity_set.Asperities, in a levelled HeightMap; every one of the parameters is
-    handed to it, checked, lengths in metres. parameters: name -> Parameter. label: what it finds, in a few words, for pictures.
-    order: where it stands among the others in tables and pictures, which also gives its colour. of_profiles: it can be given a
-    single profile too. of_summits: of a Gaussian surface whose waves are resolved it finds sigma, R and N of Nayak's summits,
-    so that it may stand for the surface where no method is named. of_moments: its asperities have the measured moments,
-    exactly, and are what theories of the whole surface take. accuracy: of sigma and R of paraboloids 400 points wide. validity:
-    in numbers of the asperities found, whose note has a validity warning outside of it. limits: without groups; the parent is
-    another method.
+    - find(surface, **parameters): surfaces.asperity_set.Asperities of a levelled HeightMap; lengths are in m
+    - parameters: name -> Parameter, with which values are checked before the call
+    - label: short description for pictures
+    - order: position among the methods in tables and pictures, which also sets its colour
+    - of_profiles: whether it also accepts a single profile
+    - of_summits: whether it finds Nayak's sigma, R and N on a resolved Gaussian surface, and so may be the default method
+    - of_moments: whether its asperities have exactly the measured spectral moments, which models of the whole surface use
+    - accuracy: relative error of sigma and R on paraboloids 400 points wide
+    - validity: ranges of properties of the asperities found
+    - limits: limiting cases without groups; the parent is another method
     """
 
     kind, keyword = "asperity method", "method"
@@ -266,13 +287,13 @@ class AsperityMethod(Record):
 
 @cache
 def kinds_of_additions() -> dict[str, type[Addition]]:
-    """Return the kinds of laws that are added to a model, by keyword."""
-    found = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
-    return {kind.keyword: kind for kind in sorted(found, key=lambda kind: kind.order)}
+    """Return the kinds of laws that can be added to a model, by keyword."""
+    additions = [import_module(f"stiction.laws.{name}.kind").KIND for name in names_of_additions()]
+    return {kind.keyword: kind for kind in sorted(additions, key=lambda kind: kind.order)}
 
 
 def kinds() -> tuple[type[Record], ...]:
-    """Return the kinds of records."""
+    """Return all kinds of records."""
     additions = kinds_of_additions().values()
     return RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, *additions, Criterion, AsperityMethod
 
@@ -287,12 +308,12 @@ __all__ = [
 
 
 def records() -> tuple[Record, ...]:
-    """Return every record, in the order of their kinds, each kind in alphabetical order."""
+    """Return all records, ordered by kind and then by key."""
     return tuple(record for kind in kinds() for record in of_kind(kind).values())
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
-    """Return every option of every record: name -> all values that any of them allows."""
+    """Return every option of all records, with all values that any record allows."""
     known: dict[str, dict[str, None]] = {}
     for record in records():
         for name, values in record.options.items():
@@ -301,23 +322,23 @@ def all_options() -> dict[str, tuple[str, ...]]:
 
 
 def composites_of(property: str) -> dict[str, Composite]:
-    """Return the composites that give a property: key -> record."""
-    return {key: one for key, one in of_kind(Composite).items() if one.property == property}
+    """Return the composites that compute this property, by key."""
+    return {key: composite for key, composite in of_kind(Composite).items() if composite.property == property}
 
 
 def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
-    """Return the keys, this one first."""
-    return key, *(one for one in known if one != key)
+    """Return the keys with this one moved to the front."""
+    return key, *(other for other in known if other != key)
 
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
-    """Return why a tangential law, a film or an addition cannot go with an asperity law; "" if it can."""
+    """Return why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
     missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
     return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
-    """Return why a film cannot go with a tangential law; "" if it can."""
+    """Return why a film law cannot be combined with a tangential law; "" if it can."""
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":
@@ -325,24 +346,27 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
     if tangential.interfacial or (film.solved_as_one and tangential.layered):
         return ""
     if not film.solved_as_one:
-        return f"{film.key} goes with laws of the interface only: its friction is there"
+        return f"{film.key} needs a tangential law of the interface, because its film slips there"
     why = f": {tangential.of_half_space}" if tangential.of_half_space else ""
     why += f"; take {tangential.like}" if tangential.like else ""
-    return f"{film.key} goes with laws of the interface and with those that know film and body as one{why}"
+    return f"{film.key} needs a tangential law of the interface or of a layered solid{why}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
-    """Return the values of the record's own options, with defaults for missing ones."""
+    """Return the record's own options with their values, using defaults for those not given."""
     return {name: options.get(name, values[0]) for name, values in record.options.items()}
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Return every option of these records, with defaults; raise InputError for unknown ones."""
+    """Return all options of these records with their values, using defaults for those not given.
+
+    Raises InputError for an unknown option or value.
+    """
     known = tuple(known)
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
             keys = dict.fromkeys(record.key for record in known)
-            nothing = f"nothing: {' and '.join(keys)} have no such option, but {', '.join(allowed) or 'none'}"
+            nothing = f"not supported by {' and '.join(keys)}" + (f", which have {', '.join(allowed)}" if allowed else "")
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}

@@ -1,4 +1,4 @@
-"""The sources behind every equation, and the bibliography that ships with the package."""
+"""Sources of equations and numbers, and the bibliography of the package."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -7,16 +7,15 @@ from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
 
 
 @dataclass(frozen=True)
 class Source:
-    """Where one equation, number or idea comes from.
+    """The source of one equation, number or idea.
 
-    key: entry of sources.bib.
-    where: place inside the source, such as "eq. (2)", "table 1" or "p. 12"; "" if it is the work as a whole.
-    note: what was corrected (an erratum) or reconstructed, "" if it is used as printed.
+    key: entry of sources.bib. where: place in the source, such as "eq. (2)", "table 1" or "p. 12"; "" for the whole work.
+    note: what was corrected (an erratum) or reconstructed; "" if it is used as printed.
     """
 
     key: str
@@ -39,20 +38,19 @@ def _entries() -> dict[str, str]:
 
 
 def bibliography() -> dict[str, str]:
-    """Return all entries of the bibliography: key -> BibTeX text, keys in alphabetical order."""
+    """Return the BibTeX text of every entry of the bibliography by key, in alphabetical order."""
     return dict(_entries())
 
 
 def bibtex(keys: Iterable[str], more: Mapping[str, str] = MappingProxyType({})) -> str:
-    """Return the BibTeX of the named entries as one text that can be saved as a .bib file.
+    """Return the BibTeX of these keys as the text of a .bib file; "" for no keys.
 
-    keys: keys of the bibliography, in any order; repeated keys are written once. more: further entries, key -> BibTeX.
-    Returns the entries in the order of the bibliography, a blank line between two; "" for no keys.
-    Raises InputError for a key that is in neither.
+    keys: keys of the bibliography; repeated keys are written once. more: further entries, BibTeX by key. Entries are in the
+    order of the bibliography, with a blank line between two. Raises InputError for an unknown key.
     """
     wanted = set(keys)
     entries = _entries() | dict(more)
     unknown = sorted(wanted - entries.keys())
     if unknown:
-        raise InputError("source", unknown[0], "one of " + ", ".join(entries))
+        raise InputError("source", unknown[0], nearest(unknown[0], entries))
     return "".join(f"{text}\n\n" for key, text in entries.items() if key in wanted).removesuffix("\n")

@@ -1,4 +1,4 @@
-"""Describe where a result leaves the range in which it is claimed to hold."""
+"""The warning that a result lies outside the validity range of a model."""
 
 import math
 from collections.abc import Mapping
@@ -11,12 +11,12 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 
 @dataclass(frozen=True)
 class ValidityWarning:
-    """State why a result may not hold.
+    """The reason why a result may not hold.
 
-    why: in words. quantity: by name, "" for a warning about none; then all else is left out. least, most: of its values that
-    are outside, at `outside` of `points` points; low, high: the range that is claimed, infinite where it is open. Without
-    points `why` is the whole sentence, else it follows the quantity, which is one of the table, and its values. kind: which of
-    KINDS_OF_WARNING.
+    why: text. quantity: name of the quantity that is outside its range; "" for a warning without one, which has only `why`.
+    least, most: smallest and largest value outside the range, at `outside` of `points` points. low, high: the claimed
+    range, infinite if open. points: 0 if `why` is a whole sentence; else `why` is printed after quantity and values. kind:
+    a key of KINDS_OF_WARNING.
     """
 
     why: str
@@ -35,15 +35,15 @@ class ValidityWarning:
 
     @property
     def beyond(self) -> float:
-        """Return the worst value over the bound that it leaves, or the value itself where that bound is zero."""
+        """Return the largest excess over the range, relative to the bound; absolute if the bound is 0."""
         ends = [(self.low, self.low - self.least), (self.high, self.most - self.high)]
-        found = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
-        return max(found, default=math.nan)
+        excesses = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
+        return max(excesses, default=math.nan)
 
     def as_data(self) -> dict[str, Any]:
-        """Return the fields with `beyond` as JSON has them; a warning without a quantity has only its words.
+        """Return the fields and `beyond` as a table for JSON; without a quantity only `why` and `kind`.
 
-        NaN and an open end are null; an infinite value is "inf" or "-inf".
+        NaN and an open end become null, an infinite value becomes "inf" or "-inf".
         """
         if not self.quantity:
             return {"why": self.why, "kind": self.kind}
@@ -54,9 +54,9 @@ class ValidityWarning:
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "ValidityWarning":
-        """Return the warning that `as_data` wrote; what is missing or null has its default."""
-        given = {name: value for name, value in data.items() if name != "beyond" and value is not None}
-        return cls(**given | {name: float(given[name]) for name in ("least", "most") if name in given})
+        """Return the warning from the table that `as_data` returned; missing and null fields have their defaults."""
+        fields = {name: value for name, value in data.items() if name != "beyond" and value is not None}
+        return cls(**fields | {name: float(fields[name]) for name in ("least", "most") if name in fields})
 
     @property
     def _values(self) -> str:
@@ -70,23 +70,23 @@ class ValidityWarning:
         if not self.points:
             return self.why
         where = f"in {self.outside} of {self.points} points" if self.points > 1 else "here"
-        return f"{QUANTITIES[self.quantity].meaning} is {self._values} {where}, claimed is {self._range}: {self.why}"
+        return f"{QUANTITIES[self.quantity].meaning} is {self._values} {where}, valid range {self._range}: {self.why}"
 
     @property
     def in_brief(self) -> str:
-        """Return which quantity is outside of the claimed range, with its value."""
+        """Return the quantity outside its range with its value."""
         return f"{QUANTITIES[self.quantity].short or self.quantity} {self._values}" if self.points else self.why
 
     @property
     def rule(self) -> str:
-        """Return which claimed range is left, by symbol, without the value."""
+        """Return the violated range by the symbol of the quantity, without its value."""
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )
 
     @property
     def short(self) -> str:
-        """Return the warning with the quantity's symbol, value and claimed range."""
+        """Return the symbol, the value and the claimed range of the quantity, with the reason."""
         if not self.points:
             return self.why
         return f"{QUANTITIES[self.quantity].symbol} = {self._values}, not {self._range}: {self.why}"

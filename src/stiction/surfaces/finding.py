@@ -93,7 +93,7 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
     """List the ranges of validity that the asperities leave, in words."""
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [
-        f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, claimed is {rule.range}: {rule.why}"
+        f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, valid range {rule.range}: {rule.why}"
         for rule, value in values.items()
         if not rule.low <= value <= rule.high
     ]
