@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 
 class HasUnit(Protocol):
-    """Describe a number or an array that has a unit of its own, as pint has them."""
+    """Describe a number or array that carries a unit, such as a quantity of the package pint."""
 
     @property
     def magnitude(self) -> object:

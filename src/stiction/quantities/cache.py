@@ -1,4 +1,4 @@
-"""The cache of the program: files that are slow to make and can be made again."""
+"""Manage the cache on disk: files that are slow to compute and can be computed again."""
 
 import os
 import uuid
@@ -13,15 +13,16 @@ from stiction.quantities.notices import notice
 
 
 def cache_folder(part: str) -> Path:
-    """Return the folder of a part of the cache; STICTION_CACHE_DIR moves it."""
+    """Return the folder of one part of the cache; the environment variable STICTION_CACHE_DIR sets the parent folder."""
     root = os.environ.get("STICTION_CACHE_DIR") or platformdirs.user_cache_dir("stiction", appauthor=False)
     return Path(root) / part
 
 
 def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
-    """Write a file of the cache, whole or not at all, and delete the oldest files of its kind beyond `most` bytes.
+    """Write a file to the cache and delete its oldest files of the same kind beyond `most` bytes.
 
-    A full disk or a folder without permission is a notice: it costs time and nothing else.
+    The file is written completely or not at all. A full disk or missing permission gives a notice, not an error: results do
+    not depend on the cache.
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:
@@ -38,7 +39,10 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 
 
 def _delete_oldest(path: Path, most: int) -> None:
-    """Delete the files that were used longest ago; another process may delete the same ones."""
+    """Delete the least recently used files until the rest has at most `most` bytes.
+
+    Another process may delete the same files at the same time.
+    """
     known = []
     for file in path.parent.glob(f"*{path.suffix}"):
         with suppress(FileNotFoundError):

@@ -1,4 +1,4 @@
-"""The data files of the package: tables [KIND.NAME] in every file of a folder, with what holds for a whole file above them."""
+"""Read the data files of the package: TOML files with tables [KIND.NAME] and defaults for them at the top."""
 
 import tomllib
 from importlib import resources
@@ -13,10 +13,10 @@ GRADES = {
 
 
 def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
-    """Read all tables [kind.NAME] of the TOML files in the data folder of a package, "contact" or "surfaces".
+    """Return all tables [kind.NAME] of the TOML files in a data folder, by NAME.
 
-    Entries at the top of a file are defaults of each of its tables, field by field for nested tables. Raises ValueError for a
-    name that is in two files.
+    room: package that holds the folder, such as "contact" or "surfaces". Entries at the top of a file are defaults for each of
+    its tables; nested tables are merged field by field. Raises ValueError if a NAME occurs in two files.
     """
     tables: dict[str, dict[str, Any]] = {}
     for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):

@@ -1,8 +1,8 @@
-"""Named dimensions: the one place where labelled arrays are lined up, broadcast and given back their coordinates.
+"""Align and broadcast arrays with named dimensions, and attach their coordinates to results.
 
-An array of an input is an xarray.DataArray with named dimensions and without indexes (`without_indexes`): arithmetic then goes
-by the names of dimensions alone, and nothing is dropped or sorted behind the user's back. Whether the arrays agree is
-checked once, for all of an input together (`coordinates`).
+An array input is an xarray.DataArray with named dimensions and without indexes (`without_indexes`). xarray then matches arrays
+by the names of their dimensions alone, and never drops or sorts values. `coordinates` checks once, for all inputs together,
+that the arrays agree.
 """
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
@@ -18,22 +18,22 @@ if TYPE_CHECKING:
 
 
 def without_indexes(array: Any) -> Any:
-    """Return the DataArray with its coordinates as plain variables: xarray aligns only by an index."""
+    """Return the DataArray with its coordinates kept as plain variables, because xarray aligns arrays that have an index."""
     indexes = getattr(array, "xindexes", ())  # a Variable has none
     return array.drop_indexes(list(indexes)) if indexes else array
 
 
 def check_names(array: Any, field: str) -> None:
-    """InputError unless the dimensions of a DataArray, which may have any names, are named by text."""
+    """Raise an InputError unless all dimension names of a DataArray are text."""
     for dim in array.dims:
         if not isinstance(dim, str):
             raise InputError(field, f"dimension {dim!r}", "dimensions named by text")
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
-    """Return the length of every dimension of these numbers or arrays, by name, in the order of first appearance.
+    """Return the length of every dimension of the values, by name, in the order of first appearance.
 
-    Dimensions that are known already stand first. Raises InputError where two values disagree about a length.
+    first: dimensions that come first, with their lengths. Raises InputError if two values disagree about a length.
     """
     dims = dict(first)
     for value in values:
@@ -44,22 +44,23 @@ def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyTyp
 
 
 def aligned(value: Any, dims: Mapping[str, int]) -> np.ndarray:
-    """Return the value with its dimensions in the order of `dims`; missing ones have length 1."""
+    """Return the value as an array with its dimensions in the order of `dims`; missing dimensions get length 1."""
     if not hasattr(value, "dims"):
         return np.asarray(value, dtype=float)
     return arranged(value.values, value.dims, dims)
 
 
 def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]) -> np.ndarray:
-    """Transpose an array whose dimensions are these to the wanted ones: missing ones have length 1."""
+    """Transpose an array from the dimensions `have` to the dimensions `wanted`; missing dimensions get length 1."""
     wanted, sizes = [*wanted], dict(zip(have, values.shape, strict=True))
     return values.transpose([have.index(dim) for dim in wanted if dim in sizes]).reshape([sizes.get(dim, 1) for dim in wanted])
 
 
 def in_columns(data: "xarray.Dataset", dim: str, part: str, said: Callable[[Any], str] = str) -> "xarray.Dataset":
-    """Return a dataset with one variable for each point along a dimension.
+    """Return the dataset with one variable for each point along the dimension `dim`.
 
-    NAME_quantile, part "quantile", becomes NAME_q05 and NAME_q95, with the words that `said` has for the points.
+    With dim = part = "quantile", the variable NAME_quantile becomes NAME_q05 and NAME_q95. said: function that returns the
+    text for a point.
     """
     for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
         each = {name.replace(part, said(one.item())): data[name].sel({dim: one}).drop_vars(dim) for one in data[dim]}
@@ -68,7 +69,10 @@ def in_columns(data: "xarray.Dataset", dim: str, part: str, said: Callable[[Any]
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:
-    """Every value over all combinations of their dimensions: name -> array (n,), None as it is; and those dimensions."""
+    """Return every value over all combinations of their dimensions, as arrays (n,), and the length of each dimension.
+
+    A value of None stays None.
+    """
     dims = dimensions(values.values())
     shape = tuple(dims.values())
     flat = {
@@ -79,11 +83,11 @@ def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], 
 
 
 def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the coordinates along the dimensions of these arrays: name -> xarray.Variable.
+    """Return the coordinates along all dimensions of the arrays, as name -> xarray.Variable.
 
-    arrays: dotted name of an input, DataArray. An array that is its own coordinate (`stiction.axis`) names the points of its
-    dimension by its values; more than one along a dimension of another name vary together, each under its own name. Raises
-    InputError if two arrays disagree about a dimension of the same name.
+    arrays: pairs of the dotted name of an input and its DataArray. An array from `stiction.axis` is its own coordinate: its
+    values label the points of its dimension. If several such arrays share a dimension with another name, they vary together,
+    and each becomes a coordinate under its own name. Raises InputError if two arrays disagree about a dimension.
     """
     found: dict[str, Any] = {}
     own: dict[str, list[tuple[str, Any]]] = {}
@@ -129,7 +133,11 @@ def _is_its_own(array: Any, dim: str) -> bool:
 
 
 def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> dict[str, Any]:
-    """Under the name of the dimension if they are one, and that has no name yet; else under their own."""
+    """Return the coordinates of arrays that vary together along `dim`.
+
+    If all arrays are equal and the dimension has no coordinate yet (`named` is False), it is stored under the name of the
+    dimension. Otherwise each array becomes a coordinate under its own name.
+    """
     values = [variable.values for _, variable in several]
     if not named and all(np.array_equal(one, values[0]) for one in values):
         return {dim: several[0][1]}

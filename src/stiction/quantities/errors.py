@@ -1,4 +1,4 @@
-"""The one error that a user's input can cause, and the one warning."""
+"""Define the error that all bad user input raises, and the warning for unusual input."""
 
 import difflib
 import re
@@ -9,11 +9,11 @@ _LONGEST = 80  # of a longer value the two ends are shown: of a path, the end sa
 
 
 class InWords(str):
-    """Describe a given value that is not text; it is shown without quotes."""
+    """Describe an input value in words; an error shows this text without quotes."""
 
 
 def _short(value) -> str:
-    """Return the value on one line: quoted if text, "not given" for None, without its middle if long."""
+    """Return a value as one line of text: quoted if it is text, "not given" if None, with its middle cut out if long."""
     if value is None:
         return "not given"
     if isinstance(value, InWords):
@@ -26,7 +26,7 @@ def _short(value) -> str:
 
 
 class InputError(ValueError):
-    """Report an unusable input; its text is one line.
+    """Report an unusable input in one line of text.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class InputError(ValueError):
 
 @contextmanager
 def field_as(name: Callable[[str], str]) -> Iterator[None]:
-    """Rename the field of an InputError raised inside."""
+    """Within the context, rename the field of every InputError by the function `name`."""
     try:
         yield
     except InputError as error:
@@ -73,12 +73,12 @@ def field_as(name: Callable[[str], str]) -> Iterator[None]:
 
 
 def field_named(name: str) -> AbstractContextManager[None]:
-    """Replace the field of an InputError raised inside by this name; "" if the caller adds the full path."""
+    """Return a context that replaces the field of every InputError by `name`; pass "" if the caller adds the full path."""
     return field_as(lambda field: name)
 
 
 def field_below(place: str) -> AbstractContextManager[None]:
-    """Put the place of a table before the field of an InputError raised inside."""
+    """Return a context that puts the path `place` of a table before the field of every InputError."""
     return field_as(lambda field: f"{place}.{field}".rstrip("."))
 
 
@@ -86,7 +86,10 @@ _MANY = 20  # known words, above which an error does not list them
 
 
 def nearest(word, known: Iterable[str]) -> str:
-    """Return the known words, the likely ones first if there are any; of more than _MANY only some."""
+    """Return the known words as text for an error, with the words most similar to `word` first.
+
+    Of more than 20 known words only the similar ones are listed, or the first three if none is similar.
+    """
     known = list(known)
     plain = {one.casefold(): one for one in known}
     close = [plain[one] for one in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
@@ -97,7 +100,7 @@ def nearest(word, known: Iterable[str]) -> str:
 
 
 class InputWarning(UserWarning):
-    """Warn of an input that can be used but is out of all proportion.
+    """Warn of an input that can be used but is unusually large or small.
 
     Notes
     -----

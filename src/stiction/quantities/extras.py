@@ -1,4 +1,4 @@
-"""Packages that only part of the work needs: by which extra of the project each is installed, and one line where it is not."""
+"""List the optional packages, the extra of the project that installs each, and raise a clear error if one is missing."""
 
 import sys
 from importlib.util import find_spec
@@ -18,7 +18,7 @@ EXTRA_OF = {
 
 
 def installed(package: str) -> bool:
-    """Return whether a package can be imported, without importing it."""
+    """Return whether a package is installed, without importing it."""
     return find_spec(package) is not None
 
 
@@ -28,23 +28,23 @@ def how_to_install(package: str) -> str:
 
 
 def require(field: str, *packages: str) -> None:
-    """Raise InputError unless all these packages of `EXTRA_OF` can be imported; field: what was asked for."""
+    """Raise an InputError unless all given packages of `EXTRA_OF` are installed; field: the input that needs them."""
     missing = [package for package in packages if not installed(package)]
     if missing:
         raise InputError(field, f"without {missing[0]}", f"an installation with it: {how_to_install(missing[0])}")
 
 
 def leave_out(package: str) -> None:
-    """Let this process do without a package that other libraries import wherever it is installed.
+    """Make a package unavailable in this process, so that other libraries do not import it.
 
-    xarray imports dask and pint with its first array, only to ask whether that is one of theirs: half of the start of a
-    command. `bring_back` ends it.
+    With its first array xarray imports dask and pint, only to check whether the array belongs to them. This takes half of the
+    start-up time of a command. `bring_back` makes the package available again.
     """
     modules: dict[str, Any] = sys.modules
     modules.setdefault(package, None)
 
 
 def bring_back(package: str) -> None:
-    """Let a package that was left out be imported again."""
+    """Make a package available again after `leave_out`."""
     if sys.modules.get(package, sys) is None:
         del sys.modules[package]

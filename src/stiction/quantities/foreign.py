@@ -1,21 +1,21 @@
-"""Values as other packages hold them, told by what they can do: no such package has to be there."""
+"""Recognise values of other packages (pint, pandas) by their attributes, so that these packages need not be installed."""
 
 from collections.abc import Iterator
 from typing import Any
 
 
 def has_unit(value: Any) -> bool:
-    """Whether this is a number or an array with a unit of its own, as pint has them."""
+    """Return whether the value is a number or array with a unit, such as a pint quantity."""
     return hasattr(value, "magnitude") and hasattr(value, "units")
 
 
 def is_series(value: Any) -> bool:
-    """Whether this is a column of a table, as pandas has them."""
+    """Return whether the value is a table column, such as a pandas.Series."""
     return hasattr(value, "to_numpy") and hasattr(value, "index") and getattr(value, "ndim", 0) == 1
 
 
 def as_sequence(value: Any) -> Any:
-    """Return a column of a table, a range or a generator as a sequence; everything else unchanged."""
+    """Return a table column, range or generator as a list or array; return other values unchanged."""
     if isinstance(value, range | Iterator):
         return list(value)
     if is_series(value):

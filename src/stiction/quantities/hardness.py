@@ -1,14 +1,15 @@
-"""Numbers of hardness tests as the mean pressure of a plastic contact: "700 HV", "60 HRC".
+"""Convert results of hardness tests, such as "700 HV" or "60 HRC", into the mean pressure of a plastic contact.
 
-A Vickers number is the force in kgf over the facets' area in mm^2 (ISO 6507-1); the mean pressure is the force over the
-projected area, which is sin(136 deg / 2) of it: 1 HV is 9.80665 MPa / sin 68 deg = 10.577 MPa (ISO 14577-1: HV = 0.0945 H_IT).
+A Vickers number is the force in kgf divided by the area of the imprint's facets in mm^2 (ISO 6507-1). The mean pressure is the
+force divided by the projected area, which is sin(136 deg / 2) times the area of the facets. So 1 HV is
+9.80665 MPa / sin 68 deg = 10.577 MPa (ISO 14577-1: HV = 0.0945 H_IT).
 
-A Brinell number is the force in kgf over the area in mm^2 of the cap that a ball of diameter D leaves (ISO 6506-1). An imprint
-of diameter d = 0.24 to 0.60 D puts the mean pressure 1.5 to 11 % above the number; d = 0.375 D is taken, where the edge of the
-ball is as steep as the Vickers pyramid: 1 HB is 10.178 MPa.
+A Brinell number is the force in kgf divided by the area in mm^2 of the spherical imprint of a ball of diameter D (ISO 6506-1).
+For imprint diameters d = 0.24 to 0.60 D the mean pressure is 1.5 to 11 % above this number. We take d = 0.375 D, where the
+ball is as steep at the edge of the imprint as a Vickers pyramid: 1 HB is 10.178 MPa.
 
-Rockwell C has no such definition: HV = (223 HRC + 14500) / (100 - HRC), a formula in common use whose origin is not known here,
-goes through the printed table for steels that are not austenitic (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
+Rockwell C numbers have no such definition. We use HV = (223 HRC + 14500) / (100 - HRC), a common formula of unknown origin. It
+agrees with the table for non-austenitic steels (ASTM E140, table 1) to 1.4 % from 35 to 68 HRC. Grade B.
 """
 
 import math
@@ -24,10 +25,10 @@ _SCALE = re.compile(r"HV(?:\s*/?\s*\d+(?:\.\d+)?)?|HRC|HRB|HRA|HB[WS]?|HK", re.I
 
 
 def from_hardness_test(number: float, unit: str, text: str) -> float | None:
-    """Convert the number of a hardness test into pascals; None where the unit is no hardness scale.
+    """Return the result of a hardness test in pascals, or None if the unit is not a hardness scale.
 
-    The test force of "700 HV0.5" is ignored. Raises InputError for other scales, and for Rockwell numbers without a Vickers
-    number.
+    The test force, as in "700 HV0.5", is ignored. Raises InputError for unsupported scales and for Rockwell C numbers outside
+    20 to 68.
     """
     if not _SCALE.fullmatch(unit):
         return None

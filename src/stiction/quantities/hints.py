@@ -9,7 +9,7 @@ _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
 def with_a_point(text: str) -> str:
-    """Of a number with a decimal comma: how it is to be written."""
+    """Return a hint that shows how to write a number with a decimal comma; "" if the text has none."""
     number = _COMMA.match(text[:100])
     if number is None:
         return ""
@@ -19,7 +19,11 @@ def with_a_point(text: str) -> str:
 
 
 def meant(number: str, unit: str, quantity: Quantity) -> str:
-    """Suggest a unit for an unknown one: the same with other capital letters, else that of the example."""
+    """Return a hint that suggests a known unit, or "".
+
+    The suggestion is a unit that differs only in capital letters. If the unit of a pressure is missing, it is the unit of the
+    example.
+    """
     usual = quantity.example.rpartition(" ")[2]
     if not unit:
         return _did_you_mean(number, usual) if quantity.unit == "Pa" else ""
@@ -29,7 +33,10 @@ def meant(number: str, unit: str, quantity: Quantity) -> str:
 
 
 def too_soft(given: object, pascals: float, quantity: Quantity) -> str:
-    """Suggest a prefix for a pressure that is below that of any solid."""
+    """Return a hint that suggests a larger unit for a pressure below its lower bound, or "".
+
+    given: the value as the user wrote it. pascals: the value in Pa.
+    """
     if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
         return ""
     words = str(given).split()

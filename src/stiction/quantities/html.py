@@ -1,11 +1,11 @@
-"""Records as a notebook shows them: a small table, with units, of what was given."""
+"""Build the HTML table that a notebook shows for an input record."""
 
 from collections.abc import Iterable
 from html import escape
 
 
 def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()) -> str:
-    """HTML of a title, rows of a name and a text, and notes below; all text is escaped."""
+    """Return the HTML of a title, rows (name, text) and notes below them; all text is escaped."""
     cells = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{escape(text)}</td></tr>'
         for name, text in rows

@@ -1,4 +1,4 @@
-"""The base of all typed input: frozen records whose numbers obey the table of quantities."""
+"""Define the base class of all input records: immutable, with numbers checked against the table of quantities."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -18,9 +18,9 @@ from stiction.quantities.units import from_series, show, to_si
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
-    """Convert numbers without a unit, of any shape, into an array of floats without further checks.
+    """Return numbers without unit as an array of floats of the same shape; bounds are not checked.
 
-    Raises InputError for dates, bytes, complex numbers and booleans, some of them numpy would convert.
+    Raises InputError for text, dates, bytes, complex numbers and booleans, some of which NumPy would convert.
     """
     try:
         given = np.asarray(value)
@@ -61,16 +61,16 @@ _SAID_BY_NOTES = ("source", "range")
 
 
 def require_callable(given: Any, field: str) -> None:
-    """Raise InputError where the callback for progress cannot be called."""
+    """Raise an InputError if the progress callback is not callable."""
     if not callable(given):
         raise InputError(field, given, "a function, or nothing")
 
 
 def require_names(table: Mapping, where: str = "") -> None:
-    """Raise InputError where a key of a table, or of a nested table, is no text or has control characters.
+    """Raise an InputError if a table has a key that is not text or a text value with control characters.
 
-    A key that is no text would be a TypeError as the name of a field; control characters make libraries that write them
-    fail, and terminals obey them.
+    Nested tables are checked too; where: dotted name of the table. A key that is not text would fail later with a TypeError.
+    Control characters break libraries that write result files, and terminals would execute them.
     """
     for key, value in table.items():
         if not isinstance(key, str):
@@ -83,7 +83,7 @@ def require_names(table: Mapping, where: str = "") -> None:
 
 
 class Input(BaseModel):
-    """A frozen record that refuses unknown keys and raises InputError, one line, for any bad field."""
+    """Provide the base class of input records: immutable, without unknown keys, and with an InputError for any bad field."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
@@ -100,20 +100,23 @@ class Input(BaseModel):
             raise _input_error(error, type(self)) from None
 
     def replace(self, **changes: Any) -> Self:
-        """Another record, with these fields in place of its own, read and checked as when it is made. Raises InputError."""
+        """Return a copy of the record with some fields changed; all fields are checked again.
+
+        Raises InputError for a bad field.
+        """
         given = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**given | changes)
 
     def part(self, name: str) -> Any:
-        """Return the field of this name; None where there is none."""
+        """Return the field of this name, or None if the record has no such field."""
         return getattr(self, name) if name in type(self).model_fields else None
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Return a copy as `replace` does; without an update, the same record."""
+        """Return a copy with the fields in `update` changed and checked as in `replace`."""
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Refused: what is bad for what it is, and what is good because a record does not change."""
+        """Raise an InputError, because records are immutable; a bad value is reported first."""
         if name in type(self).model_fields:
             self.replace(**{name: value})
             raise InputError(
@@ -127,7 +130,7 @@ class Input(BaseModel):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs):
-        """Add unit, meaning and bounds of every number to the docstring, from the table."""
+        """Add unit, meaning and bounds of every numeric field to the docstring, from the table of quantities."""
         rows = [
             f"    {name}: {QUANTITIES[name].label}, {QUANTITIES[name].allowed}"
             + ("" if field.is_required() else ", may be left out")
@@ -147,7 +150,7 @@ class Input(BaseModel):
         return schema
 
     def arrays(self) -> Iterator[tuple[str, Any]]:
-        """Dotted name and xarray.DataArray of every array in this record and the records in it."""
+        """Yield the dotted name and the xarray.DataArray of every array in this record and its nested records."""
         for name in type(self).model_fields:
             value = getattr(self, name)
             if isinstance(value, Input):
@@ -170,7 +173,7 @@ class Input(BaseModel):
         return type(self).model_construct(self.model_fields_set, **fields) if changed else None
 
     def listed(self) -> list[tuple[str, str]]:
-        """Dotted name and value, as a user may write it, of all that this record and those in it were given."""
+        """Return the dotted name and the value, as text with unit, of every field that was given, nested records included."""
         rows: list[tuple[str, str]] = []
         for name in type(self).model_fields:
             value = getattr(self, name)
@@ -196,11 +199,11 @@ class Input(BaseModel):
         return html.table(type(self).__name__, rows, self.notes())
 
     def notes(self) -> list[str]:
-        """Return the lines that a notebook shows below the numbers."""
+        """Return the lines of text that a notebook shows below the numbers."""
         return []
 
     def check_dimensions(self) -> None:
-        """Raise InputError where two arrays disagree about a dimension of the same name."""
+        """Raise an InputError if two arrays of the record disagree about a dimension."""
         coordinates(self.arrays())
 
 
@@ -210,7 +213,7 @@ def _unlabelled(value: Any) -> Any:
 
 
 def as_text(value: Any, name: str) -> str:
-    """Return a number of the named quantity, or the ends of an array, with the unit."""
+    """Return a number of the named quantity with its unit as text; for an array its size, range and dimensions."""
     if not hasattr(value, "dims"):
         return show(value, name)
     ends = [show(float(end), name) for end in (value.min(), value.max())]
@@ -218,7 +221,7 @@ def as_text(value: Any, name: str) -> str:
 
 
 def number_schema(quantity: Quantity) -> dict:
-    """Return the JSON schema of an input: text with a unit if it has one, else a bounded number."""
+    """Return the JSON schema of a numeric field: text if the quantity has a unit, else a number with bounds."""
     schema: dict[str, Any] = {"description": f"{quantity.label}; {quantity.allowed}"}
     if quantity.unit:
         schema["type"] = "string"
@@ -234,7 +237,7 @@ def number_schema(quantity: Quantity) -> dict:
 
 
 def _drop_null(entry: dict) -> None:
-    """TOML cannot say null: what may be None is left out of the file instead."""
+    """Remove null from a JSON schema entry, because TOML has no null; a field that may be None is left out of the file."""
     if entry.get("default", 0) is None:
         del entry["default"]
     choices = [choice for choice in entry.pop("anyOf", []) if choice.get("type") != "null"]
@@ -245,7 +248,10 @@ _KINDS = {"model_type": "a table with its numbers"}  # kinds of errors that pyda
 
 
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
-    """Return the first of pydantic's errors as one line, a mistyped key before the field that it leaves missing."""
+    """Return the first of pydantic's errors as an InputError.
+
+    A misspelt key comes before the field that is missing because of it.
+    """
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
     path = [str(part) for part in details["loc"]]
     cause = details.get("ctx", {}).get("error")

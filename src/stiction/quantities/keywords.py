@@ -1,4 +1,4 @@
-"""Tell editors and type checkers which keyword arguments there are, and what they take."""
+"""Describe keyword arguments and field types to editors and type checkers."""
 
 import inspect
 from collections.abc import Callable
@@ -10,7 +10,7 @@ Taken = TypeVar("Taken")
 
 
 class Converted(Generic[Value, Taken]):
-    """Describe a field of a record to type checkers: the type that is read, and the types that are taken (PEP 681)."""
+    """Tell type checkers that a record field accepts the types `Taken` and returns the type `Value` (PEP 681)."""
 
     def __get__(self, record: object, owner: object) -> Value:
         raise NotImplementedError  # for type checkers alone
@@ -20,7 +20,7 @@ class Converted(Generic[Value, Taken]):
 
 
 def with_keywords(names: type) -> Callable[[F], F]:
-    """Return a decorator that shows each name of a TypedDict in the signature, in place of `**kwargs`."""
+    """Return a decorator that replaces `**kwargs` in the signature by the names of a TypedDict."""
 
     def named(function: F) -> F:
         signature = inspect.signature(function)

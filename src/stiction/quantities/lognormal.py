@@ -1,4 +1,4 @@
-"""Quantiles of a positive number that is known by its median and its 5 and 95 % quantiles."""
+"""Compute quantiles of a positive number from its median and its 5 % and 95 % quantiles."""
 
 from typing import Any
 
@@ -9,15 +9,15 @@ from stiction.quantities.inputs import floats
 
 
 def lognormal_quantile(level: Any, median: float, low: float, high: float) -> np.ndarray:
-    """Return the quantile of a lognormal number at levels between 0 and 1.
+    """Return the quantiles of a lognormal number at the given levels.
 
     Parameters
     ----------
     level : array_like, any shape
-        Quantile levels, each above 0 and below 1.
+        Quantile levels, above 0 and below 1.
     median, low, high : float
-        Quantiles at the levels 0.5, 0.05 and 0.95, above 0. Where `median` is not the geometric mean of the ends, the
-        logarithm is normal with one width below the median and another above it.
+        Quantiles at the levels 0.5, 0.05 and 0.95, all above 0. If `median` is not the geometric mean of `low` and `high`, the
+        logarithm has one standard deviation below the median and another above it.
 
     Returns
     -------
@@ -26,7 +26,7 @@ def lognormal_quantile(level: Any, median: float, low: float, high: float) -> np
     Raises
     ------
     InputError
-        A level is not between 0 and 1.
+        A level is not above 0 and below 1.
     """
     from scipy.special import ndtri
 

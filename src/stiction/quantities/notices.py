@@ -1,14 +1,14 @@
-"""Notices to users: given once, as a warning in Python and as one line by a command."""
+"""Send notices to the user: a warning in Python, one line in a command."""
 
 import warnings
 from functools import cache
 
 
 class Notice(UserWarning):
-    """Something is not as it should be, and the results are right all the same."""
+    """Report a problem that does not affect the results."""
 
 
 @cache
 def notice(text: str) -> None:
-    """Say it, once in a process."""
+    """Issue a notice, once per process for each text."""
     warnings.warn(text, Notice, stacklevel=3)

@@ -1,4 +1,4 @@
-"""Files: the text of one that is given, and what can be told of a place before anything is computed for it."""
+"""Read text files, and check output paths before a computation starts."""
 
 import os
 from pathlib import Path
@@ -7,9 +7,10 @@ from stiction.quantities.errors import InputError
 
 
 def read_text(path: Path, field: str, wanted: str, largest: int, name: str | None = None) -> str:
-    """Read a regular file in UTF-8 of at most so many bytes.
+    """Return the text of a regular UTF-8 file of at most `largest` bytes.
 
-    Raises InputError with the reason otherwise. wanted: the kind of file; name: as the user wrote it, by default the path.
+    wanted: the kind of file, for the error text. name: the path as the user wrote it, if different. Raises InputError with the
+    reason if the file cannot be read.
     """
     try:
         why = _not_read(path, largest)
@@ -31,10 +32,10 @@ def _not_read(path: Path, largest: int) -> str:
 
 
 def require_place(path: Path, allowed: str) -> None:
-    """Raise InputError where nothing new can be created at this path.
+    """Raise an InputError if no file or folder can be created at this path; an existing path is accepted.
 
-    That is a name that no system takes, a file where one of its folders should be, or a folder above it in which nothing can
-    be made. The path itself may exist.
+    This detects names that the operating system refuses, a file in place of a parent folder, and a parent folder without write
+    permission. allowed: the allowed values, for the error text.
     """
     try:
         path.stat()

@@ -1,4 +1,7 @@
-"""Report the progress of long work: a label and its steps."""
+"""Define the callbacks that report the progress of long computations.
+
+A progress callback takes a label and returns a function that wraps an iterable of steps.
+"""
 
 from collections.abc import Callable, Iterable
 
@@ -7,5 +10,5 @@ Progress = Callable[[str], Steps]  # from a label, what wraps its steps
 
 
 def silent(label: str) -> Steps:
-    """Return what wraps steps and reports nothing."""
+    """Return a wrapper of steps that reports nothing."""
     return iter

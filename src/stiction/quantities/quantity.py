@@ -1,4 +1,4 @@
-"""A row of the table of quantities."""
+"""Describe one quantity: its name, unit, bounds and texts."""
 
 from dataclasses import dataclass
 from math import degrees, inf, isinf
@@ -9,18 +9,18 @@ COUNT = "number of asperities"
 
 
 def in_degrees(value: float, unit: str) -> tuple[float, str]:
-    """Return a number and its unit as people write them: angles in degrees, all else as it is."""
+    """Return a number and its unit for display: angles in degrees, other quantities unchanged."""
     return (degrees(value), "deg") if unit == "rad" else (value, unit)
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One row of the table.
+    """Store one row of the table of quantities.
 
-    name: the key; symbol: plain text; latex: without dollar signs; unit: SI, "" if none; meaning: a phrase;
-    lower, upper: bounds in the unit, with lower_included, upper_included (infinite values are never allowed);
-    normalised_by: what the dimensionless form is divided by, "" if it has none; example: an accepted input; short: a name that
-    fits on an axis of a plot together with its unit.
+    name: key. symbol: plain text. latex: symbol without dollar signs. unit: SI unit, "" if dimensionless. meaning: a phrase.
+    lower, upper: bounds in the unit; lower_included and upper_included tell whether the bound itself is allowed. Infinite
+    values are never allowed. normalised_by: scale of the dimensionless form, "" if there is none. example: an accepted input.
+    short: name for a plot axis.
     """
 
     name: str
@@ -37,20 +37,20 @@ class Quantity:
     short: str = ""
 
     def holds(self, values: Any) -> Any:
-        """Whether a number, or each of an array, is finite and within the bounds."""
+        """Return, for each value, whether it is finite and within the bounds."""
         above = values >= self.lower if self.lower_included else values > self.lower
         below = values <= self.upper if self.upper_included else values < self.upper
         return above & below & (abs(values) < inf)
 
     @property
     def attributes(self) -> dict[str, str]:
-        """Attributes of a variable: long_name, symbol and units; comment, the meaning in full where the name is short."""
+        """Return the attributes of an xarray variable: long_name, symbol, units, and comment if the long_name is shortened."""
         comment = {"comment": self.meaning} if self.short else {}
         return {"long_name": self.short or self.meaning, "symbol": self.symbol, "units": self.unit or "1"} | comment
 
     @property
     def allowed(self) -> str:
-        """The allowed range with its unit, in words: "> 0 Pa", ">= 0 and < 0.5", "any finite number of m"."""
+        """Return the allowed range as text with unit: "> 0 Pa", ">= 0 and < 0.5", "any finite number in m"."""
         signs = ">=" if self.lower_included else ">", "<=" if self.upper_included else "<"
         ends = [
             " ".join([sign, f"{value:g}", unit]).rstrip()
@@ -61,25 +61,28 @@ class Quantity:
 
     @property
     def wanted(self) -> str:
-        """The allowed range with an example where a unit has to be written: '> 0 m, e.g. "200 nm"'."""
+        """Return the allowed range, with an example if a unit must be written: '> 0 m, e.g. "200 nm"'."""
         return f'{self.allowed}, e.g. "{self.example}"' if self.unit and self.example else self.allowed
 
     @property
     def described(self) -> str:
-        """Return the meaning with what is wanted."""
+        """Return the meaning and the allowed range as text."""
         return f"{self.meaning}, {self.wanted}"
 
     @property
     def as_text(self) -> str:
-        """Return what a case file must have: text with a unit."""
+        """Return a description of the text that a case file needs for this quantity."""
         return f"text with a unit: {self.described}"
 
     @property
     def scale(self) -> str:
-        """Return the scale of results of a whole contact (contact.subject.Scales): the SI unit, or "count" of asperities."""
+        """Return the key of the scale that turns a result into SI units (see contact.subject.Scales).
+
+        The key is the SI unit, or "count" for numbers of asperities.
+        """
         return "count" if self.normalised_by == COUNT else self.unit
 
     @property
     def label(self) -> str:
-        """The meaning with its unit, as on an axis: "asperity tip radius [m]"."""
+        """Return the meaning with the unit, as on a plot axis: "asperity tip radius [m]"."""
         return f"{self.meaning} [{self.unit}]" if self.unit else self.meaning

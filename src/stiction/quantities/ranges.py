@@ -1,4 +1,4 @@
-"""Low and high ends of a material's numbers, kept as data: what studies of uncertainty draw from."""
+"""Read and check the ranges of material properties, which uncertainty studies sample."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any
@@ -21,7 +21,7 @@ def _read(value: Any) -> dict[str, tuple[float, float]]:
 
 
 def _ends(name: Any, ends: Any) -> tuple[float, float]:
-    """Low and high end of the named quantity in SI units."""
+    """Return the low and high end of a range of the named quantity in SI units."""
     if name not in QUANTITIES:
         raise InputError(str(name), ends, "nothing: a range is of a number of the material")
     if not isinstance(ends, list | tuple) or len(ends) != 2:
@@ -45,14 +45,14 @@ Ranges = Annotated[
 
 
 def range_in_words(low: float, high: float, name: str) -> str:
-    """Return the ends of the named quantity: "82 to 83 GPa", or "0.5 MPa to 2 GPa" with two prefixes."""
+    """Return the range of the named quantity as text: "82 to 83 GPa", or "0.5 MPa to 2 GPa" with two unit prefixes."""
     first, last = show(low, name, DIGITS), show(high, name, DIGITS)
     number, _, unit = first.partition(" ")
     return f"{number if unit == last.partition(' ')[2] else first} to {last}"
 
 
 def check_ranges(record: Any) -> None:
-    """InputError where a range is of a number that the record does not have, or does not hold that number."""
+    """Raise an InputError if a range belongs to a property that the record lacks, or does not include its value."""
     for name, (low, high) in record.range.items():
         value = getattr(record, name, None)
         if value is None:

@@ -1,6 +1,7 @@
-"""Points that fill the unit cube evenly.
+"""Provide quasi-random points that fill the unit cube evenly.
 
-scipy.stats makes them and takes half a second to import; they are kept on disk, so that only the first study of a kind waits.
+The points come from scipy.stats, which takes half a second to import. They are cached on disk, so that only the first study
+with a given number of points and dimensions needs that import.
 """
 
 import zipfile
@@ -30,7 +31,7 @@ def sobol_points(columns: int, count: int, seed: int | np.random.SeedSequence) -
 
     Notes
     -----
-    Scrambled as by Owen (1998), J. Complexity 14, 466.
+    The scrambling follows Owen (1998), J. Complexity 14, 466.
     """
     key = f"{seed.entropy}_{'_'.join(map(str, seed.spawn_key))}" if isinstance(seed, np.random.SeedSequence) else seed
     path = cache_folder("points") / f"sobol-{columns}-{count}-{key}.npz"

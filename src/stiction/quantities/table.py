@@ -1,7 +1,7 @@
-"""Read the one table of quantities: units, bounds, symbols and meanings of everything that goes in or comes out.
+"""Read the table of quantities: unit, bounds, symbol and meaning of every input and result.
 
-Validators, docstrings, command-line help, result attributes and axis labels read it; nothing else states a unit or a bound. Its
-rows are in quantities.csv; the symbols are those of docs/theory.md.
+Validators, docstrings, command-line help, result attributes and axis labels all use this table; units and bounds are written
+nowhere else. The rows are in quantities.csv; the symbols are those of docs/theory.md.
 """
 
 import csv
@@ -12,13 +12,13 @@ from stiction.quantities.quantity import Quantity
 
 
 def _quantity(bounds: str, **texts: str) -> Quantity:
-    """Return the quantity of a row; bounds: an interval such as "[0 0.5)"."""
+    """Return the quantity of one row; bounds: an interval such as "[0 0.5)"."""
     lower, upper = map(float, bounds[1:-1].split())
     return Quantity(**texts, lower=lower, upper=upper, lower_included=bounds[0] == "[", upper_included=bounds[-1] == "]")
 
 
 def rows_of_table(name: str) -> Iterator[dict[str, str]]:
-    """Yield the rows of a table of this folder; lines that begin with # are comments."""
+    """Yield the rows of a CSV file of this folder; lines that begin with # are comments."""
     lines = Path(__file__).with_name(name).read_text(encoding="utf-8").splitlines()
     return csv.DictReader(line for line in lines if not line.startswith("#"))
 

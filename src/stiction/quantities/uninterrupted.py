@@ -1,4 +1,4 @@
-"""Work that Ctrl-C does not cut in two: writing, mostly."""
+"""Protect short operations, such as writing files, from being interrupted by Ctrl-C."""
 
 import signal
 from collections.abc import Iterator
@@ -9,7 +9,10 @@ from typing import Any
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Ctrl-C waits until this is done: files are whole, and zarr leaves no coroutines that complain at the end."""
+    """Within the context, delay Ctrl-C until the end.
+
+    Files are then written completely, and zarr leaves no unfinished coroutines behind.
+    """
     before = signal.getsignal(signal.SIGINT)
     if before is None or current_thread() is not main_thread():  # only the main one is interrupted
         yield

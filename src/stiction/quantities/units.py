@@ -1,6 +1,6 @@
-"""The only place where units are read: SI floats inside the program, text with units ("48 nm") at its edge.
+"""Convert between text with units ("48 nm") and SI numbers; no other module reads units.
 
-units.csv has the common units. pint reads all others; it is slow to import, so it is imported when the first of these is read.
+Common units are in units.csv. All others are read by pint, which is imported only then because its import is slow.
 """
 
 import re
@@ -44,10 +44,11 @@ _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"
 def to_si(value, name: str):
     """Return a value of the named quantity in SI units, checked against its bounds.
 
-    value: float, array, pandas.Series or xarray.DataArray in SI units, text with its unit ("48 nm"), a pint quantity of any
-    registry, or a list of these; a DataArray whose `units` attribute is not the SI unit is converted. name: a key of
-    QUANTITIES. Returns a float, a float array, or a DataArray without attributes of its own (its coordinates keep theirs).
-    Raises InputError if it is no number, not finite, out of bounds, or its unit is missing, unknown or of another dimension.
+    value: a float, array, pandas.Series or xarray.DataArray in SI units; text with a unit ("48 nm"); a pint quantity; or a
+    list of these. A DataArray whose attribute `units` is not the SI unit is converted. name: a key of QUANTITIES.
+
+    Returns a float, a float array, or a DataArray whose own attributes are removed (its coordinates keep theirs). Raises
+    InputError if the value is not a number, is not finite, is out of bounds, or has a missing, unknown or wrong unit.
     """
     quantity = QUANTITIES[name]
     value = foreign.as_sequence(value)
@@ -64,9 +65,9 @@ def to_si(value, name: str):
 
 
 def show(value, name: str, digits: int = 6) -> str:
-    """Return a value of the named quantity, in SI units, as short text with a fitting prefix.
+    """Return a value of the named quantity, given in SI units, as short text with a suitable prefix.
 
-    Examples: "48 nm", "1.25 mN", "110 deg"; to so many digits, six at most.
+    Examples: "48 nm", "1.25 mN", "110 deg". digits: number of significant digits, 6 at most.
     """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     value = float(f"{value:.{digits}g}")
@@ -82,14 +83,15 @@ def show(value, name: str, digits: int = 6) -> str:
 
 
 def span(ends: Iterable[float], form: str = ".3g") -> str:
-    """Return the ends of a range in words, one where they read alike: "0.31", "0.31 to 0.45"."""
+    """Return a range as text, "0.31 to 0.45", or one number if both ends look the same: "0.31"."""
     return " to ".join(dict.fromkeys(format(end, form) for end in ends))
 
 
 def several_in_words(values, where: str, count: int | None = None) -> InWords:
-    """Describe numbers in SI units where one number is expected: "3 numbers, 100 nm to 2 um".
+    """Describe several numbers where one was expected, as text: "3 numbers, 100 nm to 2 um".
 
-    where: dotted name of the input, which ends in a key of QUANTITIES; count: their number, if only their ends are passed.
+    values: numbers in SI units. where: dotted name of the input; its last part is a key of QUANTITIES. count: how many numbers
+    there are, if `values` has only the smallest and largest.
     """
     numbers, name = np.asarray(values, dtype=float).ravel(), where.rpartition(".")[2]
     count = numbers.size if count is None else count
@@ -101,7 +103,7 @@ def several_in_words(values, where: str, count: int | None = None) -> InWords:
 
 
 def reason_of(error: InputError) -> str:
-    """Return why a model cannot be used: the missing input, or the value of a quantity and its range."""
+    """Return why a model cannot be used, as text: an input is missing, or its value is out of range."""
     if error.value is None:
         return f"{error.field} is not given: {error.allowed}"
     name, value = error.field.rpartition(".")[2], error.value
@@ -120,12 +122,12 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
     values : array_like (n,) [SI], or sequence of str with units
         Values along the dimension.
     dimension : str, optional
-        Name of the dimension; by default the name of the quantity. Needed where one quantity of two bodies varies.
+        Name of the dimension; by default the name of the quantity. Needed if the same quantity varies for both bodies.
 
     Returns
     -------
     xarray.DataArray
-        Values (n,) in SI units, which are also their coordinate: usable as any number of a Contact or Indices.
+        Values (n,) in SI units, which are also their own coordinate. Use it in place of any number of a Contact or Indices.
 
     Raises
     ------
@@ -158,10 +160,10 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
 
 
 def from_series(series, name: str):
-    """Return a pandas.Series of the named quantity as an array with a named dimension.
+    """Return a pandas.Series of the named quantity as a DataArray with a named dimension.
 
-    The index is the coordinate and names the dimension; without a name, the quantity names it. Raises
-    InputError as `to_si` does.
+    The index becomes the coordinate, and its name the name of the dimension. If the index has no name, the result is that of
+    `axis`. Raises InputError as `to_si` does.
     """
     import xarray
 
@@ -193,7 +195,7 @@ def _from_text(text: str, quantity: Quantity) -> float:
 
 
 def _factor(unit: str, quantity: Quantity, text) -> Fraction:
-    """How many SI units of the quantity one `unit` is."""
+    """Return the factor from `unit` to the SI unit of the quantity."""
     try:
         if not _UNIT.fullmatch(unit):
             raise ValueError("not a unit")
@@ -224,7 +226,7 @@ def _common_factors() -> dict[tuple[str, str], Fraction]:
 
 @cache
 def _pint():
-    """Import pint, also where a command has left it out."""
+    """Import pint, after `bring_back` if a command has made it unavailable."""
     bring_back("pint")
     import pint
 
@@ -233,10 +235,10 @@ def _pint():
 
 @cache
 def _registry():
-    """Return the registry of all units that pint has.
+    """Return pint's registry of all units.
 
-    Reading the definitions takes longer than solving a case, so the result is cached; a cache of another release, or one that
-    cannot be read or written, is made anew.
+    Reading its definitions takes longer than solving a case, so they are cached on disk. A damaged cache, or one of another
+    pint release, is replaced.
     """
     pint = _pint()
     kept = cache_folder(f"units-{pint.__version__}")
@@ -250,7 +252,7 @@ def _registry():
 
 @cache
 def _unit_errors() -> tuple[type[Exception], ...]:
-    """Return the exceptions that pint raises for text that is no unit: its own, and those of Python's tokenizer and parser."""
+    """Return the exceptions that pint raises for text that is not a unit, those of Python's tokenizer and parser included."""
     import tokenize
 
     return (
@@ -267,7 +269,7 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_pint(value, quantity: Quantity):
-    """Convert a quantity of any pint registry: the text of its unit is read like any other."""
+    """Return a pint quantity of any registry in SI units; its unit is converted to text and read like any other."""
     unit, numbers = f"{value.units:C}", value.magnitude
     if unit in ("", "dimensionless") and not quantity.unit:
         return _from_numbers(numbers, quantity)
@@ -293,7 +295,7 @@ def _from_labelled(array, quantity: Quantity):
 
 
 def _from_numbers(value, quantity: Quantity):
-    """Return a float for a single number, a float array for anything longer."""
+    """Return a float for a single number, and a float array for several."""
     if isinstance(value, list | tuple):
         return np.array([_single(entry, quantity) for entry in value], dtype=float)
     if isinstance(value, Real | Decimal) and not isinstance(value, bool):
@@ -333,7 +335,7 @@ def _check(number, quantity: Quantity, given) -> None:
 
 
 def _as_given(given, place: tuple[int, ...], worst: float):
-    """Return the one value that is out of bounds as it was written, with its unit if it had one."""
+    """Return the value that is out of bounds as the user wrote it, with its unit if there was one."""
     if isinstance(given, str):
         return given
     if isinstance(given, list | tuple) and len(place) == 1:
