@@ -182,7 +182,7 @@ def test_a_case_needs_a_subject_and_points(refused):
     ("content", "message"),
     [
         (b"this is no case", "this is not TOML: Expected '=' after a key"),
-        (bytes(range(256)), "this is not text in UTF-8"),
+        (bytes(range(256)), "this file is not UTF-8 text"),
         (b"a = " + b"[" * 100_000, "too long to read"),
         (b"a = " + b"1" * 10_000, "too long to read"),
     ],

@@ -118,7 +118,7 @@ def test_presets_stay_what_they_are(read):
         (
             '["1 GPa", "1.5 GPa"]',
             '["2 GPa", "3 GPa"]',
-            "materials.bronze.range.hardness: '2 to 3 GPa'; allowed: ends around",
+            "materials.bronze.range.hardness: '2 to 3 GPa'; allowed: a range that includes",
         ),
         ('hardness = "1.2 GPa"', "", "materials.bronze.hardness: not given; allowed: hardness"),
         ('preset = "silver"', 'preset = "silvr"', "materials.soft_silver: 'silvr'; allowed: a preset: silver"),

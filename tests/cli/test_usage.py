@@ -94,7 +94,10 @@ def test_a_place_where_nothing_can_be_is_refused_at_once(words, tmp_path, monkey
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("kept")
     end = ".html" if words[0] == "report" else ""
-    for name, why in (("a" * 300 + end, "this cannot be one"), (f"file/x{end}", "one of the folders in this path is a file")):
+    for name, why in (
+        ("a" * 300 + end, "this path cannot be used"),
+        (f"file/x{end}", "a parent folder in this path is a file"),
+    ):
         text = said(*words, "--out", name)  # there is no case: the place is looked at first
         assert text.startswith("stiction: --out: ") and why in text
     assert [one.name for one in tmp_path.iterdir()] == ["file"]
@@ -105,13 +108,13 @@ def test_a_name_that_no_system_takes(tmp_path):
     from stiction.report.html_report import check_place
 
     for check in (check_folder, check_place):
-        with pytest.raises(InputError, match="this cannot be one"):
+        with pytest.raises(InputError, match="this path cannot be used"):
             check(tmp_path / "a\0b.html")
 
 
 def test_a_folder_that_cannot_be_made_is_refused_at_once(tmp_path, monkeypatch):
     monkeypatch.setattr(paths.os, "access", lambda place, mode: False)
-    with pytest.raises(InputError, match="nothing can be written in"):
+    with pytest.raises(InputError, match="no permission to write in"):
         paths.require_place(tmp_path / "new" / "x", "a folder")
 
 

@@ -53,7 +53,7 @@ def test_a_copy_reads_units_and_its_dimensions_must_agree():
     one = contact(nominal_area=st.axis("nominal_area", ["1 mm^2", "2 mm^2"], "batch"))
     assert one.model_copy() == one
     three = st.axis("work_of_adhesion", [0.1, 0.2, 0.3], "batch")
-    assert line(lambda: one.model_copy(update={"work_of_adhesion": three})).startswith("nominal_area: \"dimension 'batch'")
+    assert line(lambda: one.model_copy(update={"work_of_adhesion": three})).startswith("nominal_area: dimension 'batch'")
 
 
 def test_a_field_that_is_none_is_not_assigned():
@@ -65,7 +65,7 @@ def test_a_good_value_is_not_assigned_either_and_the_way_is_named():
     one = contact()
     assert "replace(nominal_area=...)" in line(lambda: setattr(one, "nominal_area", "2 mm^2"))
     assert one.nominal_area == 1e-6
-    assert "frozen" in line(lambda: setattr(one.first, "hardness", 1e9))
+    assert "cannot be changed" in line(lambda: setattr(one.first, "hardness", 1e9))
 
 
 @pytest.mark.parametrize(
@@ -73,13 +73,13 @@ def test_a_good_value_is_not_assigned_either_and_the_way_is_named():
     [
         (
             lambda: st.Roughness(1, 2, 3),
-            "Roughness: '3 values without a name'; allowed: every value by its name: asperity_height_d",
+            "Roughness: 3 values without a name; allowed: values given by name: asperity_height_d",
         ),
         (
             lambda: st.Contact("iron", "iron"),
-            "Contact: '2 values without a name'; allowed: every value by its name: first=..., ",
+            "Contact: 2 values without a name; allowed: values given by name: first=..., ",
         ),
-        (lambda: st.Material("x"), "Material: '1 value without a name'; allowed: every value by its name: youngs_modulus=..."),
+        (lambda: st.Material("x"), "Material: 1 value without a name; allowed: values given by name: youngs_modulus=..."),
         (lambda: st.axis(["1 N"]), "axis: ['1 N']; allowed: first the name of a quantity, then its values"),
         (lambda: st.axis(["1 N"], "load"), "axis: ['1 N']; allowed: first the name of a quantity, then its values"),
         (lambda: st.axis("radius", [1]), "axis: 'radius'; allowed: first the name of a quantity, then its values"),

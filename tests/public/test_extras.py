@@ -52,7 +52,7 @@ def test_a_missing_package_is_said_in_a_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "zarr", None)
     with pytest.raises(st.InputError) as told:
         require("sweep", "numpy", "zarr")
-    assert str(told.value) == "sweep: 'without zarr'; allowed: an installation with it: pip install 'stiction[sweep]'"
+    assert str(told.value) == "sweep: zarr is not installed; not supported without it: pip install 'stiction[sweep]'"
 
 
 def test_a_case_is_solved_and_written_without_extras(tmp_path):

@@ -116,7 +116,7 @@ def test_a_wish_that_no_friction_can_be_is_refused(objective):
 def test_a_text_in_place_of_a_table_is_refused_in_plain_words():
     with pytest.raises(InputError) as caught:
         solved(Query({"contact": "x", "solve": {"load": ["1 N"]}}))
-    assert str(caught.value) == "contact: 'x'; allowed: a table with its numbers"
+    assert str(caught.value) == "contact: 'x'; allowed: a table of named numbers"
 
 
 def test_a_study_ends_within_a_step_when_it_is_stopped():

@@ -13,7 +13,7 @@ import numpy as np
 
 from stiction.engine.compiled import formula
 from stiction.engine.vectorised import exponential
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.keywords import with_keywords
 
 if TYPE_CHECKING:
@@ -148,7 +148,9 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
     """
     samples = np.asarray(samples, dtype=float).ravel()
     if samples.size < 10 or not np.all(np.isfinite(samples)) or np.ptp(samples) == 0.0:
-        raise InputError("height_distribution.samples", f"{samples.size} samples", "10 or more finite, not all equal")
+        raise InputError(
+            "height_distribution.samples", InWords(f"{samples.size} samples"), "10 or more finite heights, not all equal"
+        )
     bins = cells or min(max(len(np.histogram_bin_edges(samples, "fd")) - 1, 10), 400)
     counts, edges = np.histogram(samples, bins)
     step = edges[1] - edges[0]
@@ -218,5 +220,6 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     try:
         return DISTRIBUTIONS[key](**parameters)
     except TypeError:
-        needs = {"weibull": "exponent", "empirical": "samples"}.get(key, "no parameter")
-        raise InputError("height_distribution", f"{key} with {sorted(parameters) or 'no parameter'}", needs) from None
+        needs = {"weibull": "the parameter exponent", "empirical": "the parameter samples"}.get(key, "no parameter")
+        given = InWords(f"{key} with {', '.join(sorted(parameters)) or 'no parameter'}")
+        raise InputError("height_distribution", given, needs) from None

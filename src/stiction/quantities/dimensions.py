@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 if TYPE_CHECKING:
     import xarray
@@ -27,7 +27,7 @@ def check_names(array: Any, field: str) -> None:
     """Raise an InputError unless all dimension names of a DataArray are text."""
     for dim in array.dims:
         if not isinstance(dim, str):
-            raise InputError(field, f"dimension {dim!r}", "dimensions named by text")
+            raise InputError(field, InWords(f"dimension {dim!r}"), "dimension names that are text")
 
 
 def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
@@ -39,7 +39,11 @@ def dimensions(values: Iterable[Any], first: Mapping[str, int] = MappingProxyTyp
     for value in values:
         for dim, size in getattr(value, "sizes", {}).items():
             if dims.setdefault(str(dim), size) != size:
-                raise InputError(str(dim), f"lengths {dims[str(dim)]} and {size}", "one length for one dimension")
+                raise InputError(
+                    str(dim),
+                    InWords(f"lengths {dims[str(dim)]} and {size}"),
+                    "the same length in all arrays with this dimension",
+                )
     return dims
 
 
@@ -146,4 +150,8 @@ def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> d
 
 
 def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
-    return InputError(name, f"dimension {dim!r} of length {size}", f"the values of {other} along {dim!r}, or another dimension")
+    return InputError(
+        name,
+        InWords(f"dimension {dim!r} of length {size}"),
+        f"the same values along {dim!r} as {other}, or another dimension name",
+    )

@@ -4,7 +4,7 @@ import sys
 from importlib.util import find_spec
 from typing import Any
 
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 
 # The package that is imported -> the extra of pyproject.toml that brings it.
 EXTRA_OF = {
@@ -31,7 +31,9 @@ def require(field: str, *packages: str) -> None:
     """Raise an InputError unless all given packages of `EXTRA_OF` are installed; field: the input that needs them."""
     missing = [package for package in packages if not installed(package)]
     if missing:
-        raise InputError(field, f"without {missing[0]}", f"an installation with it: {how_to_install(missing[0])}")
+        raise InputError(
+            field, InWords(f"{missing[0]} is not installed"), f"not supported without it: {how_to_install(missing[0])}"
+        )
 
 
 def leave_out(package: str) -> None:

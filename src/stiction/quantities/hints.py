@@ -14,8 +14,8 @@ def with_a_point(text: str) -> str:
     if number is None:
         return ""
     if number[0].count(",") > 1:
-        return "; numbers have no commas"
-    return f'; numbers have a decimal point: "{text[:100].strip().replace(",", ".", 1)}"'
+        return "; write the number without commas"
+    return f'; write a decimal point: "{text[:100].strip().replace(",", ".", 1)}"'
 
 
 def meant(number: str, unit: str, quantity: Quantity) -> str:

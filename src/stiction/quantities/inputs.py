@@ -10,7 +10,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, Va
 
 from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
-from stiction.quantities.errors import InputError, field_named, nearest
+from stiction.quantities.errors import InputError, InWords, field_named, nearest
 from stiction.quantities.foreign import is_series
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES
@@ -20,7 +20,7 @@ from stiction.quantities.units import from_series, show, to_si
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
     """Return numbers without unit as an array of floats of the same shape; bounds are not checked.
 
-    Raises InputError for text, dates, bytes, complex numbers and booleans, some of which NumPy would convert.
+    Raises InputError for dates, bytes, complex numbers and booleans, some of which NumPy would convert.
     """
     try:
         given = np.asarray(value)
@@ -38,7 +38,7 @@ def _number(value, info: ValidationInfo):
     if isinstance(number, np.ndarray):
         raise InputError(
             "",
-            f"array of shape {number.shape}",
+            InWords(f"array of shape {number.shape}"),
             "one number, or an array with a named dimension, see stiction.axis",
         )
     return number
@@ -56,14 +56,14 @@ OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 
-# Fields that tell of the numbers, and change no result.
+# Fields that describe the numbers and change no result.
 _SAID_BY_NOTES = ("source", "range")
 
 
 def require_callable(given: Any, field: str) -> None:
     """Raise an InputError if the progress callback is not callable."""
     if not callable(given):
-        raise InputError(field, given, "a function, or nothing")
+        raise InputError(field, given, "a function, or None")
 
 
 def require_names(table: Mapping, where: str = "") -> None:
@@ -79,7 +79,7 @@ def require_names(table: Mapping, where: str = "") -> None:
         if isinstance(value, Mapping):
             require_names(value, place)
         elif isinstance(value, str) and _CONTROL.search(value):
-            raise InputError(place, value, "text without control characters, which files of results do not take")
+            raise InputError(place, value, "text without control characters")
 
 
 class Input(BaseModel):
@@ -91,8 +91,8 @@ class Input(BaseModel):
         if unnamed_values:
             names = ", ".join(f"{name}=..." for name, field in type(self).model_fields.items() if field.is_required())
             count = len(unnamed_values)
-            given = f"{count} value{'s' * (count > 1)} without a name"
-            raise InputError(type(self).__name__, given, f"every value by its name: {names or 'see its fields'}")
+            given = InWords(f"{count} value{'s' * (count > 1)} without a name")
+            raise InputError(type(self).__name__, given, f"values given by name: {names or 'see its fields'}")
         require_names(data)
         try:
             super().__init__(**data)
@@ -120,11 +120,11 @@ class Input(BaseModel):
         if name in type(self).model_fields:
             self.replace(**{name: value})
             raise InputError(
-                f"{type(self).__name__}.{name}", value, f"nothing: records are frozen; replace({name}=...) gives another"
+                f"{type(self).__name__}.{name}", value, f"not supported: a record cannot be changed; use replace({name}=...)"
             )
         if not name.startswith("_"):
             raise InputError(
-                f"{type(self).__name__}.{name}", value, f"{nearest(name, type(self).model_fields)}; {name} is no field"
+                f"{type(self).__name__}.{name}", value, f"{nearest(name, type(self).model_fields)}; {name} is not a field"
             )
         super().__setattr__(name, value)
 
@@ -244,7 +244,7 @@ def _drop_null(entry: dict) -> None:
     entry.update(choices[0] if len(choices) == 1 else {"anyOf": choices} if choices else {})
 
 
-_KINDS = {"model_type": "a table with its numbers"}  # kinds of errors that pydantic tells to programmers
+_KINDS = {"model_type": "a table of named numbers"}  # types of errors whose pydantic text is meant for programmers
 
 
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
@@ -259,8 +259,8 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
         known = nearest(path[-1], cls.model_fields)
-        given = "a table" if isinstance(details["input"], dict) else details["input"]
-        return InputError(".".join(path), given, f"{known}; {path[-1]} is no key here")
+        given = InWords("a table") if isinstance(details["input"], dict) else details["input"]
+        return InputError(".".join(path), given, f"{known}; {path[-1]} is not a key here")
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))
     allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description

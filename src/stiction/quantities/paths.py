@@ -17,9 +17,9 @@ def read_text(path: Path, field: str, wanted: str, largest: int, name: str | Non
         if not why:
             return path.read_text(encoding="utf-8-sig")  # some editors begin a file with the mark of its encoding
     except OSError as error:
-        why = f"this one cannot be read ({error.strerror})"
+        why = f"this file cannot be read ({error.strerror})"
     except UnicodeDecodeError:
-        why = "this is not text in UTF-8"
+        why = "this file is not UTF-8 text"
     raise InputError(field, name or str(path), f"{wanted}; {why}")
 
 
@@ -27,8 +27,8 @@ def _not_read(path: Path, largest: int) -> str:
     if path.is_dir():
         return "this is a directory"
     if not path.is_file():
-        return "this is not a regular file" if path.exists() else "there is no such file"
-    return f"this one is larger than {largest} bytes" if path.stat().st_size > largest else ""
+        return "this is not a regular file" if path.exists() else "this file does not exist"
+    return f"this file is larger than {largest} bytes" if path.stat().st_size > largest else ""
 
 
 def require_place(path: Path, allowed: str) -> None:
@@ -42,10 +42,10 @@ def require_place(path: Path, allowed: str) -> None:
     except FileNotFoundError:
         pass
     except NotADirectoryError:
-        raise InputError("--out", str(path), f"{allowed}; one of the folders in this path is a file") from None
+        raise InputError("--out", str(path), f"{allowed}; a parent folder in this path is a file") from None
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or error
-        raise InputError("--out", str(path), f"{allowed}; this cannot be one ({why})") from None
+        raise InputError("--out", str(path), f"{allowed}; this path cannot be used ({why})") from None
     above = next(one for one in path.absolute().parents if one.exists())
     if not os.access(above, os.W_OK | os.X_OK):
-        raise InputError("--out", str(path), f"{allowed}; nothing can be written in {above}")
+        raise InputError("--out", str(path), f"{allowed}; no permission to write in {above}")

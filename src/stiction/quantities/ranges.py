@@ -11,7 +11,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
 DIGITS = 3  # of a number of a preset, as it is shown
-_FORM = 'a table of low and high ends, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
+_FORM = 'a table of low and high values, e.g. hardness = ["0.3 GPa", "0.5 GPa"]'
 
 
 def _read(value: Any) -> dict[str, tuple[float, float]]:
@@ -23,18 +23,18 @@ def _read(value: Any) -> dict[str, tuple[float, float]]:
 def _ends(name: Any, ends: Any) -> tuple[float, float]:
     """Return the low and high end of a range of the named quantity in SI units."""
     if name not in QUANTITIES:
-        raise InputError(str(name), ends, "nothing: a range is of a number of the material")
+        raise InputError(str(name), ends, "names of material properties")
     if not isinstance(ends, list | tuple) or len(ends) != 2:
-        raise InputError(name, ends, f"its low and its high end, two values: {QUANTITIES[name].wanted}")
+        raise InputError(name, ends, f"two values, low and high: {QUANTITIES[name].wanted}")
     try:
         with field_named(name):
             low, high = (float(to_si(end, name)) for end in ends)
     except InputError:
         raise
     except (TypeError, ValueError):
-        raise InputError(name, ends, "its low and its high end, two single values") from None
+        raise InputError(name, ends, "two single values, low and high") from None
     if low > high:
-        raise InputError(name, list(ends), "the low end first")
+        raise InputError(name, list(ends), "the low value before the high value")
     return low, high
 
 
@@ -56,7 +56,7 @@ def check_ranges(record: Any) -> None:
     for name, (low, high) in record.range.items():
         value = getattr(record, name, None)
         if value is None:
-            raise InputError(f"range.{name}", [show(low, name), show(high, name)], f"nothing where there is no {name}")
+            raise InputError(f"range.{name}", [show(low, name), show(high, name)], f"not supported: the material has no {name}")
         if not np.all((np.asarray(value) >= low) & (np.asarray(value) <= high)):
             shown = show(float(np.asarray(value).flat[0]), name)
-            raise InputError(f"range.{name}", range_in_words(low, high, name), f"ends around {name} = {shown}")
+            raise InputError(f"range.{name}", range_in_words(low, high, name), f"a range that includes {name} = {shown}")

@@ -150,7 +150,7 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
         raise InputError(name, None, f"its values along the axis, {quantity.wanted}")
     numbers = np.atleast_1d(np.asarray(to_si(values, name)))
     if numbers.ndim != 1:
-        raise InputError(name, f"array of shape {numbers.shape}", "one row of values")
+        raise InputError(name, InWords(f"array of shape {numbers.shape}"), "a list of values, or an array with one dimension")
     dimension = dimension or name
     if not isinstance(dimension, str):
         raise InputError("dimension", dimension, "a name, as text")
@@ -201,9 +201,9 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
             raise ValueError("not a unit")
         return _exact_factor(unit, quantity.unit)
     except _unit_errors() as error:
-        problem = "another dimension" if isinstance(error, _pint().DimensionalityError) else "no known unit"
+        problem = "has another dimension" if isinstance(error, _pint().DimensionalityError) else "is unknown"
         number = text.removesuffix(unit).strip()
-        told = f"{quantity.wanted} (what was given has {problem}){meant(number, unit, quantity)}"
+        told = f"{quantity.wanted} (the given unit {problem}){meant(number, unit, quantity)}"
         raise InputError(quantity.name, text, told) from None
 
 
@@ -324,7 +324,7 @@ def _float(number, quantity: Quantity, given) -> float:
 def _check(number, quantity: Quantity, given) -> None:
     values = np.asarray(number)
     if values.size == 0:
-        raise InputError(quantity.name, "no values", "at least one value")
+        raise InputError(quantity.name, InWords("no values"), "at least one value")
     good = quantity.holds(values)
     if not good.all():
         place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
