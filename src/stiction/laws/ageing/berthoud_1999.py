@@ -39,7 +39,7 @@ from stiction.records.sources import Source
 
 
 def factor(groups: Groups) -> np.ndarray:
-    """Return the strength (n,) over its initial value, 1 + m ln(1 + t_w/t_c)."""
+    """Return the strength after the hold time over the initial strength (n,): 1 + m ln(1 + t_w/t_c)."""
     return 1.0 + groups.ageing_rate * np.log1p(groups.waiting)
 
 

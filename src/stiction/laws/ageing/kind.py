@@ -1,4 +1,4 @@
-"""Ageing: a kind of law that is added to a model."""
+"""Define ageing laws: growth of the interface strength with time at rest, added to a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,10 +9,9 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Ageing(Addition):
-    """Ageing law: the strength of an interface grows with its time at rest.
+    """Describe an ageing law: the strength of the interface grows with the time at rest.
 
-    aged(groups) -> the groups as tangential laws take them then: with the strength of the interface that a contact has by now,
-    over the area that it had at first.
+    aged(groups) returns the groups with the interface strength after the hold time. The contact area is not changed.
     """
 
     kind = keyword = "ageing"

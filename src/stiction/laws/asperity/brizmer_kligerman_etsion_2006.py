@@ -43,36 +43,37 @@ _SPLITS = (4.0,)
 
 
 def yield_coefficient(nu):
-    """Return C_nu = 1.234 + 1.256 nu.
+    """Return C_nu = 1.234 + 1.256 nu for Poisson's ratio nu (any shape).
 
-    It is the largest pressure over yield stress at first yield of a frictionless contact. Arrays.
+    C_nu is the largest pressure over the yield stress at first yield of a frictionless contact.
     """
     return 1.234 + 1.256 * nu
 
 
 def load_of_stick(nu):
-    """Return the critical load in full stick over its value in slip.
+    """Return the critical load in full stick over the one in slip, for Poisson's ratio nu (any shape).
 
-    It is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. Arrays.
+    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
 def interference_of_stick(nu):
-    """Return the critical interference in full stick over its value in slip.
+    """Return the critical interference in full stick over the one in slip, for Poisson's ratio nu (any shape).
 
-    It is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. Arrays.
+    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 6.82 * nu - 7.83 * (nu * nu + 0.0586)
 
 
 def critical_values(eta, nu, k):
-    """Return interference delta_c and load L_c at first yield in full stick. Arrays.
+    """Return the interference delta_c and the load L_c at first yield in full stick (any shape).
 
-    In slip delta_c = (pi C_nu (1 - nu^2) Y/(2 E))^2 R, Hertz's with the largest pressure C_nu Y; here with E/(1 - nu^2) = E* of
-    any pair and Y = H/k, which is ((2/3) C_nu eta/k)^2, and L_c its load.
+    In slip, delta_c = (pi C_nu (1 - nu^2) Y/(2 E))^2 R, which follows from Hertz's largest pressure C_nu Y. Here E/(1 - nu^2)
+    is the contact modulus E* of the pair and Y = H/k; over sigma this is ((2/3) C_nu eta/k)^2. Both slip values are multiplied
+    by the ratios for stick.
     """
     slip_limited = (2.0 / 3.0 * yield_coefficient(nu) * eta / k) ** 2
     return interference_of_stick(nu) * slip_limited, load_of_stick(nu) * slip_limited**1.5
@@ -80,9 +81,9 @@ def critical_values(eta, nu, k):
 
 @formula
 def elastic(u, stiffness):
-    """Return P = L_c (delta/delta_c)^(3/2) and A = pi R delta.
+    """Return displacement w = u^2, dw/du, load and area of the elastic asperity.
 
-    stiffness: L_c/delta_c^(3/2), over Hertz's.
+    The load is L_c (delta/delta_c)^(3/2), the area pi R delta. stiffness: L_c/delta_c^(3/2) in units of Hertz's value.
     """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, w
@@ -93,9 +94,9 @@ _LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
 
 @formula
 def yielding(u, w_c, stiffness, load_power, area_power):
-    """Return load and area beyond first yield, with ratio = delta/delta_c.
+    """Return displacement w = u^2, dw/du, load and area beyond first yield.
 
-    P/L_c = ratio^1.5 (1 - exp(1/(1 - ratio^beta))), A/A_c = ratio (1 + exp(1/(1 - ratio^alpha))).
+    With r = delta/delta_c: P/L_c = r^1.5 (1 - exp(1/(1 - r^beta))) and A/A_c = r (1 + exp(1/(1 - r^alpha))).
     """
     w = u * u
     growth = max(math.log(w / w_c), _LEAST)  # rounding may put the first point a little before delta_c

@@ -27,24 +27,27 @@ from stiction.records.sources import Source
 
 
 def hardness_coefficient(nu):
-    """Return K_H = 0.454 + 0.41 nu: largest pressure at first yield over hardness.
+    """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield over the hardness (any shape).
 
-    Arrays. The 1987 paper uses the constant 0.6; the authors gave this form in 1988.
+    The authors gave this form in 1988; their 1987 paper has the constant 0.6.
     """
     return 0.454 + 0.41 * nu
 
 
 def critical_interference(eta, K_H):
-    """Return omega_c / sigma = ((2/3) K_H eta)^2. Arrays.
+    """Return the interference at first yield over sigma, ((2/3) K_H eta)^2 (any shape).
 
-    From omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
+    It follows from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
     """
     return (2.0 / 3.0 * K_H * eta) ** 2
 
 
 @formula
 def plastic(w, w_c, eta, K_H):
-    """Return A = pi R w (2 - w_c/w), P = A K_H H."""
+    """Return displacement, its slope 1, load and area of an asperity beyond first yield.
+
+    The area is pi R w (2 - w_c/w), the load is this area times K_H H.
+    """
     area = 2.0 * w - w_c
     return w, 1.0, K_H * eta * area, area
 

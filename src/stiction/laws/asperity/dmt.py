@@ -26,9 +26,9 @@ from stiction.records.sources import Source
 
 @formula
 def normal(u, theta):
-    """Return displacement w = u^2, its slope, load and area.
+    """Return displacement w = u^2, dw/du, load and area of a DMT asperity.
 
-    The load is w^(3/2) - 2 pi/theta, the area w (over pi R sigma).
+    The load is w^(3/2) - 2 pi/theta over K R^(1/2) sigma^(3/2), the area is w over pi R sigma.
     """
     w = u * u
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w

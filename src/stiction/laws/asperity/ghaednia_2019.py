@@ -65,17 +65,17 @@ _STEPS = 64
 
 
 def elastic_share(hardening):
-    """Return 1 - exp(-3.3 E_t/E), the weight of Hertz's load (eq 30). Arrays."""
+    """Return the weight of Hertz's load, 1 - exp(-3.3 E_t/E) (eq 30, any shape)."""
     return -np.expm1(-3.3 * hardening)
 
 
 def stiffening(hardening, modulus_over_yield):
-    """Return front and rate of eq 26, Upsilon = -front exp(rate (omega - omega_c)/R).
+    """Return `front` and `rate` of Upsilon = -front exp(rate (omega - omega_c)/R) (eq 26, any shape).
 
-    Arrays. Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), e = E_t/E and s = (E/S_y)^(1/2), as the
-    code computes it. The printed equation, which the code quotes and calls wrong, has the other sign, and omega in place of
-    omega - omega_c; with that sign the area would grow without bound for e -> 1 and not approach Hertz's. Upsilon = 0 for e =
-    0, at any omega.
+    With e = E_t/E and s = (E/S_y)^(1/2), Upsilon = -2 s e^(1 - (omega - omega_c)/R) / ((4 - 3 exp(-2 s e)) (1 - e)), as the
+    authors' code computes it. The printed equation, which the code calls wrong, has the opposite sign and omega in place of
+    omega - omega_c. With that sign the area would grow without bound for e -> 1 instead of tending to Hertz's. Upsilon is 0
+    for e = 0.
     """
     s = np.sqrt(modulus_over_yield)
     front = 2.0 * s * hardening / ((4.0 - 3.0 * np.exp(-2.0 * s * hardening)) * (1.0 - hardening))
@@ -85,9 +85,10 @@ def stiffening(hardening, modulus_over_yield):
 
 @formula
 def radius(w, w_c, B, sharpness, front, rate):
-    """Return a over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
+    """Return the contact radius over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
 
-    a_e after Hertz (eq 1), a_p of Jackson and Green (eqs 23, 24). Upsilon is kept finite beyond omega = R.
+    a_e is Hertz's radius (eq 1), a_p that of Jackson and Green (eqs 23, 24). Upsilon is limited to stay finite beyond omega =
+    R.
     """
     elastic = math.sqrt(w)
     upsilon = -front * math.exp(min(rate * (w - w_c) * sharpness * sharpness, 300.0))
@@ -96,7 +97,7 @@ def radius(w, w_c, B, sharpness, front, rate):
 
 @formula
 def hardness(radius):
-    """Return H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (eq 28).
+    """Return the limiting hardness H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) for radius = a/R (eq 28).
 
     It falls from 2.84 to 1 at a = R and stays 1 beyond, where the formula has no meaning.
     """
@@ -108,11 +109,11 @@ _radius, _hardness = radius, hardness
 
 @formula
 def yielding(u, *row):
-    """Return the response beyond 1.9 omega_c.
+    """Return displacement, its slope, load and area beyond 1.9 omega_c.
 
-    row: w_c, C, B, sharpness; front, rate, as of `stiffening`; share, as of `elastic_share`; wide: the displacement beyond
-    which the hardness stays at S_y. The load is F_p + (F_e - F_p) share (eq 30), F_p by Jackson and Green (eqs 27, 29), F_e by
-    Hertz (eq 31, which is printed with a factor pi that Hertz's force does not have).
+    The load is F_p + (F_e - F_p) share (eq 30): F_p is that of Jackson and Green (eqs 27, 29), F_e is Hertz's (eq 31, without
+    its printed factor pi, which Hertz's force does not have). row: w_c, C, B, sharpness, front and rate (see `stiffening`),
+    share (see `elastic_share`), and the displacement `wide` beyond which the hardness stays at S_y.
     """
     w_c, C, B, sharpness, front, rate, share, wide = row
     w = u * u
@@ -124,7 +125,7 @@ def yielding(u, *row):
 
 @formula
 def _is_narrow(w, given):
-    """Return whether the contact radius is below R."""
+    """Return whether the contact radius at the displacement w is below R."""
     w_c, B, sharpness, front, rate = given
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
 
@@ -134,9 +135,9 @@ _halve = halving(_is_narrow)
 
 @lazy_kernel(worth=300)
 def _wide_as_high(w_c, B, sharpness, front, rate, out):
-    """Return the first displacement beyond 1.9 omega_c at which a = R.
+    """Fill `out` with the first displacement, at least 1.9 omega_c, at which the contact radius reaches R.
 
-    It is 1.9 omega_c if a >= R already. With little hardening a may fall below R again, before omega = R: hence the steps.
+    With little hardening the radius may fall below R again before omega = R. The search therefore takes small steps.
     """
     for i in range(out.size):
         given = w_c[i], B[i], sharpness[i], front[i], rate[i]
@@ -149,9 +150,9 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
 
 
 def _edges(w_c, sharpness, front, rate, wide):
-    """Return the displacements at which the second piece begins, is split, and ends.
+    """Return the displacements at which the yielding piece begins, is split, and ends.
 
-    It is split where a = R, and where Upsilon = -1, which may be a narrow feature.
+    It is split where the contact radius reaches R and where Upsilon = -1, near which the area may change quickly.
     """
     start = _elastic_to * w_c
     hardens = (front > 0.0) & (rate > 0.0)

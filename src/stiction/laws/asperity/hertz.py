@@ -44,25 +44,19 @@ from stiction.records.sources import Source
 
 @formula
 def load(w):
-    """Return P = w^(3/2), over K R^(1/2) sigma^(3/2), K = (4/3) E*."""
+    """Return Hertz's load w^(3/2) over K R^(1/2) sigma^(3/2), K = (4/3) E*, at the displacement w over sigma."""
     return w * math.sqrt(w)
 
 
 @formula
 def normal(u):
-    """Return displacement w = u^2, its slope, load w^(3/2) and area w.
-
-    The area is over pi R sigma.
-    """
+    """Return displacement w = u^2, dw/du, load w^(3/2) and area w (over pi R sigma) of a Hertz contact."""
     w = u * u
     return w, 2.0 * u, w * u, w
 
 
 def elastic(last: np.ndarray) -> NormalPiece:
-    """Return Hertz's piece from first touch to the displacements `last` (n,).
-
-    Another law continues there.
-    """
+    """Return Hertz's piece from first touch to the displacements `last` (n,), beyond which another law continues."""
     return NormalPiece(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
 
@@ -71,16 +65,16 @@ def pieces(groups: Groups) -> list[NormalPiece]:
 
 
 def first_yield(nu: float) -> tuple[float, float]:
-    """Where a loaded contact first yields (von Mises), without friction: on its axis, below the surface.
+    """Return the pressure and the place at which a frictionless Hertz contact first yields (von Mises).
 
-    nu: Poisson's ratio, 0 <= nu < 0.5. Returns the largest pressure over the yield stress, p0/Y, at first yield, and the
-    depth of that place over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985), eq. 3.45,
-    over p0 at the depth z a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
+    nu: Poisson's ratio, 0 <= nu < 0.5. Returns the largest pressure over the yield stress, p0/Y, and the depth below the
+    centre of the contact over the contact radius. Source: stresses on the axis as in Johnson, Contact Mechanics (1985), eq.
+    3.45, over p0 at the depth z a: sigma_r = -(1 + nu)(1 - z arctan(1/z)) + 1/(2 (1 + z^2)), sigma_z = -1/(1 + z^2).
     """
     from scipy.optimize import brentq
 
     def slope(z):
-        """Return d(sigma_r - sigma_z)/dz.
+        """Return d(sigma_r - sigma_z)/dz on the axis.
 
         It falls from (1 + nu) pi/2 at the surface to below zero at z = 1.
         """

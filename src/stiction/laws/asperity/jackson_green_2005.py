@@ -58,46 +58,46 @@ _SPLITS = (1e3, 1e5)
 
 
 def yield_coefficient(nu):
-    """Return C = 1.295 exp(0.736 nu), largest pressure over yield stress at first yield.
-
-    Arrays.
-    """
+    """Return C = 1.295 exp(0.736 nu), the largest pressure over the yield stress at first yield (any shape)."""
     return 1.295 * np.exp(0.736 * nu)
 
 
 def critical_interference(eta, C, k):
-    """Return omega_c / sigma = ((2/3) C eta/k)^2. Arrays.
+    """Return the interference at first yield over sigma, ((2/3) C eta/k)^2 (any shape).
 
-    From omega_c = (pi C S_y/(2 E*))^2 R with S_y = H/k.
+    It follows from omega_c = (pi C S_y/(2 E*))^2 R with S_y = H/k.
     """
     return (2.0 / 3.0 * C * eta / k) ** 2
 
 
 def area_power(yield_strain):
-    """Return B = 0.14 exp(23 S_y/E*), of at most the strain to which it makes sense. Arrays."""
+    """Return the exponent of the area, B = 0.14 exp(23 S_y/E*) (any shape).
+
+    yield_strain: S_y/E*, limited to 0.1, because the exponential is fitted to metals.
+    """
     return 0.14 * np.exp(23.0 * np.minimum(yield_strain, _MOST_STRAIN))
 
 
 @formula
 def area_ratio(ratio, B):
-    """Return A/(pi R omega) = (omega/(1.9 omega_c))^B.
+    """Return the contact area over pi R omega, (omega/(1.9 omega_c))^B; ratio: omega/omega_c.
 
-    Rounding may put the first point slightly before 1.9 omega_c.
+    The result is 1 below 1.9 omega_c, where rounding may put the first point.
     """
     return math.exp(min(B * max(math.log(ratio / ELASTIC_TO), 0.0), 600.0))
 
 
 @formula
 def hardness(radius):
-    """Return H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7)))."""
+    """Return the limiting hardness H_G/S_y = 2.84 (1 - exp(-0.82 (a/R)^(-0.7))) for radius = a/R."""
     return -2.84 * math.expm1(-0.82 * radius**-0.7)
 
 
 @formula
 def load_ratio(ratio, C, H):
-    """Return P/P_c, with H = H_G/S_y.
+    """Return the load over the critical load, P/P_c; ratio: omega/omega_c, H: H_G/S_y.
 
-    exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio.
+    P/P_c = exp(-ratio^(5/12)/4) ratio^(3/2) + (4 H/C) (1 - exp(-ratio^(5/9)/25)) ratio.
     """
     elastic = math.exp(-0.25 * ratio ** (5.0 / 12.0)) * math.sqrt(ratio)
     return ratio * (elastic - 4.0 * H / C * math.expm1(-(ratio ** (5.0 / 9.0)) / 25.0))
@@ -105,9 +105,10 @@ def load_ratio(ratio, C, H):
 
 @formula
 def yielding(u, w_c, C, B, sharpness):
-    """Return the response beyond 1.9 omega_c.
+    """Return displacement w = u^2, dw/du, load and area beyond 1.9 omega_c.
 
-    P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3 is Hertz's load at omega_c, and a/R = sqrt(x sigma/R).
+    The critical load P_c = (4/3) (R/E*)^2 (C pi S_y/2)^3 is Hertz's load at omega_c. The contact radius over R is
+    sqrt(area sigma/R).
     """
     w = u * u
     ratio = w / w_c

@@ -41,7 +41,7 @@ from stiction.records.sources import Source
 
 @formula
 def adhesion(theta):
-    """Return S = sqrt(6 pi / theta).
+    """Return S = sqrt(6 pi / theta), the strength of adhesion in JKR's formulas.
 
     It is the 4.34 / theta^(1/2) of eqs (1) and (2) of the 2015 paper.
     """
@@ -50,24 +50,24 @@ def adhesion(theta):
 
 @formula
 def displacement(u, S):
-    """Return the real displacement w = x - (2/3) S x^(1/4), over sigma.
+    """Return the displacement of a JKR contact over sigma, w = x - (2/3) S x^(1/4) with x = u^4.
 
-    Eq 4 of the 2015 paper.
+    Source: eq (4) of the 2015 paper.
     """
     return u * (u * u * u - 2.0 / 3.0 * S)
 
 
 @formula
 def stretch(u, S):
-    """Return dw/du."""
+    """Return the derivative dw/du of the displacement of a JKR contact."""
     return 4.0 * u * u * u - 2.0 / 3.0 * S
 
 
 @formula
 def load(u, S):
-    """Return P = x^(3/2) - S x^(3/4), over K R^(1/2) sigma^(3/2).
+    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = x^(3/2) - S x^(3/4) with x = u^4.
 
-    Integrand of eq 1 of the 2015 paper.
+    Source: integrand of eq (1) of the 2015 paper.
     """
     u3 = u * u * u
     return u3 * (u3 - S)
@@ -75,15 +75,16 @@ def load(u, S):
 
 @formula
 def area(u):
-    """Return x = a^2 / (R sigma), the contact area over pi R sigma."""
+    """Return the contact area over pi R sigma, x = u^4 = a^2 / (R sigma)."""
     return u * u * u * u
 
 
 @formula
 def coordinate(w, S):
-    """Return u >= 0 with displacement w, on the stable side dw/du >= 0.
+    """Return the coordinate u >= 0 at the displacement w on the stable branch, dw/du >= 0.
 
-    By Newton's method from above on a convex polynomial.
+    Below the smallest displacement of this branch, u of its end is returned. The equation is solved by Newton's method from
+    above; the polynomial is convex.
     """
     if w == math.inf:
         return math.inf
@@ -102,7 +103,7 @@ def coordinate(w, S):
 
 @formula
 def normal(u, theta):
-    """Return displacement, its slope, load and area together."""
+    """Return displacement, its derivative by u, load and area of a JKR contact at u."""
     S = adhesion(theta)
     return displacement(u, S), stretch(u, S), load(u, S), area(u)
 
@@ -113,19 +114,19 @@ def normal_coordinate(w, theta):
 
 
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
-    """Return u (n,) of the smallest stable contact.
+    """Return the coordinate u (n,) of the smallest stable contact.
 
-    In loading where w = 0 (4 u^3 = 4 s); in unloading where dw/du = 0 (4 u^3 = s).
+    With s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in unloading dw/du is zero (4 u^3 =
+    s).
     """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)
 
 
 def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
-    """Return JKR's piece from first contact to the coordinates `last` (n,).
+    """Return JKR's piece from the smallest stable contact to the coordinates `last` (n,).
 
-    Another law continues there.
-    """
+    Another law continues beyond `last`."""
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
     edges = edges_at(first, np.maximum(last, first))

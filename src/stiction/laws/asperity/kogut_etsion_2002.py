@@ -44,16 +44,16 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 
 @formula
 def power_law(u, load_factor, load_power, area_factor, area_power):
-    """Return P = factor w^power, A = factor w^power."""
+    """Return displacement w = u^2, dw/du, load and area of one fitted range, both a factor times a power of w."""
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power
 
 
 @formula
 def flow(u, eta):
-    """Return the fully plastic response, of mean pressure H.
+    """Return displacement w = u^2, dw/du, load and area of a fully plastic asperity.
 
-    P/P_c = (3/K_H) omega/omega_c and A = 2 pi R omega.
+    The area is 2 pi R omega and the mean pressure is the hardness H.
     """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w

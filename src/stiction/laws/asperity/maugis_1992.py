@@ -70,9 +70,10 @@ _TERMS = 14
 
 @formula
 def ring(s):
-    """Return F, -F'/s, G, -G'/s and arctan(1/s).
+    """Return F, -F'/s, G, -G'/s and arctan(1/s) at the coordinate s.
 
-    They only depend on the shape of the attracting ring.
+    F and G are functions of the module's equations that depend only on the shape of the attracting ring. Large s uses a
+    series.
     """
     turn = math.atan2(1.0, s)
     root = math.sqrt(1.0 + s * s)
@@ -93,9 +94,9 @@ def ring(s):
 
 @formula
 def _contact(s, lam):
-    """Return B = A/s, (dB/ds)/s and arctan(1/s).
+    """Return B = A/s, (dB/ds)/s and arctan(1/s), where A is the contact radius in Maugis's units.
 
-    From the condition at the edge of the attracting ring.
+    B solves the condition that the attraction ends at the outer edge of the ring.
     """
     F, F_falls, G, G_falls, turn = ring(s)
     square, linear = 0.5 * lam * F, 4.0 / 3.0 * lam * lam * G
@@ -106,9 +107,9 @@ def _contact(s, lam):
 
 @formula
 def stretch(s, lam):
-    """Return (dD/ds)/s.
+    """Return (dD/ds)/s, where D is the displacement in Maugis's units.
 
-    It is finite and not zero at s = 0, except for the lambda_M at which approach begins to be unstable.
+    Its value at s = 0 is finite, and negative if the approach to contact is unstable.
     """
     B, B_grows, _ = _contact(s, lam)
     return 2.0 * B * (B + s * s * B_grows) - 4.0 / 3.0 * lam * B_grows
@@ -116,9 +117,9 @@ def stretch(s, lam):
 
 @formula
 def normal(s, g, lam):
-    """Return displacement, its derivative, load and area at the coordinate s.
+    """Return displacement, its derivative by s, load and area of Maugis's contact at the coordinate s.
 
-    g = (pi/theta)^(1/3), lam = lambda_M.
+    g: (pi/theta)^(1/3), lam: lambda_M.
     """
     if s == math.inf:
         return math.inf, math.inf, math.inf, math.inf
@@ -132,9 +133,9 @@ def normal(s, g, lam):
 
 @formula
 def coordinate(w, g, lam):
-    """Return s at the displacement w, on the stable side.
+    """Return the coordinate s at the displacement w on the stable branch.
 
-    By Newton's method from above on a convex function, to its last digits.
+    The equation is solved to machine precision by Newton's method from above; the function is convex.
     """
     if w == math.inf:
         return math.inf
@@ -179,9 +180,9 @@ def _fill_displacement(s, g, lam, out):
 
 
 def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
-    """Return loading from w = 0, or unloading from dw/ds = 0.
+    """Return the contact in loading (from w = 0) or in unloading (from dw/ds = 0).
 
-    At the edge between them the functions of the ring change their scale.
+    An edge is placed at s = 4, because the functions of the ring vary on another scale beyond it.
     """
     lam = np.minimum(LAMBDA_OVER_TABOR * groups.tabor_parameter, _SOFTEST)
     g = np.cbrt(math.pi / groups.theta)

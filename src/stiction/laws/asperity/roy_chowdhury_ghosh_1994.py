@@ -34,7 +34,8 @@ _STEPS = 7  # Newton's, from at most half above the root to the last digit
 def unit_root(a):
     """Return the largest real root of v^3 + a v - 1 = 0, by Newton's method from above.
 
-    The number of steps is fixed and enough for every a, because a loop whose elements all take the same steps is vectorised.
+    The number of steps is fixed and sufficient for every a: the compiler vectorises a loop whose elements all take the same
+    steps.
     """
     # With s^2 = -a > 0 the root is s + d, 2 s^2 d + 3 s d^2 + d^3 = 1. It is below each of these, and near one of them.
     s = math.sqrt(max(-a, 0.0))
@@ -46,7 +47,7 @@ def unit_root(a):
 
 @formula
 def largest_root(a, c):
-    """Return the largest real root of v^3 + a v - c = 0, c > 0."""
+    """Return the largest real root of v^3 + a v - c = 0 with c > 0."""
     scale = c ** (1.0 / 3.0)
     return scale * unit_root(a / (scale * scale))
 
@@ -58,14 +59,14 @@ def _fill_unit_roots(a, out):
 
 
 def unit_roots(a: np.ndarray) -> np.ndarray:
-    """Return `unit_root` of an array (n,)."""
+    """Return `unit_root` of each element of an array (n,)."""
     out = np.empty_like(a)
     _fill_unit_roots(a, out)
     return out
 
 
 def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return u (n,) and w (n,) where the mean pressure reaches the hardness.
+    """Return coordinate u (n,) and displacement w (n,) at which the mean pressure reaches the hardness.
 
     There u^3 - eta u - S = 0 (eqs 2 and 4 of the 2015 paper).
     """
@@ -77,15 +78,16 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 @formula
 def plastic(w, theta, eta):
-    """Return P = 2 eta w - 2 pi/theta (second integrand of eq 1).
+    """Return displacement, its slope 1, load and area of a plastic asperity.
 
-    It is the hardness over twice the truncated area, less 2 pi gamma R.
+    The load is 2 eta w - 2 pi/theta: the hardness times twice the truncated area, minus the adhesion 2 pi gamma R (second
+    integrand of eq 1 of the 2015 paper).
     """
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
-    """Return the plastic asperity from the displacements `first` (n,) on."""
+    """Return the piece of the plastic asperity, from the displacements `first` (n,) on."""
     edges = edges_at(first, np.inf)
     return NormalPiece(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

@@ -58,34 +58,31 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 
 @formula
 def onset(eta_y, S):
-    """Return u_y, where the pressure in the centre reaches its limit.
+    """Return the coordinate u_y at which the pressure in the centre reaches its limit.
 
-    There 3 u^3 - 2 eta_y u - S = 0.
+    It is the largest root of 3 u^3 - 2 eta_y u - S = 0.
     """
     return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
 
 
 @formula
 def yielded_load(u, S, eta_y, u_y):
-    """Return P from u_y on.
-
-    A ring has JKR's pressure, the centre the limiting one.
-    """
+    """Return the load at u >= u_y: the centre carries the limiting pressure, a ring around it JKR's pressure."""
     square = u_y * u_y
     return square * square * square - S * square * u + eta_y * (u * u * u * u - square * square)
 
 
 @formula
 def loading(u, S, eta_y, u_y):
-    """Return P at the contact radius u under growing load, yielded or not."""
+    """Return the load at the coordinate u in loading, before or after yield."""
     return yielded_load(u, S, eta_y, u_y) if u > u_y else _load(u, S)
 
 
 @formula
 def normal(u, theta, eta_y, u_y):
-    """Return displacement, its slope, load and area of the yielded asperity.
+    """Return displacement, its derivative by u, load and area of the yielded asperity.
 
-    Displacement and contact radius are related as in JKR.
+    Displacement and contact radius are related as in JKR's contact.
     """
     S = _adhesion(theta)
     return _displacement(u, S), _stretch(u, S), yielded_load(u, S, eta_y, u_y), u * u * u * u
@@ -98,9 +95,9 @@ def coordinate(w, theta, eta_y, u_y):
 
 @formula
 def unloading_radius(u_max, P_max, S):
-    """Return R_p/R = P1/(P + 2 sqrt(Pc P1)) at the turning point, at least 1.
+    """Return the effective radius in unloading over R: R_p/R = P1/(P + 2 sqrt(Pc P1)), 1 or more.
 
-    P1 = u^6, Pc = S^2/4: with it JKR's load there is P.
+    P1 = u^6 and Pc = S^2/4. With this radius JKR's load at the turning point equals the load P in loading.
     """
     u3 = u_max * u_max * u_max
     return u3 * u3 / (P_max + S * u3)
@@ -108,18 +105,18 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """Return the displacement at which unloading starts.
+    """Return the shift of the displacement in unloading.
 
-    With it JKR's displacement at the turning point equals the displacement in loading.
+    With it, displacement at the turning point is the same in unloading and in loading.
     """
     return u_max * u_max * u_max * u_max * (1.0 - 1.0 / radius)
 
 
 @formula
 def unloading(u, u_max, P_max, S):
-    """Return displacement, its slope, load and area at the contact radius u in unloading.
+    """Return displacement, its derivative by u, load and area at the coordinate u in unloading.
 
-    After loading up to u_max and P_max = loading(u_max).
+    The asperity was loaded up to u_max, where its load was P_max.
     """
     radius = unloading_radius(u_max, P_max, S)
     u3 = u * u * u
@@ -129,9 +126,9 @@ def unloading(u, u_max, P_max, S):
 
 @formula
 def unloading_coordinate(w, u_max, P_max, S):
-    """Return u at the displacement w in unloading.
+    """Return the coordinate u at the displacement w in unloading.
 
-    For smaller w, u where the contact is lost, dw/du = 0.
+    If w is below the displacement at which contact is lost, u at the loss of contact (dw/du = 0) is returned.
     """
     radius = unloading_radius(u_max, P_max, S)
     scale = math.sqrt(math.sqrt(radius))  # JKR's polynomial in u/scale
@@ -140,7 +137,7 @@ def unloading_coordinate(w, u_max, P_max, S):
 
 @formula
 def pull_off(u_max, P_max, S):
-    """Return the largest tension in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
+    """Return the pull-off force in unloading, (3/2) pi gamma R_p, over K R^(1/2) sigma^(3/2)."""
     return 0.25 * S * S * unloading_radius(u_max, P_max, S)
 
 
@@ -148,7 +145,7 @@ def pull_off(u_max, P_max, S):
 def lost_displacement(u_max, P_max, S):
     """Return the displacement at which contact is lost in unloading.
 
-    There dw/du = 0: u^3 = (S/6) R_p/R.
+    There dw/du = 0, which gives u^3 = (S/6) R_p/R.
     """
     radius = unloading_radius(u_max, P_max, S)
     u = (S * radius / 6.0) ** (1.0 / 3.0)
@@ -157,19 +154,19 @@ def lost_displacement(u_max, P_max, S):
 
 @formula
 def recovery(U, S, eta_y, u_y):
-    """Return the increase in separation at which an asperity loses contact.
+    """Return the increase in separation, over sigma, at which an asperity loses contact.
 
-    It was loaded to U >= u_y; the increase grows with U.
+    The asperity was loaded to the coordinate U >= u_y; the increase grows with U.
     """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 
 
 @formula
 def released_normal(v, theta, eta_y, u_y, distance, origin):
-    """Return displacement, its slope, load and area of a yielded asperity in unloading.
+    """Return displacement, its derivative by v, load and area of a yielded asperity after an increase in separation.
 
-    It was loaded to U = origin + v^2, then the separation increased. Where the contact is just lost, at U = origin, its radius
-    begins like the square root of U - origin.
+    The asperity was loaded to U = origin + v^2. At U = origin contact is just lost, and the radius grows like the square root
+    of U - origin.
     """
     S = _adhesion(theta)
     U = origin + v * v
@@ -195,10 +192,10 @@ _halve = halving(_is_lost)
 
 @lazy_kernel(worth=300)
 def _fill_origin(theta, eta_y, u_y, first, distance, out):
-    """Fill U from which on asperities are still in contact.
+    """Fill `out` with the coordinate U above which yielded asperities are still in contact.
 
-    Where all yielded asperities are, it is continued below the first of them, so that the square root of the distance to it
-    stays smooth, but no further than to 0.9 of it: the law has no meaning there.
+    If all yielded asperities are in contact, U is extrapolated below the first of them, to 0.9 of its coordinate at most. The
+    square root of the distance to U then stays smooth.
     """
     for i in range(out.size):
         given = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
@@ -212,7 +209,7 @@ def _fill_origin(theta, eta_y, u_y, first, distance, out):
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
-    """Return JKR's displacement, as `jkr.displacement`. Arrays."""
+    """Return JKR's displacement (n,) at the coordinates u (n,), as `jkr.displacement` does for one."""
     return u * (u * u * u - 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta))
 
 
@@ -223,10 +220,7 @@ def _fill_onset(theta, eta_y, out):
 
 
 def _first_yield(groups: Groups) -> np.ndarray:
-    """Return p_y/H.
-
-    p_y is the largest pressure of a Hertz contact that first yields somewhere (von Mises).
-    """
+    """Return the limiting pressure over hardness (n,): the largest pressure of a Hertz contact at first yield (von Mises)."""
     each, which = np.unique(groups.nu, return_inverse=True)
     return np.array([hertz.first_yield(nu)[0] for nu in each])[which] / groups.hardness_to_yield
 
@@ -249,10 +243,9 @@ def pieces(groups: Groups, limiting_pressure: str) -> list[NormalPiece]:
 
 
 def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalPiece]:
-    """Return the asperities after loading and an increase (n,) of the separation.
+    """Return the asperity pieces after loading and an increase of the separation by `distance` (n,), over sigma.
 
-    The increase is over sigma. Asperities that did not yield follow JKR in unloading: those that touched, w + increase >= 0,
-    are still in contact.
+    Asperities that did not yield follow JKR's unloading branch, if they touched before the increase (w + distance >= 0).
     """
     elastic, yielded = pieces(groups, limiting_pressure)
     first, last = elastic.edges.T

@@ -32,19 +32,19 @@ _LOG_SPAN = math.log(SPAN)
 
 
 def first_yield(eta):
-    """Return omega_1 / sigma = (0.4 eta)^2. Arrays.
+    """Return the displacement at first yield over sigma, (0.4 eta)^2 (any shape).
 
-    From omega_1 = (3 pi k H/(4 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
+    It follows from omega_1 = (3 pi k H/(4 E*))^2 R with k = 0.4 and eta = pi H sqrt(R/sigma)/K.
     """
     return (FIRST_YIELD * eta) ** 2
 
 
 @formula
 def passing(u, w_1, eta):
-    """Return area and load between first yield and full plasticity.
+    """Return displacement w = u^2, dw/du, load and area between first yield and full plasticity.
 
-    A = pi R omega (1 + 3 xi^2 - 2 xi^3), xi = (omega - omega_1)/(omega_2 - omega_1), and mean pressure
-    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)).
+    With xi = (omega - omega_1)/(omega_2 - omega_1) the area is pi R omega (1 + 3 xi^2 - 2 xi^3). The mean pressure is
+    H (1 - (1 - k) ln(omega_2/omega)/ln(omega_2/omega_1)) with k = 0.4.
     """
     w = u * u
     ratio = w / w_1
@@ -56,7 +56,10 @@ def passing(u, w_1, eta):
 
 @formula
 def flow(u, w_1, eta):
-    """Return the fully plastic area A = 2 pi R omega and load P = H A."""
+    """Return displacement w = u^2, dw/du, load and area of a fully plastic asperity.
+
+    The area is 2 pi R omega, and the mean pressure is H.
+    """
     w = u * u
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 

@@ -16,9 +16,9 @@ from stiction.records.sources import Source
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E'/E'_s from E'_s/E' = f E'_s/E'_f + 1 - f.
+    """Return the modulus of film and substrate over the substrate's, from E'_s/E' = f E'_s/E'_f + 1 - f.
 
-    f = 2 t/(pi a + 2 t). Poisson's ratios do not enter.
+    f = 2 t/(pi a + 2 t). Poisson's ratios have no effect.
     """
     substrate = 1.0 / (1.0 + thickness_over_radius / (0.5 * math.pi))
     return 1.0 / ((1.0 - substrate) / film_over_substrate + substrate)

@@ -28,9 +28,9 @@ _LEAST, _MOST = 1e-100, 1e100  # of t/a: squares of it are still numbers
 
 @formula
 def modulus_share(v, nu):
-    """Return I0 at t/a = 1/v, v >= 0, the film's share in the modulus.
+    """Return the film's weight I0 in the modulus at v = a/t >= 0, and its derivative by ln v.
 
-    Also returns its derivative by ln v. Source: Gao, Chiu & Lee 1992 (S5.12).
+    nu: Poisson's ratio of film and substrate together. Source: Gao, Chiu & Lee 1992 (S5.12).
     """
     r = 1.0 / (1.0 + v * v)
     quotient = log_quotient(v * v)
@@ -42,9 +42,9 @@ def modulus_share(v, nu):
 
 @formula
 def ratio_share(thickness_over_radius):
-    """Return I1 at t/a, the film's share in Poisson's ratio.
+    """Return the film's weight I1 in Poisson's ratio at t/a.
 
-    (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2).
+    I1 = (2/pi) arctan(t/a) + (t/a)/pi ln(1 + (a/t)^2).
     """
     xi = min(max(thickness_over_radius, _LEAST), _MOST)
     return 2.0 / math.pi * arctan(xi) + log_quotient(1.0 / xi / xi) / (math.pi * xi)
@@ -63,7 +63,7 @@ def poissons_ratio(thickness_over_radius, nu_film, nu_substrate):
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E'/E'_s = 1 + (E'_f/E'_s - 1) I0."""
+    """Return the modulus of film and substrate over the substrate's, 1 + (E'_f/E'_s - 1) I0."""
     nu = poissons_ratio(thickness_over_radius, nu_film, nu_substrate)
     share, _ = modulus_share(1.0 / min(max(thickness_over_radius, _LEAST), _MOST), nu)
     return 1.0 + (film_over_substrate - 1.0) * share

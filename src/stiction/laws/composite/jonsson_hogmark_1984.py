@@ -20,24 +20,25 @@ _DIAGONAL = 7.0  # of a Vickers pyramid, over the depth of its impression
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return H/H_s = 1 + (H_f/H_s - 1) A_f/A. No exponent.
+    """Return the hardness of film and substrate over the substrate's, 1 + (H_f/H_s - 1) A_f/A.
 
-    A_f/A = 2 C t/d - C^2 (t/d)^2 up to C t/d = 1, then 1; d = 7 omega.
+    A_f/A = 2 C t/d - C^2 (t/d)^2 while C t/d < 1, else 1; d = 7 omega. `exponent` is not used.
     """
     rim = constant / max(_DIAGONAL * depth_over_thickness, constant)
     return 1.0 + (hardness_ratio - 1.0) * rim * (2.0 - rim)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return C (n,).
+    """Return the constant C (n,): 1/2 for n_H > 6.3, else 1.
 
-    1/2 where a hard film cracks over a very soft substrate (6.3 < H_f/H_s), else 1 (1.8 < H_f/H_s < 2.3).
+    C = 1/2 describes a hard film that cracks over a very soft substrate. The experiments cover n_H from 1.8 to 2.3 and from
+    6.3 to 12.9.
     """
     return np.where(n_H > 6.3, 0.5, 1.0)
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return omega/t (n, 9) from where the substrate first matters."""
+    """Return depths over thickness (n, 9) at which to split the integration, from the first effect of the substrate on."""
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

@@ -20,20 +20,20 @@ WEIGHT = 0.09  # k1
 
 @formula
 def value(hardness_ratio, depth_over_thickness, constant, exponent):
-    """Return H/H_s = 1 + (H_f/H_s - 1) 2 k1 t/omega. No exponent.
+    """Return the hardness of film and substrate over the substrate's, 1 + (H_f/H_s - 1) 2 k1 t/omega.
 
-    Nearer to the surface it is the film's hardness.
+    Near the surface it is limited to the film's hardness. `exponent` is not used.
     """
     return 1.0 + (hardness_ratio - 1.0) * constant / max(depth_over_thickness, constant)
 
 
 def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
-    """Return 2 k1 (n,)."""
+    """Return the constant 2 k1 = 0.18 (n,)."""
     return np.full_like(n_H, 2.0 * WEIGHT)
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return omega/t (n, 9) from where the substrate first matters."""
+    """Return depths over thickness (n, 9) at which to split the integration, from the first effect of the substrate on."""
     return constant[:, None] * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

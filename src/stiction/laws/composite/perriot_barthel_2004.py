@@ -22,9 +22,9 @@ EXPONENT = 1.27
 
 @formula
 def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
-    """Return E' over E'_s, with E' = E'_f + (E'_s - E'_f)/(1 + (k0 t/a)^n).
+    """Return the modulus of film and substrate over the substrate's, E' = E'_f + (E'_s - E'_f)/(1 + (k0 t/a)^n).
 
-    log k0 = -0.093 + 0.792 log(E'_s/E'_f) + 0.05 (log(E'_s/E'_f))^2. Poisson's ratios do not enter.
+    log k0 = -0.093 + 0.792 log(E'_s/E'_f) + 0.05 (log(E'_s/E'_f))^2, n = 1.27. Poisson's ratios have no effect.
     """
     mismatch = -math.log10(film_over_substrate)
     k0 = 10.0 ** (-0.093 + mismatch * (0.792 + 0.05 * mismatch))

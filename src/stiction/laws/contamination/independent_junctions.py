@@ -32,13 +32,13 @@ _LARGEST = 1e150
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """Return the variance of the force of one asperity, in the slot of a force."""
+    """Return the variance of the friction force of one asperity, in place of its slip-limited force, and 0."""
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
     return deviation * deviation, 0.0
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the resistance of every piece: each junction has its own strength."""
+    """Return the variance of the friction force on a piece, as a `TangentialResistance` that the engine can sum."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 
 

@@ -1,4 +1,4 @@
-"""Contamination: a kind of law that is added to a model."""
+"""Define contamination laws: scatter of friction because the strength of junctions varies."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,9 +12,9 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Contamination(Addition, TangentialLaw):
-    """Scatter of friction from scatter of the junctions' strength.
+    """Describe the scatter of friction that follows from the scatter of junction strength.
 
-    A tangential law whose resistance is the variance of the force of one asperity, in the square of the unit of the load.
+    It is a tangential law whose resistance is the variance of the force of one asperity, in the squared unit of the load.
     """
 
     kind = keyword = "contamination"
@@ -36,7 +36,10 @@ class Contamination(Addition, TangentialLaw):
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
     ) -> dict[str, np.ndarray]:
-        """Return the standard deviation of mu: variances of the asperities' forces add up, and so do their loads."""
+        """Return the standard deviation of mu; the variances of all asperities add up.
+
+        summed(law): sum of the resistance of a law over all heights. asperities: number of asperities.
+        """
         assert asperities is not None  # the law needs what decides it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}
 

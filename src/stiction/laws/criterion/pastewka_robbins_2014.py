@@ -30,39 +30,38 @@ _CURVATURE = math.sqrt(3.0 * math.pi / 32.0)  # h'' sigma over sigma/R
 
 
 def stickiness_ratio(rms_slope, rms_curvature, interaction_range, adhesion_length):
-    """Return the left-hand side: the surface sticks where it is below 1.
+    """Return the ratio of repulsion to attraction of a rough surface; the surface sticks if it is below 1.
 
-    Source: Pastewka & Robbins 2014, eq. (10). rms_slope: h' [1]; rms_curvature: h'' of half the Laplacian [1/m];
-    interaction_range: rho [m]; adhesion_length: w/E* [m].
+    Source: Pastewka & Robbins 2014, eq. (10). rms_slope: h' [1]. rms_curvature: h'', of half the Laplacian [1/m].
+    interaction_range: rho [m]. adhesion_length: work of adhesion over E* [m].
     """
     spot = rms_slope * rms_slope / (rms_curvature * interaction_range)
     return rms_slope * interaction_range / (KAPPA * adhesion_length) * spot ** (2.0 / 3.0)
 
 
 def interaction_range(groups: Groups) -> np.ndarray:
-    """Return rho over sigma (n,), the equilibrium distance.
+    """Return the range of the attraction over sigma (n,), taken as the equilibrium distance.
 
-    (16/9)^(1/3) theta^(-2/3) / mu_T by the definition of mu_T.
+    It is (16/9)^(1/3) theta^(-2/3) / mu_T, by the definition of the Tabor parameter mu_T.
     """
     return np.cbrt(16.0 / 9.0) * groups.theta ** (-2.0 / 3.0) / groups.tabor_parameter
 
 
 def range_over_gap(groups: Groups) -> np.ndarray:
-    """Return rho over (16/3) h'^2/h'', the scale of the gap next to a contact spot (n,).
+    """Return the range of the attraction over (16/3) h'^2/h'', the gap next to a contact spot (n,).
 
-    The theory holds for short ranges.
-
-    Source: Monti, Sanner & Pastewka 2021, as the authors' group restates it. In units of sigma; sqrt(sigma/R) drops out.
+    The theory requires a short range, so this ratio must be small. sqrt(sigma/R) cancels. Source: Monti, Sanner & Pastewka
+    2021, as the authors' group restates it.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)
     return interaction_range(groups) / (16.0 / 3.0 * slope * slope / _CURVATURE)
 
 
 def stickiness(groups: Groups) -> np.ndarray:
-    """Return the stickiness ratio of n contacts (n,).
+    """Return the stickiness ratio (n,) of isotropic Gaussian surfaces with the given summits.
 
-    The surfaces are isotropic and Gaussian, with these summits; rho is the equilibrium distance. In units of sigma, with s =
-    sqrt(sigma/R): w/E* = (4/3) s / theta by the definition of theta, h'' = sqrt(3 pi/32) s^2; s cancels.
+    The range is the equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and
+    h'' = sqrt(3 pi/32) s^2; s cancels.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))

@@ -38,7 +38,10 @@ from stiction.records.sources import Source
 
 @formula
 def film_alone(w, hardness, pull):
-    """Return P = H_f A less the adhesion, A = 2 pi R omega; hardness: eta n_H."""
+    """Return displacement, its slope 1, load and area of an asperity in the film alone.
+
+    The area is 2 pi R omega; the load is the film hardness times this area, minus the adhesion `pull`. hardness: eta n_H.
+    """
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
 
@@ -46,7 +49,10 @@ def film_alone(w, hardness, pull):
 def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     @formula
     def rim(u, *row):
-        """Return the film around the substrate's contact: the rest of 2 pi R omega."""
+        """Return displacement, its slope, load and area of the film around the contact with the substrate.
+
+        The film touches on 2 pi R omega minus the contact area of the substrate.
+        """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]
         area = max(2.0 * (w + tau) - inner, 0.0)
@@ -60,10 +66,10 @@ def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, 
 
 
 def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
-    """Return regimes of a surface with a plastic film, in substrate units.
+    """Return the regimes of a surface with a plastic film, in units of the substrate.
 
-    Each touching asperity is attracted by `pull` (n,). The film itself has no tangential resistance, unless the tangential law
-    is of the interface.
+    pull (n,): adhesive force on each touching asperity. The film resists shear only if the tangential law describes the
+    interface.
     """
     laws = len(groups)
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), laws)
@@ -83,7 +89,7 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of a coated surface, loads in units of the substrate."""
+    """Return the regimes of a coated surface, in units of the substrate."""
     return plastic_film(groups, law, np.zeros(len(groups)))
 
 

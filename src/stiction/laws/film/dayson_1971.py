@@ -49,9 +49,9 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 
 @formula
 def rim(w, pressure, tau):
-    """Return the film around the penetrated middle.
+    """Return displacement, its slope 1, load and area of the film around the penetrated centre.
 
-    Its area is that touched at penetration.
+    The area stays what it was when the film was penetrated (displacement tau).
     """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 
@@ -59,7 +59,7 @@ def rim(w, pressure, tau):
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Only the tangential law in `law` is used. It must be of the interface: it shears the film.
+    Of `law` only the tangential law is used, which must describe the interface: it gives the shear of the film.
     """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)

@@ -51,12 +51,12 @@ BOUNDS = {
 
 @formula
 def normal(w, stiffness, power, widening):
-    """Return P = stiffness w^power, A = widening w."""
+    """Return displacement, its slope 1, load stiffness w^power (power 2 or 3) and area widening w."""
     return w, 1.0, stiffness * w * w * (w if power == 3.0 else 1.0), widening * w
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Return the load over displacement to its power (n,).
+    """Return the factor (n,) of the load, which is stiffness times displacement to the power of the bound.
 
     With E'_f = E_f/(1 - nu^2) of the film itself, over K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
     """
@@ -71,7 +71,7 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Only the tangential law in `law` is used. It must be of the interface.
+    Of `law` only the tangential law is used, which must describe the interface.
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

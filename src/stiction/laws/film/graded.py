@@ -35,10 +35,10 @@ from stiction.records.sources import Source
 def fading_rates(
     n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray, tau: np.ndarray, m_soft: int = 2, m_hard: int = 1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return c/tau where m = 1 and c/tau^2 where m = 2, else 0 (S5.13, S5.14).
+    """Return the rates at which the film's hardness fades with depth (S5.13, S5.14), arrays (n,).
 
-    Arrays (n,). n_Y: yield stress of the film over the substrate's. m_soft, m_hard: exponent m for n_H < 1 and n_H > 1, each 1
-    or 2; sources disagree. Raises InputError.
+    These are c/tau if m = 1, else 0, and c/tau^2 if m = 2, else 0. n_Y: yield stress of the film over the substrate's. m_soft,
+    m_hard: exponent m, 1 or 2, for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another exponent.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
@@ -63,13 +63,13 @@ def graded_regimes(
     n_g: np.ndarray | float = 1.0,
     exponents: tuple[int, int] = (2, 1),
 ) -> list[Regime]:
-    """Return regimes of a graded film, loads and resistances in substrate units; (n,).
+    """Return the regimes of a graded film on one body against a rigid body, in units of the substrate.
 
-    substrate, film: their Poisson's ratio, K beta and hardness over yield stress, and the substrate's adhesion indices; the
-    film's follow from n_E, n_H, n_g. One body is coated, the other rigid.
-    tau = t/sigma, film_aspect = t/sqrt(R sigma), 0 to infinity both. exponents: m of (S5.13)
-    of a film softer and of one harder than the substrate, each 1 or 2. An asperity counts as film while w < tau, as plastic
-    where its elastic mean pressure exceeds the hardness at its depth.
+    substrate, film: groups with their own Poisson's ratio, K beta and hardness over yield stress; the adhesion indices are
+    taken from the substrate and scaled by n_E, n_H and n_g. tau = t/sigma and film_aspect = t/sqrt(R sigma): 0 to infinity,
+    (n,). exponents: m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
+
+    An asperity counts as film while w < tau, and as plastic if its elastic mean pressure exceeds the hardness at its depth.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (
@@ -89,7 +89,7 @@ def _film_regimes(
     n_g: np.ndarray,
     exponents: tuple[int, int],
 ) -> list[Regime]:
-    """Return the regimes of a film on either body or both."""
+    """Return the regimes of a graded film on one or both bodies."""
     bodies = bodies.without_film(film_aspect > 0.0)  # no thickness, no film
     n_E = bodies.film_over_bodies
     n_H = np.where(tau > 0.0, n_H, 1.0)
@@ -101,9 +101,9 @@ def _film_regimes(
 
 
 def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
-    """Return regimes of the bare surface with a gradual plastic transition.
+    """Return the regimes of a bare surface with a gradual transition to plastic contact.
 
-    It replaces the load jump of (S2.9).
+    The transition replaces the load jump of (S2.9).
     """
     one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
     bodies = TwoBodies.against_rigid(one, asperity.nu, asperity.nu)
@@ -112,10 +112,10 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 
 
 def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -> np.ndarray:
-    """Return parameters (n, PARAMETERS) of the law, in the order of `along`.
+    """Return the parameters (n, PARAMETERS) of the graded law, in the order in which `graded_law.along` takes them.
 
-    film_k: the film's hardness over yield stress; rates: of its fading hardness, as from `fading_rates`. Each coated body has
-    its part of the thickness.
+    film_k: hardness over yield stress of the film. rates: fading of the hardness, from `fading_rates`. If both bodies are
+    coated, each has half of the thickness.
     """
     first, second, share, films, nu, nu_first, nu_second = bodies.columns()
     columns = (
@@ -142,7 +142,10 @@ def _parameters(substrate, film, film_k, bodies, n_H, film_aspect, n_g, rates) -
 
 
 def _regimes(parameters, tau, parts) -> list[Regime]:
-    """Return a regime for each part, of laws with parameters (n, PARAMETERS)."""
+    """Return one regime for each part, such as ("elastic", "film").
+
+    parameters: (n, PARAMETERS) of the graded law. tau (n,): film thickness over sigma.
+    """
     edges, part, levels, branch = find_kinks(parameters, tau)
     columns = (*parameters.T, *levels.T)
     return [
@@ -161,7 +164,7 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface; the asperity law is the film's own."""
+    """Return the regimes of a coated surface; `law` is not used, because the film has its own asperity law."""
     bodies = TwoBodies.of(groups)
     return _film_regimes(
         groups.substrate(), groups.film(), bodies, groups.n_H, groups.tau, groups.film_aspect, groups.n_g, (2, 1)

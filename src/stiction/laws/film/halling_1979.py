@@ -48,15 +48,16 @@ BODIES = 8  # of these, the place of the two bodies
 
 @cache
 def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
-    """Return formulas of the elastic and the plastic asperity, and of the transition.
+    """Return the formulas of the elastic asperity, of the plastic asperity, and of the condition for yield.
 
-    row: the ELASTIC parameters, as in `pieces`, and the displacement of the transition, which the last formula does not need.
+    modulus_key, hardness_key: names of the composites. row: the ELASTIC parameters listed in `pieces`, followed by the
+    displacement of the transition, which the condition does not use.
     """
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
 
     @formula
     def stiffened(u, row):
-        """Return the load over Hertz's for the bodies without film."""
+        """Return the load over Hertz's load on the bodies without film."""
         xi = row[4] / u
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
         g = modulus(first, xi, nu, nu_first)
@@ -65,13 +66,13 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def hardened(w, row):
-        """Return the hardness at the depth w, in the unit of the mean pressure."""
+        """Return the hardness at the displacement w, in the unit of load over area."""
         n_H, eta, tau, constant, exponent = row[2], row[3], row[5], row[6], row[7]
         return eta * hardness(n_H, w / tau, constant, exponent)
 
     @formula
     def elastic(u, *row):
-        """Return the elastic response at u = sqrt(w), where a/sqrt(R sigma) is u too."""
+        """Return displacement w = u^2, dw/du, load and area of the elastic asperity; u is also a/sqrt(R sigma)."""
         w = u * u
         return w, 2.0 * u, stiffened(u, row) * w * u, w
 
@@ -82,7 +83,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def flows(u, row):
-        """Return whether the mean pressure of the elastic asperity reaches the hardness."""
+        """Return whether the mean pressure of the elastic asperity at u has reached the hardness."""
         return stiffened(u, row) * u >= hardened(u * u, row)
 
     return elastic, plastic, flows
@@ -90,7 +91,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
 @cache
 def _onset(flows: Any) -> Any:
-    """Return the kernel that finds the transition from elastic to plastic."""
+    """Return the kernel that finds where an asperity turns plastic."""
 
     @formula
     def holds(u, row):
@@ -100,10 +101,10 @@ def _onset(flows: Any) -> Any:
 
     @lazy_kernel(worth=300)
     def onset(table, out):
-        """Find the least u = sqrt(w) at which the mean pressure reaches the hardness.
+        """Fill `out` with the smallest u = sqrt(w) at which the mean pressure reaches the hardness.
 
-        There (E'/E'_s) u = eta H/H_s. It lies between the values for the softer of both on the stiffer, and the harder on the
-        less stiff; scanned, then halved.
+        There (E'/E'_s) u = eta H/H_s. The root is bracketed by the largest modulus with the smallest hardness and the reverse.
+        The bracket is scanned in steps, then bisected.
         """
         for i in range(out.size):
             row = unpack(table[i], ELASTIC)
@@ -122,9 +123,9 @@ def _onset(flows: Any) -> Any:
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Return edges (n, m + 2) from low to high (n,), with the places inside.
+    """Return sorted edges (n, m + 2) from low to high (n,), with the places inside (n, m) limited to this range.
 
-    places: (n, m); empty if high < low.
+    If high < low, all edges are low and the pieces are empty.
     """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
@@ -132,9 +133,9 @@ def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarra
 
 
 def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalPiece, str]]:
-    """Return elastic and plastic asperity, each with its body.
+    """Return the pieces of the elastic and the plastic asperity, each with its body.
 
-    Each has a piece until the displacement equals the film thickness, and one beyond.
+    Up to a displacement equal to the film thickness the body is "film", beyond it "substrate".
     """
     laws = len(groups)
     tau = np.broadcast_to(groups.tau, laws)
@@ -173,7 +174,7 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Only the tangential law in `law` is used. It must be of the interface.
+    Of `law` only the tangential law is used, which must describe the interface.
     """
     return [law.join(piece, groups, body=body) for piece, body in pieces(groups, modulus, hardness, soft_film_exponent)]
 

@@ -60,7 +60,7 @@ _SLOPE = 0.1  # below this angle tan x - x is summed as a series, below 2.5 time
 
 @formula
 def arc_excess(x):
-    """Return sin x - x cos x, without the loss of digits at small x."""
+    """Return sin x - x cos x without loss of digits at small x."""
     y = x * x
     if x > 2.5 * _SLOPE:
         return math.sin(x) - x * math.cos(x)
@@ -69,7 +69,7 @@ def arc_excess(x):
 
 @formula
 def tan_excess(x):
-    """Return tan x - x, without the loss of digits at small x."""
+    """Return tan x - x without loss of digits at small x."""
     y = x * x
     if x > _SLOPE:
         return math.tan(x) - x
@@ -79,10 +79,10 @@ def tan_excess(x):
 
 @formula
 def squeezed(u, *row):
-    """Return the response of the film alone, at w = tau sin(u)^2.
+    """Return displacement, its derivative, load and area while only the film flows, at w = tau sin(u)^2.
 
-    a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill, bound, edge, more: 4 k_f sqrt(R/sigma), m, H_f and H - H_f,
-    in the unit of the load over the area.
+    The radii a and b are sqrt(2 tau) times sin(u) and cos(u). row: tau, hill = 4 k_f sqrt(R/sigma), bound = m, edge = H_f and
+    more = H - H_f, stresses in the unit of load over area.
     """
     tau, hill, _, edge, _ = row
     sine = math.sin(u)
@@ -92,7 +92,10 @@ def squeezed(u, *row):
 
 @formula
 def bounded(u, *row):
-    """Return the response with the pressure bounded within c = b tan(u - m b)."""
+    """Return displacement, its derivative, load and area while the substrate limits the pressure in the centre.
+
+    The pressure is the substrate's hardness within the radius c = b tan(u - m b).
+    """
     tau, hill, bound, edge, _ = row
     width, sine, cosine = math.sqrt(2.0 * tau), math.sin(u), math.cos(u)
     w, a, b = tau * sine * sine, width * sine, width * cosine
@@ -110,9 +113,9 @@ def angle(w, *row):
 
 @formula
 def pressed_through(v, *row):
-    """Return the response beyond the film thickness, at w = tau + v^2.
+    """Return displacement, its derivative, load and area beyond the film thickness, at w = tau + v^2.
 
-    The pressure is bounded within c = g coth(y).
+    The pressure is the substrate's hardness within the radius c = g coth(y).
     """
     tau, hill, bound, edge, more = row
     if v == math.inf:
@@ -132,7 +135,7 @@ def depth_beyond(w, *row):
 
 
 def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return tau, hill, bound, edge and more (n,), as the formulas take them."""
+    """Return tau, hill, bound, edge and more (n,), the parameters of the formulas (see `squeezed`)."""
     laws = len(groups)
     n_H, aspect = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), np.broadcast_to(groups.film_aspect, laws)
     steepness = np.divide(groups.tau, aspect, where=aspect > 0.0, out=np.zeros(laws))  # sqrt(R/sigma)
@@ -143,9 +146,9 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
-    """Return the angle u (n,) above which the pressure is bounded: u = m b(u).
+    """Return the angle u (n,) above which the substrate limits the pressure: u = m b(u).
 
-    Newton's steps from above, where the difference is convex, do not pass the root.
+    Newton's method starts above the root, where the function is convex, so that no step passes it.
     """
     steep = bound * np.sqrt(2.0 * tau)
     u = np.minimum(steep, 0.5 * math.pi)
@@ -155,9 +158,9 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
 
 
 def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
-    """Return the pieces, each with the body that decides.
+    """Return the pieces, each with the body that limits the pressure.
 
-    The film is first squeezed, then bounded by the substrate, then penetrated.
+    With growing displacement the film is squeezed, then the substrate limits the pressure, then the film is pressed through.
     """
     row = parameters(groups)
     tau, _, bound, _, _ = row
@@ -176,7 +179,7 @@ def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Only the tangential law in `law` is used. It must be of the interface.
+    Of `law` only the tangential law is used, which must describe the interface.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t

@@ -75,7 +75,10 @@ def _first(unloading: bool) -> Any:
 
 
 def elastic(groups: Groups, law: Law) -> NormalPiece:
-    """Return the elastic asperity, with the adhesion of the asperity law; groups: complete."""
+    """Return the piece of the elastic asperity on the film, with the adhesion (none, DMT or JKR) of the asperity law.
+
+    groups: complete groups, from `Groups.resolved`.
+    """
     laws, traits = len(groups), law.asperity.traits
     lowest = 0.0
     if "JKR" in traits:
@@ -96,10 +99,7 @@ def elastic(groups: Groups, law: Law) -> NormalPiece:
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
-    """Return the regimes of a coated surface.
-
-    Film and substrate deform together, and their load is counted as the film's.
-    """
+    """Return the regimes of a coated surface; film and substrate deform together, and all load is counted as the film's."""
     whole = groups.resolved()
     record: Any = composites_of("hardness")[hardness]
     pull = np.zeros(len(whole)) if "no adhesion" in law.asperity.traits else outer_pull(whole)

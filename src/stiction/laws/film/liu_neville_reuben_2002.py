@@ -27,7 +27,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the regimes of a coated surface, loads in units of the substrate."""
+    """Return the regimes of a coated surface, in units of the substrate."""
     return plastic_film(groups, law, 2.0 * math.pi * groups.n_g / groups.theta)
 
 

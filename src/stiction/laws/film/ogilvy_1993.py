@@ -21,7 +21,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law) -> list[Regime]:
-    """Return the bare substrate's regimes, with a tangential law of the interface."""
+    """Return the regimes of the bare substrate, with the tangential law of the interface."""
     return law.regimes(groups, body="substrate")
 
 

@@ -43,7 +43,7 @@ _adhesion, _load = jkr.adhesion, jkr.load
 
 @formula
 def normal(u, theta):
-    """Return JKR's response at u = x^(1/4), the displacement being x (eq 1)."""
+    """Return displacement x = u^4, dx/du, JKR's load and area; the printed eq (1) uses x as the displacement."""
     x = u * u * u * u
     return x, 4.0 * u * u * u, _load(u, _adhesion(theta)), x
 
@@ -67,23 +67,23 @@ LAW = Law(
 
 
 def bare_regimes(groups: Groups) -> list[Regime]:
-    """Return both regimes of a surface without film."""
+    """Return the elastic and the plastic regime of a surface without film."""
     return LAW.regimes(groups, Weights(friction=_GRIP))
 
 
 def _film_weights(piece: NormalPiece) -> tuple[Weights, Weights]:
-    """Return the weights of the film before and after x = tau.
+    """Return the weights of a film piece before and after x = tau.
 
-    Its elastic load continues, its plastic load does not (D5, D9).
+    Beyond tau the elastic load stays and the plastic load is dropped (D5, D9).
     """
     return Weights(friction=_GRIP), Weights(friction=0.0) if piece.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
-    """Return the regimes of a coated surface; `law`, the corrected one, is not used.
+    """Return the regimes of a coated surface; `law`, the corrected law, is not used.
 
-    Limits that cross make an empty integral (D9). In the film, only asperities with x < tau resist (D10). The area, which is
-    not printed, is the film's own.
+    If its limits cross, an integral is empty (D9). In the film only asperities with x < tau resist shear (D10). The contact
+    area, which is not printed, is that of the film.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

@@ -52,15 +52,18 @@ _THINNEST = 1e-200  # film over sigma, of one that is not there
 
 @formula
 def shared(u, stiffness):
-    """Return p = (stiffness/2) u on A = 2 w of film and substrate, at u = sqrt(w)."""
+    """Return displacement w = u^2, dw/du, load and area while film and substrate share the load.
+
+    The area is 2 w, the pressure (stiffness/2) u.
+    """
     w = u * u
     return w, 2.0 * u, stiffness * w * u, 2.0 * w
 
 
 def rise(groups: Groups) -> np.ndarray:
-    """Return q (n,): the shared pressure is q n_H sqrt(w/tau) eta.
+    """Return q (n,) of the pressure q n_H sqrt(w/tau) eta that film and substrate share.
 
-    Film and substrate share it. C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2.
+    It follows from the friction constant C, because C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C it is 1.
     """
     given = groups.film_friction_constant
     if given is None:
@@ -71,7 +74,7 @@ def rise(groups: Groups) -> np.ndarray:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Only the tangential law in `law` is used. It must be of the interface.
+    Of `law` only the tangential law is used, which must describe the interface.
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)

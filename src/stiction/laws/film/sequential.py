@@ -40,15 +40,16 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """Return a film that no longer deforms: constant load and resistance."""
+    """Return the response of a film that no longer deforms: constant load and resistance, no area."""
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
 
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
-    """Return regimes of a coated surface, loads and resistances in substrate units.
+    """Return the regimes of a coated surface, in units of the substrate.
 
-    The area is the film's at the full displacement: the outer contact is always on it. A resistance of the interface is
-    computed from this area and the whole load; any other is the film's, kept constant, plus the substrate's.
+    The area is that of the film at the full displacement, because the outer contact is always on the film. A tangential law of
+    the interface is evaluated with this area and the whole load. Any other tangential law gives the film's resistance at w =
+    tau plus the substrate's, or the smaller of both if film_shear is "in_series".
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
@@ -65,9 +66,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 
 
 def _kept(law: Law, groups: Groups) -> np.ndarray:
-    """Return load, slip- and yield-limited resistance (3, n) of the film at w = tau.
+    """Return load, slip-limited and yield-limited resistance (3, n) of the film at w = tau.
 
-    For a resistance of the interface, the part proportional to the area is counted with the area.
+    With a tangential law of the interface, the resistance proportional to the area is left out; `regimes` adds it with the
+    area.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     kept = np.zeros((3, len(groups)))

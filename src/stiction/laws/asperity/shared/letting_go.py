@@ -36,10 +36,10 @@ from stiction.laws.piece import NormalPiece
 
 @formula
 def residual(w_max, load_max, area_max):
-    """Return the residual interference, omega_max - 3 P/(4 E* a) at the turning point.
+    """Return the displacement that remains after unloading, omega_max - 3 P/(4 E* a) at the turning point.
 
-    Clipped at zero: it would be negative where a published law lets the load jump up, or the area down, at yield, as Kogut and
-    Etsion's does up to 1.58 omega_c.
+    It is limited to 0 or more. It would be negative where a published law lets the load jump up, or the area down, at yield;
+    the law of Kogut and Etsion does so up to 1.58 omega_c.
     """
     if not area_max > 0.0:
         return 0.0
@@ -48,10 +48,10 @@ def residual(w_max, load_max, area_max):
 
 @formula
 def let_go(w, w_max, w_res, load_max, area_max):
-    """Load and area at w <= w_max: P_max s^(3/2) and A_max s, s = (w - w_res)/(w_max - w_res); nothing below w_res.
+    """Return load and area at w <= w_max in unloading; both are 0 below w_res.
 
-    With `residual` above zero this is P = (4/3) E* R'^(1/2) (omega - omega_res)^(3/2) on R' = 4 E* a_max^3/(3 P_max). Both are
-    continuous with loading at w_max whatever the residual is.
+    With s = (w - w_res)/(w_max - w_res) they are P_max s^(3/2) and A_max s. If `residual` is not limited, this is P = (4/3) E*
+    R'^(1/2) (omega - omega_res)^(3/2) with R' = 4 E* a_max^3/(3 P_max). Both are always continuous with loading at w_max.
     """
     if w <= w_res:
         return 0.0, 0.0
@@ -70,23 +70,27 @@ def _recovery(state):
 
 @formula
 def _overshoots(state):
-    """Return whether the flattened sphere would recover more than its displacement.
+    """Return whether `residual` is limited to zero: elastic recovery would exceed the displacement.
 
-    Differences within rounding do not count.
+    state: displacement, its slope, load and area in loading. Differences within rounding are ignored.
     """
     return state[3] > 0.0 and state[2] > (1.0 + 1e-12) * state[0] * math.sqrt(state[3])
 
 
 @cache
 def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
-    """Return formulas `normal` and `coordinate` of an unloading piece.
+    """Return the formulas `normal` and `coordinate` of an unloading piece.
 
-    The piece has so many parameters; two more follow: the increase in separation, and the coordinate that is just free.
+    parameters: number of parameters of the loading piece. Two parameters follow them: the increase in separation, and the
+    loading coordinate of the asperity that has just lost contact.
     """
 
     @formula
     def released(v, *row):
-        """Return the response at u = free + v^2; the load starts like (u - free)^(3/2)."""
+        """Return displacement, its derivative, load and area of the asperity that was loaded to u = free + v^2.
+
+        The load starts like (u - free)^(3/2), which is smooth in v.
+        """
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]
         load, area = let_go(w, w_max, residual(w_max, load_max, area_max), load_max, area_max)
@@ -110,10 +114,10 @@ def _freeing(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_free(distance, table, edges, out):
-        """Fill the coordinates at which asperities are just free after unloading.
+        """Fill `out` with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        A coordinate grows along a piece. Where the first point of the piece is not free yet, the straight continuation to where
-        it would be: the square root of the distance to it is then smooth along the piece.
+        If even the first point of the piece is still in contact, the coordinate is extrapolated along a straight line. The
+        square root of the distance to it is then smooth on the piece.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
@@ -143,9 +147,9 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill_clamped(table, edges, out):
-        """Fill the coordinates up to which the residual is clipped at zero.
+        """Fill `out` with the coordinate up to which the residual displacement is limited to zero (see `_overshoots`).
 
-        The law overshoots there, see `residual`; the first coordinate where it does not.
+        It is the first coordinate of the piece if the residual is never limited.
         """
         for i in range(out.size):
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -156,11 +160,10 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
 
 def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalPiece]:
-    """Return the asperities after the separation increased by (n,) over sigma.
+    """Return the asperity pieces after loading and an increase of the separation by `distance` (n,), 0 or more, over sigma.
 
-    The increase is not negative, without adhesion. pieces: of an asperity law without adhesion, in loading. Summed over heights
-    at the mean separation h, the returned pieces give the load and contact area at h of a surface that was loaded to h minus
-    the increase.
+    pieces: pieces in loading of an asperity law without adhesion. Summed over heights at the separation h, the returned pieces
+    give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     found = []

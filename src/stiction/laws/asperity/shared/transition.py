@@ -1,10 +1,12 @@
-"""Gradual transition from an elastic to a fully plastic asperity.
+"""Describe the gradual transition from an elastic to a fully plastic asperity.
 
-Zhao, Maietta & Chang 2000: the contact area passes from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 by the
-step 3 xi^2 - 2 xi^3 in the displacement, omega_1 being where a mean pressure of 0.4 H first yields. Without adhesion the
-displacement goes as the square of the elastic mean pressure p; counted in p/H, omega_1 is at 0.4 and omega_2 at
-sqrt(54) * 0.4 = 2.94. This project's own (grade C): the step is taken in (p/H)^2, which also has a meaning where hardness
-and modulus change with depth, and starts where p reaches H, which is where the 2015 paper ends the elastic asperity.
+In Zhao, Maietta & Chang (2000) the contact area grows from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1, by
+the step 3 xi^2 - 2 xi^3 in the displacement. omega_1 is the displacement at first yield, where the mean pressure is 0.4 H.
+Without adhesion the displacement is proportional to the square of the elastic mean pressure p, so that p/H is 0.4 at omega_1
+and sqrt(54) * 0.4 = 2.94 at omega_2.
+
+This project's own (grade C): the step is taken in (p/H)^2, which is also defined if hardness and modulus change with depth. It
+starts at p = H, where the 2015 paper ends the elastic asperity.
 """
 
 from stiction.engine.compiled import formula
@@ -17,9 +19,9 @@ FULLY_PLASTIC = FULLY_PLASTIC_SQUARED**0.5  # p/H from which all of the asperity
 
 @formula
 def plastic_share(ratio):
-    """Return f in [0, 1], and df/d(ratio).
+    """Return the plastic share f of an asperity, 0 to 1, and its derivative by `ratio`.
 
-    ratio: elastic mean pressure over hardness. f is 0 up to 1, and 1 from FULLY_PLASTIC on.
+    ratio: elastic mean pressure over hardness. f is 0 up to ratio = 1, and 1 from FULLY_PLASTIC on.
     """
     ratio = min(max(ratio, 1.0), FULLY_PLASTIC)
     done = min((ratio * ratio - 1.0) / (FULLY_PLASTIC_SQUARED - 1.0), 1.0)

@@ -1,4 +1,4 @@
-"""The film as a body of its own: cut where it is pressed through and where it stops being a half-space."""
+"""Divide a film's asperity law where the film is pressed through and where it stops acting as a half-space."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,11 +14,11 @@ from stiction.laws.piece import NormalPiece
 def film_regimes(
     law: Law, groups: Groups, through: np.ndarray, weights: Callable[[NormalPiece], tuple[Weights, Weights]]
 ) -> list[Regime]:
-    """Return the film's own law at every displacement.
+    """Return the regimes of the film with its own law at every displacement.
 
-    through: the displacement (n,) at which it is penetrated; weights(piece): of the response before and after. film_aspect =
-    t/sqrt(R sigma), (n,): to an asperity the film is a half-space while a < t, that is x < film_aspect^2; the regimes beyond
-    are marked.
+    through (n,): displacement at which the film is pressed through. weights(piece): weights of the response before and after
+    it. The film acts as a half-space for an asperity while a < t, which is x < film_aspect^2 with film_aspect = t/sqrt(R
+    sigma). Regimes beyond have in_half_space=False.
     """
     film = groups.film()
     # Where the film is a half-space to all, the stretches beyond are empty: left out.

@@ -1,9 +1,9 @@
-"""Where the law of a graded film has kinks: the edges of its regimes.
+"""Find the kinks of the law of a graded film, which are the edges of its regimes.
 
-Each kind of kink is a zero of a function of u (`graded_signals`) that is smooth but for a kink where the asperity begins to
-flow: they are sampled together, there too, sign changes are refined inside their bracket, and near misses of zero are looked
-into. Where the load would fall although it is compressive, the asperity keeps it until it is reached again (S5.19):
-that plateau has two ends more.
+Each kind of kink is a zero of a function of u (`graded_signals`). This function is smooth, except for a kink where the
+asperity begins to flow. All functions are sampled together. Sign changes are refined in their bracket, and near misses of zero
+are searched for a pair of zeros. Where the load would fall although it is compressive, the asperity keeps its load until the
+law reaches it again (S5.19); this plateau adds two edges.
 """
 
 import math
@@ -51,7 +51,7 @@ _PLACES = np.clip((1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, INNER))) / 2.0, 1e
 
 @formula
 def _add(out, count, u):
-    """Append u to the edges, while there is room."""
+    """Append u to the edges if there is room, and return the new number of edges."""
     if count < out.size:
         out[count] = u
         return count + 1
@@ -60,7 +60,10 @@ def _add(out, count, u):
 
 @lazy_kernel(worth=100_000)
 def _add_zeros(which, places, values, law, out, count):
-    """Append the zeros of one signal that was sampled at `places`."""
+    """Append the zeros of one signal to `out`, and return the new number of edges.
+
+    which: index of the signal. values: the signal at `places`.
+    """
     before = values[0]
     # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
     small = _FELT if which in (REAL, BALANCE) else 0.0
@@ -81,7 +84,7 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Sample load and slope inside every piece between the edges[:count]."""
+    """Sample load and slope at INNER places inside every piece between the first `count` edges."""
     for piece in range(count - 1):
         low, high = edges[piece], edges[piece + 1]
         inner = places[piece * INNER :]
@@ -95,9 +98,9 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 
 @lazy_kernel(worth=100_000)
 def _summit(low, kink, high, at_high, law):
-    """Find where the load stops rising.
+    """Return the coordinate at which the load stops rising.
 
-    It rises at low, falls at high; kink: an edge between, or low.
+    The load rises at `low` and falls at `high`. kink: an edge between them, or `low`.
     """
     below, above = kink * (1.0 - 1e-13), kink * (1.0 + 1e-13)
     at_low = signal(NUMBERS[SLOPE], low, law, 0.0)
@@ -114,9 +117,9 @@ def _summit(low, kink, high, at_high, law):
 
 @lazy_kernel(worth=100_000)
 def _descent(low, high, law):
-    """Find a point between low and high where the load falls, and its slope there.
+    """Return a coordinate between low and high at which the load falls, and its slope there.
 
-    Returns high if there is none.
+    Returns `high` and slope 0 if the load falls nowhere.
     """
     for m in range(1, 64):
         u = low + (high - low) * m / 64.0
@@ -128,7 +131,7 @@ def _descent(low, high, law):
 
 @formula
 def _first_flowing(part, count):
-    """Find the first piece between `count` edges where the asperity flows, or the last edge."""
+    """Return the index of the first piece in which the asperity flows, or of the last edge if there is none."""
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
         first += 1
@@ -137,9 +140,9 @@ def _first_flowing(part, count):
 
 @lazy_kernel(worth=100_000)
 def _regained(low, high, above, law, level):
-    """Find where a load held at `level` is reached again.
+    """Return the coordinate between low and high at which the load reaches `level` again.
 
-    Between low and high, where it is greater by `above`.
+    above: load minus `level` at `high`.
     """
     lacking = min(signal(NUMBERS[ABOVE], low, law, level), 0.0)
     return zero(NUMBERS[ABOVE], low, lacking, high, above, law, level)
@@ -147,7 +150,10 @@ def _regained(low, high, above, law, level):
 
 @lazy_kernel(worth=100_000)
 def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
-    """Append the ends of the plateaus of the load to the sorted edges[:count]; levels: (start, level) of each."""
+    """Append the ends of the load plateaus to the edges, and return the new number of edges.
+
+    The first `count` edges are sorted. levels: filled with (start, level) of each plateau.
+    """
     out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
     known, at, held, level = count, 0, False, 0.0
@@ -189,9 +195,10 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
 
 @formula
 def _fixed_edges(law, tau, out):
-    """Fill the edges that are fixed beforehand; return the first three and their number.
+    """Fill the edges that are known in advance; return the first three and the number of edges.
 
-    Start, end of the scan, film penetrated, and cuts of long pieces.
+    The first three are: start of the contact, end of the scan, and the coordinate at which the film is pressed through.
+    Further edges cut long pieces.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -213,9 +220,9 @@ def _fixed_edges(law, tau, out):
 
 @lazy_kernel(worth=1_000_000)
 def _scan(start, top, law, places, values):
-    """Sample the signals from `start` to `top`, and return the number of samples.
+    """Sample all signals from `start` to `top`, and return the number of samples.
 
-    Features of a thin film are all close to the start, where the samples are dense because it fades quickly.
+    The samples are dense near the start, because all features of a thin film are there.
     """
     pull, _, n_H, linear, square = law[:5]
     slope = contact(start, math.sqrt(6.0 * pull), law[ALONE:])[1]
@@ -241,7 +248,10 @@ def _sample(j, law, places, values):
 
 @lazy_kernel(worth=100_000)
 def _insert(kinks, law, places, values, size):
-    """Add the kinks to the samples[:size], for as long as there is room: what is sought may turn there."""
+    """Add samples at the kinks, while there is room, and return the new number of samples.
+
+    The other signals may turn at these kinks.
+    """
     for u in kinks:
         at = size
         while at > 0 and places[at - 1] > u:
@@ -291,10 +301,10 @@ def _fill(parameters, tau, edges, part, levels, branch):
 
 @lazy_kernel(worth=100_000)
 def _add_branches(start, at_start, law, out, first, count, branch):
-    """Fill `branch` with the branch points of the yield resistance.
+    """Fill `branch` with the branch points of the yield resistance, and return the new number of edges.
 
-    The first is below the start, the others are out[first:count]. An edge separates two of them: the substitution that removes
-    a square root works at one end of a piece only.
+    The first branch point is below the start, the others are out[first:count]. An edge is added between two of them, because
+    the substitution that removes a square root works at one end of a piece only.
     """
     branch[:] = -math.inf
     found = out[first:count]
@@ -321,7 +331,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Name the part of each piece between edges[:count] and of the last, endless one."""
+    """Fill `part` with the part (see `find_kinks`) of every piece between the edges, the endless last one included."""
     edges[count:] = _END
     part[:] = -1
     for piece in range(count):
@@ -332,11 +342,13 @@ def _name_parts(law, through, edges, count, part):
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Edges (n, CAPACITY) in u, the part (n, CAPACITY - 1) of each piece between them, plateaus (n, 6) and branch (n, 4).
+    """Return edges, parts, plateaus and branch points of n graded laws.
 
-    parameters: array (n, PARAMETERS). Part: 0 elastic film, 1 plastic film, 2 elastic substrate, 3 plastic substrate,
-    -1 no piece; the film is pressed through at the displacement tau (n,). Plateaus: from start on the load is at least level,
-    thrice.
+    parameters: (n, PARAMETERS). tau (n,): displacement at which the film is pressed through.
+
+    Returns edges (n, CAPACITY) in u; the part of each piece (n, CAPACITY - 1): 0 elastic film, 1 plastic film, 2 elastic
+    substrate, 3 plastic substrate, -1 no piece; plateaus (n, 6): three pairs (start, level), from `start` on the load is at
+    least `level`; branch points (n, 4).
     """
     laws = len(parameters)
     edges, part = np.empty((laws, CAPACITY)), np.empty((laws, CAPACITY - 1), dtype=np.int8)
@@ -357,10 +369,10 @@ def _gather(edges, part, wanted, out):
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
-    """Return edges (n, m) of a regime that consists of the pieces of this part.
+    """Return the edges (n, m) of a regime that consists of all pieces of one part.
 
-    The pieces need not touch. The deepest comes first, so that the gap between two of them is a pair of edges that does not
-    increase, which the engine skips.
+    The pieces need not be adjacent. They are listed from the deepest on, so that the gap between two of them is a pair of
+    edges that does not increase, which the engine skips.
     """
     most = int((part == wanted).sum(axis=1).max(initial=1))
     out = np.empty((len(edges), 2 * most))

@@ -1,12 +1,11 @@
-"""The asperity of a graded film, as formulas: modulus and hardness depend on depth (docs/theory.md, section 5.3).
+"""Formulate the asperity of a graded film: modulus and hardness depend on depth (docs/theory.md, section 5.3).
 
-This project's own composition (grade C) of published pieces: the modulus felt by a contact of given radius (Gao, Chiu & Lee
-1992), the hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the passage to full plasticity of
-Zhao, Maietta & Chang 2000. The same law without a film is the bare asperity without the jump at yield.
+This project's own composition (grade C) of published parts: the modulus felt by a contact of given radius (Gao, Chiu & Lee
+1992), the hardness at a given depth (Bhattacharya & Nix 1988), the JKR contact, and the transition to full plasticity of
+Zhao, Maietta & Chang 2000. Without a film the same law is the bare asperity without a jump at yield.
 
-The coordinate is u = x^(1/4) at every depth, plastic or not: x is then the apparent displacement that the elastic contact
-would have at this depth. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with K of
-the substrate.
+The coordinate is u = x^(1/4), elastic or plastic; x is the apparent displacement that the elastic contact would have at this
+depth. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2), areas over pi R sigma, with K of the substrate.
 """
 
 import math
@@ -24,10 +23,10 @@ ALONE, WHOLE = 11, 20  # parameters of adhesion and strength; with them those of
 
 @formula
 def stiffness(u, bodies):
-    """K_eff/K_s (S5.11) of the contact of radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's share.
+    """Return K_eff/K_s (S5.11) at the contact radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's weight.
 
-    bodies: least and greatest K_eff/K_s; one over the thickness on a body over sqrt(R sigma); then as of TwoBodies, nu being
-    the mean of film and body.
+    bodies: smallest and largest K_eff/K_s, sqrt(R sigma) over the film thickness on one body, then the fields of `TwoBodies`
+    with the mean Poisson's ratio of film and body.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)
@@ -44,9 +43,9 @@ def stiffness(u, bodies):
 
 @formula
 def contact(u, S, bodies):
-    """Return JKR's contact with the modulus of (S5.11).
+    """Return the JKR contact at u with the modulus of (S5.11).
 
-    Displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, share of the film.
+    Returns displacement w, dw/du, Q = sqrt(K_eff/K_s) u^3, d ln Q/d ln u, and the film's weight.
     """
     ratio, rise, share = stiffness(u, bodies)
     root = math.sqrt(ratio)
@@ -58,21 +57,21 @@ def contact(u, S, bodies):
 
 @formula
 def fading(w, linear, square):
-    """Return exp(-c (w/tau)^m), the film's share in the hardness (S5.13).
+    """Return the film's weight in the hardness at the displacement w, exp(-c (w/tau)^m) (S5.13).
 
-    linear = c/tau, square = 0 for m = 1; 0, c/tau^2 for 2. Continued slightly to w < 0, where a branch point may lie that
-    affects first contact.
+    For m = 1, linear = c/tau and square = 0; for m = 2, linear = 0 and square = c/tau^2. The formula is continued to slightly
+    negative w, because a branch point there affects the first contact.
     """
     return exponential(min(-w * (linear + square * w), 4.0))
 
 
 @formula
 def along(u, *row):
-    """Return the response of the asperity at u, as a Regime requires it.
+    """Return the six values that a `Regime` requires of an asperity at u.
 
-    row: pull = pi n_g/theta; eta, of the substrate; n_H; linear, square, as in `fading`; nu_s, nu_c, K_beta_s, K_beta_c, of
-    substrate and film; yield_s, yield_c, their yield stress over pi H_s; the parameters of `stiffness`; and three plateaus:
-    from u = start_i on the load is at least level_i.
+    row: pull = pi n_g/theta; eta of the substrate; n_H; linear and square of `fading`; nu_s, nu_c, K_beta_s, K_beta_c of
+    substrate and film; yield_s, yield_c, yield stress over pi H_s of both; parameters of `stiffness`; three plateaus (start,
+    level): from `start` on the load is at least `level`.
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, K_beta_s, K_beta_c, yield_s, yield_c = row[:ALONE]
     (
@@ -103,9 +102,9 @@ def along(u, *row):
 
 @formula
 def depth_coordinate(w, S, bodies):
-    """Return the u at which the displacement is w >= 0.
+    """Return the coordinate u at the displacement w >= 0.
 
-    By Newton's method within bounds; displacement grows with u there.
+    Newton's method is bracketed; the displacement grows with u.
     """
     s = 2.0 / 3.0 * S
     least, greatest = bodies[0], bodies[1]
@@ -129,7 +128,7 @@ def depth_coordinate(w, S, bodies):
 
 @formula
 def coordinate(w, *row):
-    """Invert `along`, for the same row; return 0 where nothing touches."""
+    """Return the coordinate u at the displacement w (the inverse of `along`), or 0 without contact."""
     if not w > 0.0:
         return 0.0
     return depth_coordinate(w, math.sqrt(6.0 * row[0]), row[ALONE:WHOLE]) if w < math.inf else math.inf

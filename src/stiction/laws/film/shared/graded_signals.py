@@ -1,7 +1,7 @@
-"""Functions of u whose zeros are kinks of the law of a graded film, and how one of these zeros is found.
+"""Define functions of u ("signals") whose zeros are the kinks of a graded film's law, and find their zeros.
 
-Each is smooth but for a kink where the asperity begins to flow. `law` is the tuple of the law's parameters, in the order that
-`graded_law.along` takes them, up to the plateaus.
+Each signal is smooth, except for a kink where the asperity begins to flow. `law` is the tuple of parameters that
+`graded_law.along` takes, without the plateaus.
 """
 
 import math
@@ -18,10 +18,10 @@ NEARER = 0.3  # a near miss is looked into if a parabola through it comes nearer
 
 @formula
 def signals(u, law):
-    """Return functions of u whose zeros are kinks.
+    """Return five functions of u whose zeros are kinks of the law.
 
-    First yield; full plasticity; the yield resistance ceases to be real in tension (a branch point, S3.9); it reaches zero in
-    compression (S3.10); slip equals yield (S3.11, over the strength).
+    Their zeros are: first yield; full plasticity; the yield resistance stops being real in tension (a branch point, S3.9); the
+    yield resistance reaches zero in compression (S3.10); slip and yield resistance are equal (S3.11, over the strength).
     """
     pull, eta, n_H, linear, square, nu_s, nu_c, Kb_s, Kb_c, yield_s, yield_c = law[:ALONE]
     S = math.sqrt(6.0 * pull)
@@ -44,9 +44,9 @@ def signals(u, law):
 
 @formula
 def load_before_plateaus(u, law):
-    """Return load, scaled derivative by ln u, and elastic mean pressure over hardness.
+    """Return the load without plateaus, its scaled derivative, and the elastic mean pressure over the hardness.
 
-    The derivative is over hardness times x.
+    The derivative is by ln u, over hardness times x.
     """
     pull, eta, n_H, linear, square = law[:5]
     S = math.sqrt(6.0 * pull)
@@ -76,7 +76,7 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return a signal, the slope of the load, or the load less `level`."""
+    """Return one function at u: a signal, the slope of the load, or the load minus `level`; which: its index."""
     if which < SLOPE:
         return signals(u, law)[which]
     load, slope, _ = load_before_plateaus(u, law)
@@ -85,10 +85,10 @@ def signal(which, u, law, level):
 
 @lazy_kernel(worth=100_000)
 def zero(which, low, at_low, high, at_high, law, level):
-    """Find a zero in a bracket by false position (Anderson & Bjorck 1973).
+    """Return a zero of function `which` between low and high, by false position (Anderson & Bjorck 1973).
 
-    The bracket is sometimes halved. All digits are found where the resistance jumps, or where pieces are so narrow that the
-    signal, in size about 1, hardly changes.
+    Some steps bisect the bracket. The zero is found to machine precision where the resistance jumps and for the load, else to
+    1e-9.
     """
     fine, small = (4e-15, 0.0) if which == REAL or which >= SLOPE else (1e-9, 1e-11)
     u = last = low
@@ -114,10 +114,10 @@ def zero(which, low, at_low, high, at_high, law, level):
 
 @lazy_kernel(worth=100_000)
 def beyond_zero(which, left, at_left, u, at, right, at_right, law):
-    """Find where a signal crosses zero between two points of the same sign.
+    """Search for a sign change of a function between two places at which it has the same sign.
 
-    The signal nearly vanishes at u. Returns the place and value of opposite sign, or the least value found, by parabolas
-    through three points.
+    The function is almost zero at u. The search fits parabolas through three points. Returns a place and value with the
+    opposite sign, or the place and value closest to zero.
     """
     for turn in range(25):
         p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
@@ -149,9 +149,10 @@ def beyond_zero(which, left, at_left, u, at, right, at_right, law):
 
 @formula
 def comes_near(before, here, there, small):
-    """Return whether three samples of one sign turn near zero.
+    """Return whether a function sampled at three places turns close to zero.
 
-    The middle one is below `small`, or a parabola through them comes much closer to zero.
+    All samples have the same sign. The middle one must be below `small`, or the parabola through all must come much closer to
+    zero.
     """
     rise, bend = there - before, there - 2.0 * here + before
     turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0

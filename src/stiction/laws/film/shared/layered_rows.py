@@ -1,4 +1,4 @@
-"""Parameters of the formulas for a sphere on a film, from groups of each contact."""
+"""Compute the parameters of the formulas for a sphere on a film from the groups of each contact."""
 
 import math
 
@@ -12,10 +12,10 @@ from stiction.solvers.layered.table import curves_of_films
 
 
 def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return the parameters (n,) of `solvers.layered.asperity`.
+    """Return the parameters (n,) that the formulas of `solvers.layered.asperity` take.
 
-    The contacts have a film, and their groups are complete (`resolved`). pull: of adhesion, as the formulas take it. Raises
-    InputError for impossible bodies.
+    groups: complete groups (`Groups.resolved`) of contacts with a film. pull (n,): adhesion, from `edge_pull` or `outer_pull`.
+    Raises InputError if no such bodies can exist.
     """
     laws = len(groups)
     n_E = np.where(groups.film_aspect > 0.0, groups.n_E, 1.0)
@@ -28,10 +28,7 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 def coefficients(groups: Groups) -> np.ndarray:
-    """Return the curves (n, CURVES, TERMS) of all contacts.
-
-    Each pair of materials is looked up once.
-    """
+    """Return the compliance curves (n, CURVES, TERMS) of all contacts; each pair of materials is computed once."""
     given = columns_of(groups)
     if (given == given[:, :1]).all():
         return np.broadcast_to(_curves(given[:, :1]), (len(groups), *_curves(given[:, :1]).shape[1:]))
@@ -40,7 +37,7 @@ def coefficients(groups: Groups) -> np.ndarray:
 
 
 def _curves(given: np.ndarray) -> np.ndarray:
-    """Return the curves for the rows of `columns_of` (6, n)."""
+    """Return the compliance curves for the material columns (6, n) of `columns_of`."""
     n_E, bodies, first, nu, nu_first, nu_second = given
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
     share, ratio = film_share(given)
@@ -55,10 +52,10 @@ def _curves(given: np.ndarray) -> np.ndarray:
 
 
 def edge_pull(groups: Groups) -> np.ndarray:
-    """Return s of JKR's adhesion."""
+    """Return the adhesion parameter s = (2/3) sqrt(6 pi n_g/theta) of JKR's contact on the film (n,)."""
     return 2.0 / 3.0 * np.sqrt(6.0 * math.pi * groups.n_g / groups.theta)
 
 
 def outer_pull(groups: Groups) -> np.ndarray:
-    """Return DMT's pull, which a plastic asperity has too."""
+    """Return DMT's adhesive force 2 pi n_g/theta (n,), which also acts on plastic asperities."""
     return 2.0 * math.pi * groups.n_g / groups.theta

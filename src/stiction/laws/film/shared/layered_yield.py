@@ -1,9 +1,9 @@
-"""Yield of an asperity on a film, with the modulus and hardness at its depth.
+"""Find where an asperity on a film yields, and continue it plastically.
 
-It yields where its mean pressure reaches that at which the asperity law yields on a half-space of the modulus E_P and the
-hardness chi that are felt at this radius and depth; depth is that of the same contact without the stretch of adhesion. From
-there on the law's own plastic pieces follow, on that half-space, moved to the displacement, load and area of the layered
-contact; their load, but for the pull of adhesion, is as the hardness at its depth.
+The asperity yields where its mean pressure reaches the value at which its law yields on a half-space. This half-space has the
+modulus E_P and the hardness chi felt at this radius and depth, where the depth leaves out the stretch by adhesion. Beyond
+yield, the plastic pieces of the law on this half-space are shifted to the displacement, load and area of the layered contact.
+Their load, without the adhesion, scales with the hardness at their depth.
 """
 
 from dataclasses import replace
@@ -28,7 +28,7 @@ _ROUNDS = 6
 
 
 class Hardness:
-    """The hardness chi at the depth w, over the substrate's: of a composite, with its parameters (n,)."""
+    """Hold a composite hardness chi at the depth w, over the substrate's hardness, with its parameters (n,)."""
 
     def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
         laws = len(groups)
@@ -50,15 +50,12 @@ class Hardness:
 
 @cache
 def _onset(along: Any, hardness: Any, parameters: int) -> Any:
-    """Return the kernel that finds where the mean pressure first reaches the hardness.
-
-    The hardness there is multiplied by a constant.
-    """
+    """Return the kernel that finds where the mean pressure first reaches a constant times the hardness."""
     edge = along is edged
 
     @formula
     def excess(u, given):
-        """Return the load less the yield load on the same area."""
+        """Return the load minus the load at yield on the same area."""
         row, pressure, (n_H, tau, constant, exponent) = given
         _, _, load, area = along(u, *row)
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
@@ -68,9 +65,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
-        """Fill out[i] at yield: u, the modulus E_P, the hardness, z, and the depth.
+        """Fill out[i] with u, modulus E_P, hardness, position z and depth at yield.
 
-        z is the position between film and substrate.
+        z runs from -1 (film) to 1 (substrate). pressure: mean pressure at yield over the hardness. of_hardness: parameters of
+        `Hardness`.
         """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)
@@ -95,10 +93,9 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
 
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
-    """Return the groups of an equivalent half-space (n,), over the bare bodies'.
+    """Return the groups (n,) of a half-space with the modulus and hardness felt, both over those of the bare bodies.
 
-    They use the film's work of adhesion. Poisson's ratio, which some laws need at yield, passes from the film's to the
-    substrate's with z, the position between film and substrate.
+    The work of adhesion is the film's. Poisson's ratio changes from the film's to the substrate's with `place`, from -1 to 1.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(
@@ -113,9 +110,9 @@ def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.nd
 def cut_at_yield(
     elastic: NormalPiece, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
 ) -> tuple[NormalPiece, list[NormalPiece]]:
-    """Return the elastic piece up to yield, and the pieces that follow.
+    """Return the elastic piece up to yield, and the plastic pieces that follow.
 
-    pull (n,): of the adhesion of a plastic asperity.
+    pull (n,): adhesive force on a plastic asperity.
     """
     ones = np.ones(len(groups))
     pieces = law.pieces(felt(groups, groups.n_E, hardness.n_H, -ones))
@@ -137,7 +134,7 @@ def cut_at_yield(
 
 
 def _pressure_at_yield(pieces: list[NormalPiece], own: Groups) -> np.ndarray:
-    """Return mean pressure over hardness (n,) at the end of the elastic pieces."""
+    """Return the mean pressure over the hardness (n,) at the end of the elastic pieces."""
     last = _last_elastic(pieces)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
     return load / (area * own.eta)
@@ -148,7 +145,7 @@ def _last_elastic(pieces: list[NormalPiece]) -> NormalPiece:
 
 
 def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalPiece]:
-    """Return the pieces after the elastic ones, moved to where the layered contact yields."""
+    """Return the plastic pieces of the law, shifted to the point at which the layered contact yields."""
     first, last = _last_elastic(pieces), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
@@ -167,7 +164,7 @@ def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalP
 
 
 def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
-    """Return coordinates (n, m) at displacements w (n, m), or the nearer end."""
+    """Return the coordinates (n, m) of a piece at the displacements w (n, m), limited to its ends."""
     out, edges = np.empty(w.shape), np.ascontiguousarray(piece.edges)
     fill = _filling(piece.normal, piece.coordinate, len(piece.parameters))
     fill(np.ascontiguousarray(w), columns(piece.parameters, len(w)), edges, out)
@@ -193,10 +190,10 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 @cache
 def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """Return the moved formulas of a piece of so many parameters.
+    """Return the formulas `along` and `back` of a piece shifted to the layered contact.
 
-    After them: what is added to displacement and load, the modulus, what is added to the area, the pull, 1 over the hardness at
-    yield, what depth is more than displacement, and the parameters of the hardness.
+    parameters: number of parameters of the piece. These follow them: shift of displacement and load, modulus, shift of the
+    area, pull, 1 over the hardness at yield, depth minus displacement, and the parameters of the hardness.
     """
 
     @formula

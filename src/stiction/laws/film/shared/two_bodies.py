@@ -1,11 +1,11 @@
-"""A coated contact of two bodies: the effect of film and substrate on each and both.
+"""Combine the moduli of film and substrate for contacts in which one or both bodies are coated.
 
-A composite gives the modulus of one half-space and its film. In contact the two half-spaces are in series: with one of them
-coated the other stays as it is, with both each has half of the thickness. E*/E*_bare is then
+A composite gives the modulus of one half-space with its film. In contact the two half-spaces act in series. If both bodies are
+coated, each has half of the film thickness. E*/E*_bare is then
 
-    1 / (s/g_1 + (1 - s)/g_2),    g_i = E'_i,coated/E'_i,    s = E*_bare/E'_1,
+    1 / (s/g_1 + (1 - s)/g_2),    g_i = E'_i,coated/E'_i,    s = E*_bare/E'_1.
 
-which is n_E under a film without end, whichever bodies are coated, and g_1 where the other body is rigid (s = 1).
+This is n_E for a film of infinite thickness, whichever bodies are coated, and g_1 if the other body is rigid (s = 1).
 """
 
 from dataclasses import dataclass
@@ -18,10 +18,11 @@ from stiction.engine.compiled import formula
 
 @dataclass(frozen=True)
 class TwoBodies:
-    """Arrays (n,) that describe n coated contacts of two bodies.
+    """Store the elastic constants of n coated contacts of two bodies, arrays (n,).
 
-    first, second: E'_f/E'_i, second without meaning where the other body is bare; share: s of the coated body; films: 1 or 2;
-    nu, nu_first, nu_second: of the film itself and of the bodies.
+    first, second: film modulus over the modulus of each body, E'_f/E'_i; `second` has no meaning if the second body is bare.
+    share: s of the first body, which is coated. films: number of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's
+    ratio of the film and of the bodies.
     """
 
     first: np.ndarray
@@ -50,26 +51,23 @@ class TwoBodies:
 
     @classmethod
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
-        """Return a coated body against a rigid one."""
+        """Return a coated body against a rigid body."""
         one = np.ones_like(film_over_substrate)
         return cls(film_over_substrate, 0.0 * one, one, one, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return the same bodies with their own modulus in place of the film's.
-
-        Only where there is no film.
-        """
+        """Return the bodies with their own modulus in place of the film's wherever `there` is False."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
     def columns(self) -> tuple[np.ndarray, ...]:
-        """Return the fields in their order, as the formulas take them."""
+        """Return the fields in the order in which the formulas take them."""
         return self.first, self.second, self.share, self.films, self.nu, self.nu_first, self.nu_second
 
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return least and greatest E*/E*_bare at any depth (n,).
+        """Return the smallest and the largest E*/E*_bare (n,) that is possible at any depth.
 
-        Each body is between itself and the film.
+        The modulus of each coated body is between its own and the film's.
         """
         second = self._second()
         ends = np.minimum, np.maximum
@@ -78,16 +76,16 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Return the film's modulus over the bodies' in series (n,)."""
+        """Return the film modulus over that of the coated body (n,), or over both bodies in series if both are coated."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
     def _second(self) -> np.ndarray:
-        """Return E'_f/E'_2, or 1 where the second body is bare."""
+        """Return the film modulus over the second body's (n,), or 1 if the second body is bare."""
         return np.where(self.films == 2.0, self.second, 1.0)
 
 
 @formula
 def in_series(first, second, share):
-    """Return E*/E*_bare of two bodies with these multiples of their own moduli."""
+    """Return E*/E*_bare of two bodies in series whose moduli are multiplied by `first` and `second`."""
     return first * second / (share * second + (1.0 - share) * first)

@@ -1,4 +1,4 @@
-"""Film and substrate in series: of a film that is pressed through, what shears first under the same displacement governs."""
+"""Take the weaker resistance of a film that is pressed through and its substrate, which shear in series."""
 
 from collections.abc import Callable
 from functools import cache
@@ -18,9 +18,9 @@ _DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
 
 @cache
 def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
-    """Return formulas of the weaker resistance, and of film less substrate.
+    """Return two formulas: the response with the weaker resistance, and film resistance minus substrate resistance.
 
-    Film and substrate are regimes with so many parameters.
+    of_substrate, of_film: number of parameters of both regimes.
     """
     whole = of_substrate + of_film
 
@@ -55,10 +55,10 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
 
 
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
-    """Return the weaker resistance beyond the displacement tau, without load and area.
+    """Return regimes with the weaker resistance beyond the displacement tau, without load and area.
 
-    It is the smaller of the film's at the whole displacement and the substrate's at the rest, in substrate units. law: with a
-    tangential law that is not of the interface.
+    The resistance is the smaller of the film's at the displacement w and the substrate's at w - tau, in units of the
+    substrate. law: has a tangential law that does not describe the interface.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
@@ -77,9 +77,9 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
 
 
 def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, first: np.ndarray, last: np.ndarray) -> Regime:
-    """Return a piece of the substrate under one of the film, with the kinks of both.
+    """Return the regime in which one substrate piece lies below one film regime.
 
-    Also the kinks where the weaker changes.
+    Its edges are the kinks of both, and the places where the weaker of the two changes.
     """
     inner = [_mapped(above, at, piece, tau) for at in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
@@ -104,10 +104,7 @@ def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, f
 
 
 def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray) -> np.ndarray | None:
-    """Return where either resistance starts like a square root.
-
-    Coordinates of the substrate's piece (n, b).
-    """
+    """Return the coordinates (n, b) of the substrate piece at which either resistance starts like a square root."""
     found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
         there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
@@ -117,7 +114,7 @@ def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray)
 
 
 def _mapped(above: Regime, at: int, piece, tau: np.ndarray) -> np.ndarray:
-    """Convert an edge of the film's regime to a coordinate of the substrate's piece."""
+    """Return an edge of the film's regime as a coordinate of the substrate piece."""
     edge = above.edges[:, at]
     finite = np.isfinite(edge)
     w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]
