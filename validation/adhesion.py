@@ -11,8 +11,8 @@ import numpy as np
 
 import stiction as st
 from stiction.case.read import case_in
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.pull import pull_of
+from stiction.studies.prediction.sampled_case import SampledCase
 
 POINTS, SIDE, MODULUS = 256, 20e-6, 2e6 / (1.0 - 0.49**2)
 MAPS = ((1, 5e-6), (2, 10e-6), (5, 2.5e-6))  # seed, roll-off [m]
@@ -44,7 +44,7 @@ def rises(seed: int, rolloff: float, ratio: float, points: int = POINTS) -> tupl
     pulled = st.solve(sticky, load=loads, adhesion="shortest_range", **options).contact_area.values
     solved = np.log1p(-pulled / SIDE**2) / np.log1p(-dry / SIDE**2)
     case = case_in({"contact": sticky.as_numbers(), "solve": {"load": ["1 N"]}})
-    return solved, pull_of(Asked(case, loads, np.zeros((1, 0)))).adhesion[1][0]
+    return solved, pull_of(SampledCase(case, loads, np.zeros((1, 0)))).adhesion[1][0]
 
 
 def main() -> None:

@@ -9,10 +9,10 @@ import pytest
 import stiction as st
 from stiction.case.read import case_in
 from stiction.contact.materials import material
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.levels import draw_levels
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.regime import warnings_of
+from stiction.studies.prediction.sampled_case import SampledCase
 
 BODIES = ("gold", "copper", "silver", "hardened_steel_52100", "silicon", "tungsten")
 COUNT, LINES, STEPS = 512, 40, 4
@@ -21,7 +21,9 @@ LEVELS = draw_levels(0, COUNT, 0)  # those of st.predict where no number is unce
 
 def answer(contact, load):
     """The median of st.predict and its warnings, without the shares of the variance, which take longest."""
-    mixture = Mixture.of(Asked(case_in({"contact": contact, "solve": {"load": ["1 N"]}}), np.array([load]), LEVELS.inputs))
+    mixture = Mixture.of(
+        SampledCase(case_in({"contact": contact, "solve": {"load": ["1 N"]}}), np.array([load]), LEVELS.inputs)
+    )
     samples = mixture.samples(LEVELS, np.arange(COUNT))
     return float(np.nanmedian(samples.force)) / load, warnings_of(mixture, samples, 0, {})
 

@@ -5,9 +5,9 @@ import pytest
 
 import stiction as st
 from stiction.case.read import case_in
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.levels import draw_levels
 from stiction.studies.prediction.pull import pull_of
+from stiction.studies.prediction.sampled_case import SampledCase
 
 SILICON = {"youngs_modulus": 160e9, "poissons_ratio": 0.22, "hardness": 1e12}
 COUNT = 512
@@ -30,7 +30,7 @@ def drawn(contact, load):
     """The factor by which what pulls raises the area, of all draws."""
     levels = draw_levels(0, COUNT, 0)
     case = case_in({"contact": contact, "solve": {"load": ["1 N"]}})
-    found = pull_of(Asked(case, np.array([load]), levels.inputs))
+    found = pull_of(SampledCase(case, np.array([load]), levels.inputs))
     return found.factor(levels["pull_model"], levels["pull_error"], np.arange(COUNT))[:, 0]
 
 

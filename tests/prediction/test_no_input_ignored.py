@@ -223,8 +223,8 @@ def called(tmp_path, text, *words):
 def test_a_refused_input_ends_in_one_line_and_models_are_compared_all_the_same(tmp_path):
     text = COMMAND.replace("[contact]", "[contact]\npeeling = 0.5")
     code, said = called(tmp_path, text, "run")
-    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: no value unless a model is named")
-    assert said.endswith("name --model soft_coating_2015")
+    assert code == 2 and said.startswith("stiction: peeling: 0.5; allowed: no value without a named model")
+    assert said.endswith("use --model soft_coating_2015")
     named = called(tmp_path, text.replace("interfacial_shear_strength", "# "), "run", "--model", "soft_coating_2015")
     assert named[0] == 0 and "peeling is not used" not in named[1]
     code, said = called(tmp_path, text, "compare")
@@ -233,7 +233,7 @@ def test_a_refused_input_ends_in_one_line_and_models_are_compared_all_the_same(t
 
 def test_the_commands_name_what_is_not_used(tmp_path):
     text = COMMAND.replace('"copper"', '{ preset = "copper", tangent_modulus = "1 GPa" }', 1)
-    line = "not used first.tangent_modulus (no law of the area hardens)"
+    line = "not used first.tangent_modulus (no area model includes hardening)"
     for command in ("run", "compare"):
         assert line in called(tmp_path, text, command)[1] and "not used" not in called(tmp_path, COMMAND, command)[1]
     answer = json.loads(called(tmp_path, text, "run", "--json")[1])["answer"]

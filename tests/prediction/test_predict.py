@@ -194,7 +194,7 @@ def test_a_scan_answers_by_the_contact_of_its_map():
     assert width(found) < 0.5 * width(numbers)
     (few_waves,) = found.warnings
     window = st.predict(pair(bodies, bodies, replace(surface, periodic=False), interfacial_shear_strength=1e6), load="200 N")
-    assert all("longest waves on a side" in one for one in (few_waves, window.warnings[0])) and width(window) > width(found)
+    assert all("longest wavelengths" in one for one in (few_waves, window.warnings[0])) and width(window) > width(found)
 
 
 def test_a_hard_film_bears_no_more_than_the_body_below_it():
@@ -226,7 +226,7 @@ def test_a_hard_film_bears_no_more_than_the_body_below_it():
 def test_an_area_far_from_solved_surfaces_is_a_warning_only_where_it_decides():
     """The state of the interface is uncertain by far more than a factor of 2; a stated strength is not."""
     wall = {"first": "silicon", "second": "silicon", "roughness": {"rms_height": "3 nm", "finish": "polished"}}
-    far = "No solved surface is near this contact: its area is known within a factor of 2."
+    far = "No benchmark surface is near this contact: its real area is uncertain by a factor of 2."
     by_state, by_strength = (
         st.predict(st.Contact(**wall, **interface, nominal_area="1 cm^2"), load="0.1 mN")
         for interface in ({"interface": "monolayer"}, {"interfacial_shear_strength": "2 MPa"})

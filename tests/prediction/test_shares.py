@@ -7,10 +7,10 @@ import pytest
 
 import stiction as st
 from stiction.case.read import case_in
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.levels import COLUMNS, Levels
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import draws_of, with_uncertain
+from stiction.studies.prediction.sampled_case import SampledCase
 
 ROUGH = {"asperity_height_deviation": 2e-7, "asperity_radius": 2e-5, "asperity_density": 1e10}
 GROUND = {"first": {"finish": "ground"}, "second": {"finish": "polished"}}
@@ -45,7 +45,7 @@ def test_shares_are_those_of_two_loops(name):
     contact = st.Contact(**fields, nominal_area=1e-4)
     case = with_uncertain(replace(case_in({"contact": contact, "solve": {"load": ["1 N"]}}), load=np.array([load])))
     levels = draws_of(case)
-    mixture = Mixture.of(Asked(case, np.array([load]), levels.inputs))
+    mixture = Mixture.of(SampledCase(case, np.array([load]), levels.inputs))
     rng = np.random.default_rng(7)
     possible = np.flatnonzero(np.isfinite(mixture.samples(levels, np.arange(len(levels))).force[:, 0]))
     variances = {part: two_loops(mixture, possible, part, rng) for part in COLUMNS}

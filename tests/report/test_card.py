@@ -60,9 +60,9 @@ def test_an_interval_that_begins_at_nothing_has_a_bar():
 @pytest.mark.parametrize(
     "warning",
     [
-        "12% of the draws are physically impossible and are left out.",
-        "The stated interface is 0.95 times as strong as the weaker body, and junctions grow: 2 % of its strength change mu.",
-        "The map holds 3 of its longest waves on a side, fewer than 6: it may not stand for the surface.",
+        "12% of the samples are physically impossible and are excluded.",
+        "The stated interface is 0.95 times as strong as the weaker body, and junctions grow: if its strength changes.",
+        "The map is only 3 of its longest wavelengths wide, fewer than 6: it may not represent the surface.",
         "word " * 30,
     ],
 )

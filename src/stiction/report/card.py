@@ -100,7 +100,7 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 def briefly(warning: str) -> str:
     """Return a warning in at most twelve words: without what follows a colon, then a comma, where it is longer.
 
-    >>> briefly("The interface is not stated: mu is a mixture over ceramic, boundary lubricant, oxidised metal.")
+    >>> briefly("The interface is not stated: the interval of mu covers ceramic, boundary lubricant, oxidised metal.")
     'The interface is not stated'
     """
     for mark in (": ", ", "):

@@ -1,8 +1,9 @@
-"""The contact area that carries the load: area laws, each corrected by its measured error, combined by stacking.
+"""The real contact area under a load: several area models, each corrected by its error on benchmark surfaces.
 
-A law's area on the drawn contacts is divided by its error on solved surfaces near the nominal contact, drawn from the
-distribution of that error over those surfaces (docs/truth.md). What is left of a law is how it follows load, hardness and
-roughness; its bias is gone. Laws are combined by weights that score best on solved surfaces left out (`make truth`).
+An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors
+on solved benchmark surfaces near the nominal contact (docs/truth.md). This removes the bias of the model, but keeps how its
+area depends on load, hardness and roughness. Models are combined with stacking weights: those that predict benchmark
+surfaces left out of the fit best (`make truth`).
 """
 
 from collections.abc import Mapping
@@ -23,7 +24,7 @@ from stiction.solving.points import Points, points_of, solve_points
 from stiction.solving.problem import Problem, make_problem
 from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
-from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.sampled_case import SampledCase
 
 __all__ = ["AreaLaw", "area_laws", "grown_to"]
 
@@ -50,22 +51,25 @@ _OF_FEW = 2.0
 
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-    """Return an area that grows by a factor while it is small, and to the nominal one at most."""
+    """Return an area multiplied by a factor while it is small, and limited by the nominal area."""
     open_share = np.maximum(1.0 - area / nominal, 1e-300)
     return nominal * -np.expm1(np.log(open_share) * factor)
 
 
 @dataclass(frozen=True)
 class AreaLaw:
-    """Hold the area by one law.
+    """The real contact area by one area model, with its errors on benchmark surfaces, for n samples and m loads.
 
-    name: of the law. weight: by stacking, (m,), 0 where the law has no result. log_area: ln of the area [m2], array (n, m)
-    over draws and loads. share: area of the nominal contact over its nominal area (m,), by which the errors are looked up.
-    levels: quantiles of ln(A/solved A), array (m, 5), see errors_near.LEVELS. far: distance (m,) of the nearest solved
-    surface, 0 to 1. sample: standard error of ln of the area of one window, (m,). touching: number of touching asperities
-    (m,), infinite where it is unknown. yields_at: mean pressure of spots (n or 1, m) that flow [Pa]. far_error: standard
-    deviation of ln of the area where no solved surface is near. elastic: of the nominal contact on a film, area over the
-    nominal one without flow (m,); 0 where it is unknown.
+    - name: of the model; weight: stacking weight (m,), 0 where the model has no result
+    - log_area: ln of the area [m2], (n, m)
+    - share: real over nominal area of the nominal contact (m,), at which errors are looked up
+    - levels: quantiles (m, 5) of ln(area/benchmark area), at errors_near.LEVELS
+    - far: distance (m,) to the nearest benchmark surface, 0 to 1
+    - sample: standard error (m,) of ln(area) of one measured window
+    - touching: number of asperities in contact (m,), infinite if unknown
+    - yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]
+    - far_error: standard deviation of ln(area) if no benchmark surface is near
+    - elastic: on a film, real over nominal area (m,) of the nominal contact without plastic flow; 0 if unknown
     """
 
     name: str
@@ -80,20 +84,20 @@ class AreaLaw:
     far_error: float
     elastic: np.ndarray
 
-    def at_load(self, at: int) -> "AreaLaw":
-        """Return the law at one of the loads of one contact."""
-        each = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "levels"}
+    def at_load(self, index: int) -> "AreaLaw":
+        """Return the model at the load with this index, for a single contact."""
+        each = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "levels"}
         arrays: dict[str, Any] = {
-            name: one[..., [at]] for name, one in each.items() if isinstance(one, np.ndarray) and one.shape[-1] > 1
+            name: field[..., [index]] for name, field in each.items() if isinstance(field, np.ndarray) and field.shape[-1] > 1
         }
-        return replace(self, levels=self.levels[[at]], **arrays)
+        return replace(self, levels=self.levels[[index]], **arrays)
 
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-        """Return the area [m2] (n, m) of these rows of the inputs, without the error at these quantile levels (n,).
+        """Return the area [m2] (n, m), corrected by model errors at these quantile levels (n,).
 
-        Spots that flow bound it from below: no area is less than the load over their pressure. Where no solved surface is near,
-        the nearest tell, and the part that is elastic is uncertain: area is a power mean of both, as in the law
-        (persson_widened). nominal: area [m2] (n, 1).
+        rows: rows of the samples; nominal: nominal area [m2] (n, 1). The area is at least the load over the pressure of
+        plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are used, and the elastic part of the
+        area becomes more uncertain. Elastic and plastic area are combined by a power mean, as in the model persson_widened.
         """
         from scipy.special import ndtri
 
@@ -109,128 +113,131 @@ class AreaLaw:
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor of `grown_to` that takes this error (n, m) off the area of the nominal contact."""
+        """Return the factor for `grown_to` that corrects the nominal contact by these errors (n, m) of ln(area)."""
         share = np.clip(self.share, 1e-12, _MOST)
         return np.log1p(-np.minimum(share * np.exp(-error), _MOST)) / np.log1p(-share)
 
 
 def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
-    """Return the quantile at normal scores (n,), by linear interpolation.
+    """Return the quantiles at standard normal scores (n,), interpolated linearly between quantiles at five levels.
 
-    Beyond the last level it is that of a normal distribution with the width of all levels.
+    Beyond the last level, the distribution is continued as a normal one of the same width.
     """
     ends = NORMAL_SCORES[0], NORMAL_SCORES[-1]
     slope = (levels[-1] - levels[0]) / (ends[1] - ends[0])
     return np.interp(score, NORMAL_SCORES, levels) + slope * (score - np.clip(score, *ends))
 
 
-def area_laws(asked: Asked) -> list[AreaLaw]:
-    """Return the laws that apply to a contact, with weights that sum to 1 at each point.
+def area_laws(sampled: SampledCase) -> list[AreaLaw]:
+    """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
-    Laws of later rank apply where no earlier one does. Raises InputError where none does.
+    Models of the next set are used at points where no model of the sets before applies. Raises InputError if none applies.
     """
-    found, refusal, left = [], None, np.ones(len(asked.loads), dtype=bool)
-    for choices in _in_turn(asked):
+    answers, refusal, left = [], None, np.ones(len(sampled.loads), dtype=bool)
+    for choices in _in_turn(sampled):
         laws = []
         for choice, weight in choices:
             try:
-                laws.append(_law(asked, choice, weight))
+                laws.append(_law(sampled, choice, weight))
             except (InputError, ArithmeticError) as error:
-                if asked.contacts > 1 and any(_answers(one, choice) for one in asked.ends()):
+                if sampled.contacts > 1 and any(_answers(end, choice) for end in sampled.ends()):
                     raise  # who asks for many divides them: the law answers for some
                 refusal = error
         total = np.sum([law.weight for law in laws], axis=0)
-        here = left & (total > 0.0)
-        found += [replace(law, weight=np.where(here, law.weight / np.where(here, total, 1.0), 0.0)) for law in laws]
-        left = left & ~here
+        fresh = left & (total > 0.0)
+        answers += [replace(law, weight=np.where(fresh, law.weight / np.where(fresh, total, 1.0), 0.0)) for law in laws]
+        left = left & ~fresh
         if not left.any():
-            return found
+            return answers
     assert refusal is not None
     raise refusal
 
 
-def _in_turn(asked: Asked) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return the sets of laws in their order, each if the one before refuses."""
-    contact = asked.contact
+def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
+    """Return sets of (model, weight), the preferred set first; a later set serves where the earlier ones fail."""
+    contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS
-    if asked.on_map:
+    if sampled.on_map:
         return area_weights("map"), area_weights("numbers")
     if contact.heights[0] != "gaussian":
         return (_OTHER_HEIGHTS,)
     return (area_weights("numbers" if contact.surface_kind is None else "kind"),)
 
 
-def _answers(asked: Asked, choice: Choice) -> bool:
+def _answers(sampled: SampledCase, choice: Choice) -> bool:
     try:
-        _law(asked, choice, 1.0)
+        _law(sampled, choice, 1.0)
     except (InputError, ArithmeticError):
         return False
     return True
 
 
-def _law(asked: Asked, choice: Choice, weight: float) -> AreaLaw:
-    """Return the area by one law.
+def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
+    """Return the area by one model.
 
-    Its weight is 0 for contacts that it refuses for having fewer asperities than a Gaussian surface. Raises InputError,
-    ArithmeticError.
+    The weight is 0 for contacts that have fewer asperities than any Gaussian surface, if the model refuses these. Raises
+    InputError or ArithmeticError.
     """
     try:
-        points, tables = _solved(asked, choice)
+        points, tables = _solved(sampled, choice)
     except InputError as error:
-        is_gaussian = asked.is_gaussian
+        is_gaussian = sampled.is_gaussian
         if error.field != _FEWEST or is_gaussian.all() or not is_gaussian.any():
             raise
-        law = _law(asked.as_gaussian(), choice, weight)
+        law = _law(sampled.as_gaussian(), choice, weight)
         return replace(law, weight=np.where(is_gaussian, law.weight, 0.0))
-    nominal = asked.nominal(choice.model_key)
+    nominal = sampled.nominal(choice.model_key)
     errors = measured_errors(points.problem, tables)
-    places = asked.places(points.dims)
+    places = sampled.places(points.dims)
     unit = np.broadcast_to(aligned(points.factors[QUANTITIES["contact_area"].scale], points.dims), points.wanted.shape)
     area = (tables["contact_area"].reshape(unit.shape) * unit).reshape(1, -1)[:, places]
     if "mean_separation" in tables:  # results where a load is nowhere carried are those at another one
         area = np.where(np.isnan(tables["mean_separation"]).reshape(1, -1)[:, places], np.nan, area)
-    drawn, flat = area, ~(area < _HALF * asked.column(nominal.nominal_area))
-    if asked.levels.size:
-        drawn = asked.areas(choice) if nominal.map is None else area * asked.by_numbers().variation(choice)
+    drawn, flat = area, ~(area < _HALF * sampled.column(nominal.nominal_area))
+    if sampled.levels.size:
+        drawn = sampled.areas(choice) if nominal.map is None else area * sampled.by_numbers().variation(choice)
     drawn = np.where(np.isnan(drawn), np.where(flat, np.inf, 0.0), drawn)
-    drawn = np.where(_too_sharp(asked), np.nan, drawn)
+    drawn = np.where(_too_sharp(sampled), np.nan, drawn)
     state = state_of(points.problem, tables)
     touching = np.ravel(state.get("touching_asperities", np.full(points.wanted.shape, np.inf)))[places]
     with np.errstate(divide="ignore"):
         far_error = _FAR if nominal.map is None else _FAR_ON_MAP
-        yields_at = _yields_at(asked, state.get("pressure_over_body_below"), places, area)
-        levels, far, sample = (one[places] for one in _known(errors, nominal.map is not None))
-        share = np.nan_to_num(area / asked.column(nominal.nominal_area), nan=1.0)[0]
+        yields_at = _yields_at(sampled, state.get("pressure_over_body_below"), places, area)
+        levels, far, sample = (table[places] for table in _known(errors, nominal.map is not None))
+        share = np.nan_to_num(area / sampled.column(nominal.nominal_area), nan=1.0)[0]
         name = replace(choice, tangential=None).name
         elastic = _elastic(points.problem, tables)[places]
-        weights = np.full(len(asked.loads), weight)
+        weights = np.full(len(sampled.loads), weight)
         return AreaLaw(name, weights, np.log(drawn), share, levels, far, sample, touching, yields_at, far_error, elastic)
 
 
-def _solved(asked: Asked, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points of a law on the nominal contacts, and its results there. Raises InputError, ArithmeticError."""
-    points = points_of(make_problem(asked.nominal(choice.model_key), choice), asked.load)
+def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
+    """Return the points of the nominal contacts and a model's results there. Raises InputError or ArithmeticError."""
+    points = points_of(make_problem(sampled.nominal(choice.model_key), choice), sampled.load)
     return points, solve_points(points, refuse=False).tables
 
 
 def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return area over nominal area (k,) without flow at results of a film law; else 0."""
+    """Return real over nominal area (k,) without plastic flow, from the results of a film model; 0 for other models."""
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
         return np.zeros(load.size)
     return np.nan_to_num(shares_on_film(problem, Place.of(problem, load), area)[0])
 
 
-def _too_sharp(asked: Asked) -> np.ndarray:
-    """Return which draws (n or 1, m or 1) have a surface that cannot be; none where the nominal one is such."""
-    rough = asked.drawn.roughness
-    found = asked.column(rough.asperity_height_deviation / rough.asperity_radius) > _SHARPEST
-    return found & ~found.all(axis=0)
+def _too_sharp(sampled: SampledCase) -> np.ndarray:
+    """Return which samples (n or 1, m or 1) have an impossible surface, with sigma above R.
+
+    All are False where every sample is like that, so that the contact still has a result.
+    """
+    rough = sampled.drawn.roughness
+    sharp = sampled.column(rough.asperity_height_deviation / rough.asperity_radius) > _SHARPEST
+    return sharp & ~sharp.all(axis=0)
 
 
 def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return levels, how far nothing is known, and the error of the sample, at each load."""
+    """Return the error quantiles, the distance to the benchmark surfaces (0 to 1), and the sampling error, at each load."""
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
     levels = np.where(known[:, None], errors.levels, 0.0)
@@ -241,13 +248,13 @@ def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray
     return levels, 1.0 - trust, np.nan_to_num(errors.sample)
 
 
-def _yields_at(asked: Asked, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
-    """Return the mean pressure of spots that flow.
+def _yields_at(sampled: SampledCase, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Return the mean pressure of plastic contact spots [Pa], (n or 1, m).
 
-    It is the hardness of each draw, or the pressure that the body below a hard film carries. over_below: pressure over that of
-    the body below, at the solved points; places: index of the solved point of each point.
+    It is the hardness of each sample, or the smaller pressure that the body below a hard film can carry. over_below:
+    pressure over the limit of that body, at the solved points; places: index of the solved point for each point.
     """
-    hardness = asked.bodies.hardness
+    hardness = sampled.bodies.hardness
     if over_below is None:
         return np.broadcast_to(hardness, (len(hardness), area.shape[1]))
-    return np.fmin(hardness, asked.loads / area[0] / np.ravel(over_below)[places])
+    return np.fmin(hardness, sampled.loads / area[0] / np.ravel(over_below)[places])

@@ -1,4 +1,4 @@
-"""Rows below a prediction: mu where metals touch bare, and the surfaces it was checked against."""
+"""Additional lines of an answer: mu of bare metals, and the benchmarks behind the prediction."""
 
 import json
 import math
@@ -23,30 +23,33 @@ _WIDE = 1.5  # factor of the area from which on it is no percentage
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
-    """Return the interval of mu where metals touch below their film or layer: empty where nothing parts two metals.
+    """Return the interval of mu if two metals touch without their film or surface layer; [] if nothing separates two metals.
 
-    The spots are plastic, as strong as clean metal allows, and grow: mu = tau_0/H times the growth of junctions, in which the
-    hardness drops out.
+    The contact spots are plastic, have the shear strength of clean metal, and grow under shear. Then mu is tau_0/H times
+    the junction growth, which does not depend on the hardness H.
     """
-    contact = mixture.asked.contact
+    contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
     parted = contact.has_film or (contact.interface is not None and contact.interface.name != _BARE)
     if not parted or any(class_of(body) not in _METALS for body in bodies):
         return []
     ratio = pair_of(*bodies).k if contact.hardness_to_yield is None else contact.hardness_to_yield
     shear_strength = np.full((_DRAWS, 1), 1.0 / (3.0**0.5 * float(np.mean(ratio))))  # over the hardness, as all below
-    levels, one = draw_levels(0, _DRAWS, 0), np.ones((_DRAWS, 1))
+    levels, ones = draw_levels(0, _DRAWS, 0), np.ones((_DRAWS, 1))
     strength = np.minimum(interface(_BARE).strength_at(levels["strength"], 1.0)[:, None], shear_strength)
-    mu = strength * grown(levels["growth"], one, strength, one, shear_strength)
+    mu = strength * grown(levels["growth"], ones, strength, ones, shear_strength)
     return np.quantile(mu, [0.5 - 0.5 * level, 0.5 + 0.5 * level]).tolist()
 
 
-def checked_against(mixture: Mixture, at: int) -> str:
-    """Return what was compared with measurements and solved surfaces, at the load of this number."""
-    near = [law for law in mixture.laws if law.far[at] < 1.0]
-    share = sum(float(law.weight[at]) for law in near)
+def checked_against(mixture: Mixture, index: int) -> str:
+    """Return a text about the benchmark surfaces and measured friction values near this contact.
+
+    at: index of the load.
+    """
+    near = [law for law in mixture.laws if law.far[index] < 1.0]
+    share = sum(float(law.weight[index]) for law in near)
     if share > 0.5:
-        times = math.exp(sum(float(law.weight[at]) * _half_width(mixture, law, at) for law in near) / share)
+        times = math.exp(sum(float(law.weight[index]) * _half_width(mixture, law, index) for law in near) / share)
         area = (
             f"solved surfaces (area +-{times - 1.0:.0%})"
             if times < _WIDE
@@ -54,28 +57,28 @@ def checked_against(mixture: Mixture, at: int) -> str:
         )
     else:
         area = "no solved surface near it"
-    stated = mixture.asked.contact.interface
+    stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
     if not printed:
         return f"{area}, never against measured friction"
     return f"{area}, {printed['held']} of {printed['contacts']} printed friction values inside"
 
 
-def _half_width(mixture: Mixture, law: AreaLaw, at: int) -> float:
-    """Return half the 90 % width of ln of the area by the error of a law.
+def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
+    """Return half the width of the 90 % interval of ln(area) due to the error of one area model.
 
-    Flowing spots and the nominal area bound it.
+    The plastic area and the nominal area limit it. at: index of the load.
     """
-    asked, rows = mixture.asked, np.arange(len(law.log_area))
-    nominal = np.broadcast_to(asked.column(asked.drawn.nominal_area), (len(rows), 1))
-    low, high = (law.corrected(rows, asked.loads, np.full(len(rows), level), nominal)[:, at] for level in (0.95, 0.05))
+    sampled, rows = mixture.sampled, np.arange(len(law.log_area))
+    nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))
+    low, high = (law.corrected(rows, sampled.loads, np.full(len(rows), level), nominal)[:, index] for level in (0.95, 0.05))
     return 0.5 * float(np.nanmedian(np.abs(np.log(high / low))))
 
 
 @cache
 def printed_contacts() -> dict[str, dict[str, int]]:
-    """Return the number of contacts with printed friction, by state of the interface.
+    """Return, for each state of the interface, the number of contacts with friction published in handbooks.
 
-    Also the number of them whose 90 % interval overlaps the printed range.
+    "held" counts those whose 90 % interval overlaps the published range.
     """
     return json.loads(FILE.read_text(encoding="utf-8"))

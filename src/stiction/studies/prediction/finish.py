@@ -1,4 +1,4 @@
-"""Numbers of a surface that is known by its finish, as uncertain numbers of a case."""
+"""Uncertain roughness parameters of a surface that is described by its finish."""
 
 from dataclasses import replace
 
@@ -18,7 +18,10 @@ _ROWS, _SEED = 512, 1
 
 
 def with_finish(case: Case) -> Case:
-    """Return the case with sigma, R and N drawn together from what its finish leaves open; as it is where they are stated."""
+    """Return the case with sigma, R and N as uncertain numbers, sampled together from the surface finish.
+
+    A case that states all of them is returned unchanged.
+    """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
         return case

@@ -1,4 +1,4 @@
-"""Tabulate predicted friction against nominal pressure, with the stiffness at rest and the separation, for other programs."""
+"""Tables of predicted friction and tangential stiffness against nominal pressure, for simulation programs."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -23,37 +23,38 @@ _STIFFNESS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": 
 
 
 def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xarray.Dataset":
-    """Return mu against nominal pressure, in rows between which mu is linear within 0.1 %.
+    """Return mu against nominal pressure, with so many rows that linear interpolation is accurate to 0.1 %.
 
     Parameters
     ----------
     contact : Contact, Case, dict or path
-        As `predict` takes it; one contact.
+        One contact, as for `predict`.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. More than one: the table spans them; one: two decades either side.
+        Normal load [N]; by default the loads of the case. The table covers the range of several loads, or two decades below and
+        above a single one.
     level : float
-        Quantile of mu, between 0 and 1: 0.5 the median, 0.05 a lower bound.
+        Quantile of mu, between 0 and 1: 0.5 for the median, 0.05 for a lower bound.
 
     Returns
     -------
     xarray.Dataset
-        Over `row`: load [N], nominal_pressure [Pa], friction_coefficient; and, of bare bodies, tangential_stiffness [N/m^3],
-        the slope of shear stress against displacement at rest, elastic_slip [m], shear stress at sliding over that slope, and
+        Over `row`: load [N], nominal_pressure [Pa] and friction_coefficient. For bare bodies also tangential_stiffness [N/m^3]
+        (initial slope of shear stress against displacement), elastic_slip [m] (shear stress at sliding over that slope) and
         mean_separation [m]. Attributes: working_row, level, comments (a list of lines).
 
     Notes
     -----
-    Stiffness and separation are those of asperities after Zhao, Maietta and Chang (2000) under the load alone, with the nominal
-    numbers of the contact and Mindlin's stiffness 8 G* a of each spot.
+    Stiffness and separation are those of the asperities of Zhao, Maietta and Chang (2000) under the load alone, for the nominal
+    contact. Each contact spot has Mindlin's stiffness 8 G* a.
     """
     if not 0.0 < level < 1.0:
         raise InputError("level", level, "a quantile above 0 and below 1, e.g. 0.05")
     case = case_given(contact, load)
     if case.is_several:
         raise InputError("contact", "array parameters", "a single contact for each table")
-    stated, at = pressing_loads(case)
+    stated, working_index = pressing_loads(case)
     if not stated.size:
-        raise InputError("load", None, "above 0: no point of the case has a pressing load")
+        raise InputError("load", None, "above 0 N, but no point of the case has a compressive load")
     loads, mu = _predicted(case, np.unique(stated), level)
     numbers: Any = case.subject.as_numbers()
     area = float(np.squeeze(numbers.nominal_area))
@@ -71,7 +72,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
             "elastic_slip": mu * columns["nominal_pressure"] / stiffness,
             "mean_separation": elastic["mean_separation"].values,
         }
-    working = int(np.argmin(np.abs(np.log(loads / stated[at]))))
+    working = int(np.argmin(np.abs(np.log(loads / stated[working_index]))))
     bounds = {"friction_coefficient": _OF_MU, "mean_separation": _OF_STIFFNESS, "tangential_stiffness": _OF_STIFFNESS}
     smooth = [(columns[name], bound) for name, bound in bounds.items() if name in columns]
     rows = _needed(columns["nominal_pressure"], smooth, working)
@@ -82,7 +83,10 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 
 
 def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads [N] and mu at them: between the stated loads, or around a single one as far as hardness allows."""
+    """Return loads [N] and mu at these loads.
+
+    The loads cover the range of the stated ones, or decades around a single one, up to the load that the hardness allows.
+    """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None
     decades = [0.0] if stated.size > 1 else [_DECADES, _DECADES - 1, 0.0]
@@ -101,12 +105,15 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
     raise AssertionError("the last range returns or raises")
 
 
-def _needed(pressure: np.ndarray, columns: list[tuple[np.ndarray, float]], kept: int) -> np.ndarray:
-    """Return the rows that linear interpolation in pressure needs: each column within its bound. `kept` is one of them."""
+def _needed(pressure: np.ndarray, columns: list[tuple[np.ndarray, float]], working_index: int) -> np.ndarray:
+    """Return the indices of the rows that linear interpolation in pressure needs to keep each column within its error bound.
+
+    columns: (values, relative bound). kept: index of a row that is always included.
+    """
     rows, last = [0], len(pressure) - 1
     while rows[-1] < last:
         start, end = rows[-1], rows[-1] + 1
-        while end not in (kept, last) and all(_is_straight(pressure, *column, start, end + 1) for column in columns):
+        while end not in (working_index, last) and all(_is_straight(pressure, *column, start, end + 1) for column in columns):
             end += 1
         rows.append(end)
     return np.array(rows)

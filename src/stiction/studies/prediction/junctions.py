@@ -1,15 +1,16 @@
-"""Changes of a yielded spot of contact: junctions grow under shear, and a soft film is squeezed.
+"""Changes of plastic contact spots: junctions grow under shear, and a soft film is squeezed out.
 
-Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), so that its pressure falls and
-its area grows by 1/sqrt(1 - c^2), with c = tau_0/tau_b the strength of the interface over that of the body; a junction that is
-elastic until p reaches H sqrt(1 - c^2) does not grow. Three assumptions are alternatives, with prior weights that are a
-judgement (grade C): no growth, which a spot that flows contradicts; the bulk shears at Y/sqrt(3) (von Mises); the bulk of a
-junction hardens, to H/3 where the interface is as strong as the body (alpha = 9, Tabor's experiments, which count most). What
-ends growth where c goes to 1 is in none of them: c is bounded at 0.999.
+Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959). Its pressure falls, and
+its area grows by 1/sqrt(1 - c^2), where c = tau_0/tau_b is the shear strength of the interface over that of the body. A
+junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three assumptions have prior weights by
+judgement (grade C): no growth; a bulk that shears at Y/sqrt(3) (von Mises); and a bulk of the junction that hardens up to
+H/3 if the interface is as strong as the body (alpha = 9, Tabor's experiments, the largest weight). None of them limits
+growth for c near 1, so that c is limited to 0.999.
 
-Squeeze: a soft film between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius a, that of a plastic layer that
-sticks to both (Hill 1950), and at most the hardness of the body, or what elastic bodies bear that touch through the film, so
-that its area is never less than theirs without it. How far this goes is drawn evenly between nothing and all.
+Squeeze: a soft film between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius a, the pressure of a plastic
+layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body, and by the pressure of
+elastic bodies that touch through the film, so that the area is at least the elastic area. A uniform random number sets how
+much of this increase is applied.
 """
 
 import numpy as np
@@ -23,16 +24,16 @@ _TABOR = 9.0  # alpha
 
 
 def grown(level: np.ndarray, pressure: np.ndarray, strength: np.ndarray, hardness: np.ndarray, shear_strength: np.ndarray):
-    """Return the area of spots over that before shear, an array (n, m).
+    """Return the factor (n, m) by which contact spots grow under shear.
 
     Parameters
     ----------
     level : numpy.ndarray, shape (n,)
-        Which assumption holds: its level among the prior weights GROWTH.
+        Quantile level that selects one of the three assumptions by their prior weights GROWTH.
     pressure : numpy.ndarray, shape (n, m)
-        Mean pressure of spots [Pa].
+        Mean pressure of contact spots [Pa].
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
-        tau_0, and of the weaker body hardness and shear strength [Pa].
+        tau_0, and hardness and shear strength of the weaker body [Pa].
     """
     share = np.minimum(strength / shear_strength, _MOST)
     hardened = (hardness / shear_strength) ** 2 / _TABOR
@@ -51,14 +52,14 @@ def squeezed(
     hardness: np.ndarray,
     hardest: np.ndarray,
 ) -> np.ndarray:
-    """Return the mean pressure of spots on a soft film over a thick one, (n, m).
+    """Return the factor (n, m) by which the mean pressure of spots on a thin soft film exceeds that on a thick one.
 
     Parameters
     ----------
     level : numpy.ndarray, shape (n,)
-        How far the film is squeezed, 0 to 1.
+        How much of the possible increase is applied, 0 to 1.
     pressure, radius : numpy.ndarray, shape (n, m)
-        Mean pressure [Pa] and radius [m] of spots.
+        Mean pressure [Pa] and radius [m] of contact spots.
     thickness, hardness, hardest : numpy.ndarray, shape (n, m or 1)
         Film thickness [m], hardness of the film, and largest pressure that film and bodies bear [Pa].
     """

@@ -1,4 +1,7 @@
-"""Quantile levels of every part of a prediction: drawn together, exchanged one part at a time for the shares of variance."""
+"""Quantile levels of all random parts of a prediction.
+
+All parts are sampled together. To find the variance due to one part, its levels alone are exchanged between samples.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -25,9 +28,9 @@ _APART = "spots"  # a column that few contacts need: not of the sequence, so tha
 
 @dataclass(frozen=True)
 class Levels:
-    """Levels between 0 and 1 of n draws.
+    """Quantile levels, 0 to 1, of n samples.
 
-    inputs: array (n, k), a column for each uncertain number of the case. others: name of a column of COLUMNS -> array (n,).
+    inputs: (n, k), one column for each uncertain number of the case. others: column (n,) by its name in COLUMNS.
     """
 
     inputs: np.ndarray
@@ -40,26 +43,29 @@ class Levels:
         return self.others[name]
 
     def with_rows(self, part: str, moved: np.ndarray, rows: np.ndarray) -> "Levels":
-        """Return the levels of these rows, but those of one part from the rows `moved`; inputs are never moved."""
+        """Return the levels of the samples `rows`, with the columns of one part taken from the samples `moved`.
+
+        The columns of the inputs always come from `rows`.
+        """
         others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
         return Levels(self.inputs[rows], others)
 
 
 def draw_levels(inputs: int, count: int, seed: int) -> Levels:
-    """Return the levels of `count` draws: points of one scrambled Sobol sequence over all columns.
+    """Return the levels of `count` samples, the points of one scrambled Sobol sequence over all columns.
 
     Parameters
     ----------
     inputs : int
         Number of uncertain numbers of the case.
     count : int
-        Number of draws, a power of two.
+        Number of samples, a power of two.
     seed : int
         Seed of the scrambling.
 
     Notes
     -----
-    The sequence is scrambled as Owen (1997) does, so that its points are uniform, and the same seed gives the same draws.
+    Owen scrambling (Owen 1997) makes the points uniform. The same seed gives the same samples.
     """
     names = [name for columns in COLUMNS.values() for name in columns if name != _APART]
     points = sobol_points(inputs + len(names), count, seed)

@@ -1,4 +1,4 @@
-"""Predictions of many contacts that differ by numbers: the same draws for all, solved together."""
+"""Predictions for many contacts at once, with the same quantile levels for all contacts."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,9 +15,9 @@ from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.mixture import Mixture
 from stiction.studies.prediction.predict import COUNT, draws_of, intervals, with_uncertain
+from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.unused import refusal_of
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ _AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved su
 
 
 def count_of(points: int) -> int:
-    """Return the number of draws of each of so many points: all where they are computed at once, else half."""
+    """Return the number of samples per point: the full number for up to 128 points, else half of it."""
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 
@@ -48,30 +48,30 @@ def predict_many(
     count: int = COUNT,
     along: Sequence[str] | None = None,
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
-    """Yield predictions of a case at many sets of numbers, as `evaluate_many` does.
+    """Yield predictions for many variants of a case, in batches as `evaluate_many` does.
 
     Parameters
     ----------
     case : Case
-        The case, with its nominal numbers; what is uncertain in it is not drawn.
+        The case with its nominal numbers; its own uncertain numbers are not sampled.
     numbers : dict
-        Address, ("contact", "first", "hardness") -> labelled array, in SI units.
+        Labelled array in SI units by address, e.g. ("contact", "first", "hardness").
     load : numpy.ndarray or xarray.DataArray
-        Loads [N] of every contact, or along dimensions of the contacts.
+        Loads [N] for every contact, or a labelled array along dimensions of the contacts.
     uncertain : sequence of Uncertain
-        Uncertain numbers of the case, in addition to ranges of materials.
+        Uncertain numbers to sample, in addition to the ranges of materials.
     level : float
-        Share of the distribution within the intervals.
+        Coverage probability of the intervals.
     count : int
-        Number of draws, the same for every contact.
+        Number of samples, the same for every contact.
     along : sequence of str, optional
-        Dimensions that may be divided; by default all, also that of the loads.
+        Dimensions along which batches may be split; by default all, including that of the loads.
 
     Returns
     -------
     iterator
         Of region, case and results: friction_coefficient, friction_force and contact_area with _low and _high. A region maps
-        dimensions to slices; a contact that is refused has None, None.
+        dimensions to slices. For a refused contact, case and results are None.
     """
     from xarray import DataArray
 
@@ -85,22 +85,22 @@ def predict_many(
 
     refusal, taken = None, False
     sizes = dimensions([*numbers.values(), load])
-    whole = {dim: slice(0, size) for dim, size in sizes.items() if along is None or _named(dim) in along}
-    for piece in pieces(whole, _AT_ONCE):
-        for region, found in bisected(piece, predicted):
+    ranges = {dim: slice(0, size) for dim, size in sizes.items() if along is None or _named(dim) in along}
+    for piece in pieces(ranges, _AT_ONCE):
+        for region, outcome in bisected(piece, predicted):
             region = {_named(dim): some for dim, some in region.items()}
-            if isinstance(found, Exception):
-                refusal = found
+            if isinstance(outcome, Exception):
+                refusal = outcome
                 yield region, None, None
             else:
                 taken = True
-                yield region, found[0], _named_back(found[1])
+                yield region, outcome[0], _named_back(outcome[1])
     if refusal is not None and not taken:
         raise refusal
 
 
 def _apart(value: Any) -> Any:
-    """Return a number of many contacts with no dimension that the draws have."""
+    """Return a labelled array with its dimension `sample` renamed, because the samples of a prediction need that name."""
     return value.rename({SAMPLE: _CONTACTS}) if SAMPLE in getattr(value, "dims", ()) else value
 
 
@@ -108,57 +108,59 @@ def _named(dim: str) -> str:
     return SAMPLE if dim == _CONTACTS else dim
 
 
-def _named_back(found: BatchResult) -> BatchResult:
-    """Return results along the dimensions of the numbers that were given."""
-    variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in found.variables.items()}
+def _named_back(result: BatchResult) -> BatchResult:
+    """Return the results with the original name of the dimension that `_apart` renamed."""
+    variables = {name: (tuple(map(_named, dims)), *rest) for name, (dims, *rest) in result.variables.items()}
     return replace(
-        found,
+        result,
         variables=variables,
-        validity_warnings=(tuple(map(_named, found.validity_warnings[0])), found.validity_warnings[1]),
+        validity_warnings=(tuple(map(_named, result.validity_warnings[0])), result.validity_warnings[1]),
     )
 
 
 def _together(
     case: Case, numbers: Mapping, load: Any, uncertain: tuple[Uncertain, ...], level: float, count: int
 ) -> tuple[Case, BatchResult]:
-    """Return the case with these numbers, and its results. Raises InputError, ArithmeticError where any contact is refused."""
+    """Return the case with these numbers and its predictions.
+
+    Raises InputError or ArithmeticError if any contact is refused.
+    """
     with np.errstate(all="ignore"):
         case = case.at(numbers)
         if not isinstance(case.subject, Contact):
-            raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
+            raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
         if (refusal := refusal_of(case)) is not None:
             raise refusal
         several = {path: value for path, value in numbers.items() if hasattr(value, "dims")}
         case = with_uncertain(replace(case, several=several, uncertain=uncertain))
         loads = load.values if load.dims == ("load",) else load
         levels = draws_of(case, count)
-        asked = Asked(case, loads, levels.inputs)
-        if not (asked.loads > 0.0).all():
-            raise InputError("load", float(asked.loads.min()), "above 0 N: mu is friction over load")
-        samples = Mixture.of(asked).samples(levels, np.arange(len(levels)))
-        found = intervals(samples, asked.loads, level)
-    shape, dims = tuple(asked.dims.values()), tuple(asked.dims)
-    variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in found.items()}
-    refused = np.isnan(found["friction_coefficient"][0]).reshape(shape)
+        sampled = SampledCase(case, loads, levels.inputs)
+        if not (sampled.loads > 0.0).all():
+            raise InputError("load", float(sampled.loads.min()), "above 0 N, because mu is friction force over load")
+        samples = Mixture.of(sampled).samples(levels, np.arange(len(levels)))
+        tables = intervals(samples, sampled.loads, level)
+    shape, dims = tuple(sampled.dims.values()), tuple(sampled.dims)
+    variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in tables.items()}
+    refused = np.isnan(tables["friction_coefficient"][0]).reshape(shape)
     return case, BatchResult(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
 
 
 def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
-    """Return the predictions of a case whose numbers are several, over their dimensions and its loads, as `predict` names them.
+    """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
-    Contacts that are refused are not numbers; the attribute `refused` counts them, `draws` says of how many each is. Raises
-    InputError where the case has separations in place of loads, and where all contacts are refused.
+    Variables are named as in `predict`. Refused contacts are NaN; the attribute `refused` counts them, and `draws` is the
+    number of samples per contact. Raises InputError if the case has separations instead of loads, or if all contacts are
+    refused.
     """
     import xarray
 
     if case.load is None:
-        raise InputError(
-            "solve.separation", "given", "a load: predictions take loads only; a named model also takes separations"
-        )
+        raise InputError("solve.separation", "given", "a load; only a named model accepts separations")
     loads = xarray.DataArray(case.load, dims=("load",))
     sizes = dimensions([*case.several.values(), loads])
     count = count_of(math.prod(sizes.values()))
-    found: dict[str, tuple] = {}
+    tables: dict[str, tuple] = {}
     refused = 0
     for region, _, solved in predict_many(case, case.several, loads, case.uncertain, level=level, count=count):
         if solved is None:
@@ -166,9 +168,9 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
             continue
         refused += int(np.count_nonzero(solved.validity_warnings[1]))
         for name, (dims, values, attributes) in solved.variables.items():
-            table = found.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
+            table = tables.setdefault(name, (tuple(sizes), np.full(tuple(sizes.values()), np.nan), attributes))[1]
             table[tuple(region[dim] for dim in sizes)] = arranged(values, dims, sizes)
     coords = coordinates(case.subject.arrays())
     coords["load"] = xarray.Variable("load", case.load, {"units": "N", "long_name": "load"})
     attributes = {"level": level, "draws": count, "refused": refused, "model": RECOMMENDED}
-    return xarray.Dataset(found, coords=coords, attrs=attributes | ({"case": case.title} if case.title else {}))
+    return xarray.Dataset(tables, coords=coords, attrs=attributes | ({"case": case.title} if case.title else {}))

@@ -1,4 +1,4 @@
-"""Predictions updated by measured friction: samples are weighted by their agreement with it."""
+"""Predictions updated by measured friction: samples are weighted by their likelihood."""
 
 from dataclasses import dataclass
 from os import PathLike
@@ -19,7 +19,7 @@ _FEW = 50.0  # draws that count at least, for an interval
 
 @dataclass(frozen=True)
 class Measured:
-    """Measured friction coefficients (k,) at loads [N], with the standard errors of their logarithms."""
+    """Measured friction coefficients (k,) as logarithms, with their loads [N] and standard errors of the logarithms."""
 
     load: np.ndarray
     log_mu: np.ndarray
@@ -27,46 +27,52 @@ class Measured:
 
 
 def read_measured(path: str | PathLike, case: Case) -> Measured:
-    """Read measured friction from a CSV file, as `stiction fit` takes it. Raises InputError, also for other quantities."""
-    found: Measurements = read_measurements(path, case.tables)
-    others = set(found.quantity) - {"friction_coefficient", "friction_force"}
+    """Return measured friction coefficients from a CSV file with the columns of `stiction fit`.
+
+    Raises InputError, also for measured quantities other than friction.
+    """
+    series: Measurements = read_measurements(path, case.tables)
+    others = set(series.quantity) - {"friction_coefficient", "friction_force"}
     if others:
         raise InputError(
             "--data",
             ", ".join(sorted(others)),
-            "friction_coefficient or friction_force unless a model is named",
+            "friction_coefficient or friction_force; other quantities need a named model",
             "name one as solve.model",
         )
-    if any(found.known):
+    if any(series.known):
         raise InputError(
-            "--data", "numbers of the contact", "no numbers of the contact unless a model is named", "name one as solve.model"
+            "--data",
+            "numbers of the contact",
+            "no columns with numbers of the contact; these need a named model",
+            "name one as solve.model",
         )
-    force = np.array([one == "friction_force" for one in found.quantity])
-    mu = np.where(force, found.value / found.load, found.value)
+    force = np.array([quantity == "friction_force" for quantity in series.quantity])
+    mu = np.where(force, series.value / series.load, series.value)
     if not (mu > 0.0).all():
         raise InputError("--data", float(mu.min()), "measured friction above 0")
-    relative = np.where(force, found.error / found.load, found.error) / mu
+    relative = np.where(force, series.error / series.load, series.error) / mu
     spread = np.std(np.log(mu), ddof=1) if len(mu) >= 3 else _USUAL_ERROR
-    return Measured(found.load, np.log(mu), np.where(np.isfinite(relative), relative, max(spread, _LEAST_ERROR)))
+    return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, max(spread, _LEAST_ERROR)))
 
 
 def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:
-    """Return rows of the draws, each as often as it counts, and warnings.
+    """Return indices of samples, repeated in proportion to their likelihood, and warnings.
 
     Parameters
     ----------
     measured : Measured
-        k values.
+        k measured values.
     mu : numpy.ndarray, shape (n, k)
-        Predicted friction at the loads of the values.
+        Predicted friction of each sample at the loads of the values.
     count : int
-        Number of rows that are returned.
+        Number of indices to return.
 
     Notes
     -----
-    A draw counts by its likelihood, exp(-chi^2/2), of values with independent lognormal errors. Where fewer than _FEW draws
-    would count, as by chance or as no draw is near, errors are taken so much larger that these do: an interval of one draw has
-    no width. Rows are resampled systematically in the order of mu, so that its quantiles scatter least (Kitagawa 1996).
+    The likelihood of a sample is exp(-chi^2/2), for measured values with independent log-normal errors. If the effective
+    number of samples is below _FEW, all errors are enlarged until it is reached, because a few samples give no reliable
+    interval. Systematic resampling in the order of mu minimises the scatter of its quantiles (Kitagawa 1996).
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         squares = ((np.log(mu) - measured.log_mu) / measured.error) ** 2
@@ -78,8 +84,8 @@ def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.nda
     order = np.argsort(mu[:, 0], kind="stable")  # the draws are an even sequence, which even steps along it would not be
     rows = order[np.minimum(np.searchsorted(np.cumsum(weights[order]), (np.arange(count) + 0.5) / count), len(order) - 1)]
     if chi.min() / len(measured.log_mu) > 9.0:
-        return rows, ["The measured friction is beyond what the stated contact allows: check the interface and the inputs."]
-    text = f"Few draws meet the measured friction: its errors are taken {larger:.2g} times larger. Check the inputs."
+        return rows, ["The measured friction is outside what the stated contact allows: check the interface and the inputs."]
+    text = f"Few samples agree with the measured friction: its errors are enlarged {larger:.2g} times. Check the inputs."
     return rows, [text] if larger > 1.0 else []
 
 
@@ -89,5 +95,5 @@ def _weights(chi: np.ndarray, larger: float) -> np.ndarray:
 
 
 def _counting(weights: np.ndarray) -> float:
-    """Return the number of draws that count: of as many with the same weight a mean scatters as much (Kish 1965)."""
+    """Return the effective number of samples for these weights (Kish 1965)."""
     return float(1.0 / np.sum(weights**2))

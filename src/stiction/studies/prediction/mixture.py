@@ -1,4 +1,4 @@
-"""All parts of a prediction together: mu, friction force and area of every draw."""
+"""The probabilistic model of a prediction: samples of mu, friction force and contact area from all its parts."""
 
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -7,11 +7,11 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.studies.prediction.area import AreaLaw, area_laws, grown_to
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.junctions import grown, squeezed
 from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.onset import Onset
 from stiction.studies.prediction.pull import Pull, pull_of
+from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
 __all__ = ["Mixture", "Samples"]
@@ -28,11 +28,11 @@ _MOST_SCATTER = 1.0  # standard deviation of ln of an area that so few asperitie
 
 @dataclass(frozen=True)
 class Samples:
-    """Results of the draws, arrays (n, m) over draws and loads, NaN where a draw cannot be.
+    """Results of the samples, arrays (n, m) over samples and loads; NaN for an impossible sample.
 
-    force [N], area [m2], pull: factor of the area by adhesion and menisci, growth: by shear, strength: tau_0 [Pa] (n, 1),
-    pressure: mean pressure of spots over the hardness, before shear; efficiency: force over the sum of strengths, 1 where these
-    do not fall with slip.
+    force [N]; area: real contact area [m2]; pull: factor of the area due to adhesion and menisci; growth: factor due to
+    junction growth; strength: tau_0 [Pa], (n, 1); pressure: mean pressure of contact spots over the hardness, before shear;
+    efficiency: force over the sum of the strengths of all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -44,15 +44,15 @@ class Samples:
     efficiency: np.ndarray
 
     def some(self, rows: np.ndarray, loads: int) -> "Samples":
-        """Return these rows of the draws, at the first of the loads."""
-        return Samples(*(getattr(self, one.name)[rows, :loads] for one in fields(self)))
+        """Return these rows of the samples, at the first `loads` loads only."""
+        return Samples(*(getattr(self, field.name)[rows, :loads] for field in fields(self)))
 
 
 @dataclass(frozen=True)
 class Mixture:
-    """The parts of a prediction at its loads (m,), ready to be drawn from."""
+    """All parts of a prediction at its loads (m,): area models, adhesion, interface strength and onset of sliding."""
 
-    asked: Asked
+    sampled: SampledCase
     loads: np.ndarray
     laws: list[AreaLaw]
     pull: Pull
@@ -60,43 +60,46 @@ class Mixture:
     onset: Onset | None
 
     @classmethod
-    def of(cls, asked: Asked) -> "Mixture":
-        """Return the parts for a contact.
+    def of(cls, sampled: SampledCase) -> "Mixture":
+        """Return the parts of a prediction for a contact.
 
-        Raises InputError where no law applies to it, and for a load that presses all of its faces together above the hardness.
+        Raises InputError if no area model applies, or if every load exceeds hardness times nominal area.
         """
-        _refuse_flattened(asked)
-        return cls(asked, asked.loads, area_laws(asked), pull_of(asked), Strength(asked), Onset.of(asked))
+        _refuse_flattened(sampled)
+        return cls(sampled, sampled.loads, area_laws(sampled), pull_of(sampled), Strength(sampled), Onset.of(sampled))
 
-    def at_load(self, at: int) -> "Mixture":
-        """Return the parts of one contact at one of its loads."""
-        laws = [law.at_load(at) for law in self.laws]
-        return replace(self, loads=self.loads[[at]], laws=laws, pull=self.pull.at_load(at))
+    def at_load(self, index: int) -> "Mixture":
+        """Return the parts for a single contact at the load with this index."""
+        laws = [law.at_load(index) for law in self.laws]
+        return replace(self, loads=self.loads[[index]], laws=laws, pull=self.pull.at_load(index))
 
     @property
     def touching(self) -> np.ndarray:
-        """Return the number of asperities that touch at each load (m,)."""
+        """Return the number of asperities in contact at each load (m,)."""
         return np.sum([law.weight * np.where(law.weight > 0.0, law.touching, 0.0) for law in self.laws], axis=0)
 
     @cached_property
     def _is_flattened(self) -> np.ndarray:
-        """Return where (m,) the load presses the faces together with more than the hardness."""
-        return self.loads > _most_load(self.asked)
+        """Return, for each load (m,), whether it exceeds hardness times nominal area."""
+        return self.loads > _most_load(self.sampled)
 
     @property
     def _touching_share(self) -> np.ndarray:
-        """Return the share of all asperities of the nominal contact that touch at each load (m,)."""
-        contact = self.asked.contact
-        every = self.asked.column(contact.roughness.asperity_density * contact.nominal_area)
+        """Return the fraction of all asperities of the nominal contact that touch at each load (m,)."""
+        contact = self.sampled.contact
+        every = self.sampled.column(contact.roughness.asperity_density * contact.nominal_area)
         return np.minimum(self.touching / every[0], 1.0)
 
     def samples(self, levels: Levels, inputs: np.ndarray) -> Samples:
-        """Return the results at these levels; inputs: the row of the drawn contacts that each draw takes."""
-        asked, bodies = self.asked, self.asked.bodies
+        """Return the results of samples with these quantile levels.
+
+        inputs: for each sample, the row of the sampled inputs that it uses.
+        """
+        sampled, bodies = self.sampled, self.sampled.bodies
         load = self.loads[None, :]
         nominal, hardness, shear, hardest = (
-            self._of(one, inputs)
-            for one in (asked.column(asked.drawn.nominal_area), bodies.hardness, bodies.shear_strength, bodies.hardest)
+            self._of(column, inputs)
+            for column in (sampled.column(sampled.drawn.nominal_area), bodies.hardness, bodies.shear_strength, bodies.hardest)
         )
         pull = self.pull.factor(levels["pull_model"], levels["pull_error"], inputs)
         dry = np.minimum(self._dry_area(levels, inputs, nominal), nominal)
@@ -109,8 +112,8 @@ class Mixture:
         area = np.maximum(area, np.minimum(borne / hardest, nominal))
         strength, coefficient = self.strength.at(levels["state"], levels["strength"], levels["coefficient"], inputs)
         growth = np.ones_like(area)
-        if asked.metallic.any():
-            growth = np.where(asked.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
+        if sampled.metallic.any():
+            growth = np.where(sampled.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
         area = np.minimum(area * growth, nominal)
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)
@@ -119,73 +122,76 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the rows of a column (n, 1), or of one number, for these rows of the inputs."""
+        """Return these rows of a column (n, 1); a column with a single row is repeated."""
         return column[inputs % len(column)]
 
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:
-        """Return the share of each law of the area among these rows of the draws."""
+        """Return the fraction of these samples that use each area model, by its name."""
         which = self._laws_drawn(levels)[rows, 0]
-        return {law.name: float(np.mean(which == at)) for at, law in enumerate(self.laws)}
+        return {law.name: float(np.mean(which == index)) for index, law in enumerate(self.laws)}
 
     def _laws_drawn(self, levels: Levels) -> np.ndarray:
-        """Return the number of the law of the area of each draw at each load (n, m)."""
+        """Return the index of the area model of each sample at each load (n, m)."""
         ends = np.cumsum([law.weight for law in self.laws], axis=0)
         ends[-1] = 1.0
         return np.argmax(levels["area_model"][:, None, None] <= ends.T[None], axis=-1)
 
     def _dry_area(self, levels: Levels, inputs: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-        """Return the area (n, m) without what pulls: of the law drawn by its weight, less the error drawn for it."""
+        """Return the area (n, m) without adhesion and menisci, by the sampled area model and corrected by its sampled error."""
         which = self._laws_drawn(levels)
         areas = np.empty((len(levels), len(self.loads)))
-        for at, law in enumerate(self.laws):
-            here = which == at
-            mine = here.any(axis=1)
+        for index, law in enumerate(self.laws):
+            uses_law = which == index
+            mine = uses_law.any(axis=1)
             rows = inputs[mine] % len(law.log_area)
-            said = law.corrected(rows, self.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine)))
-            areas[mine] = np.where(here[mine], said, areas[mine])
+            corrected = law.corrected(rows, self.loads, levels["area_error"][mine], self._of(nominal, np.flatnonzero(mine)))
+            areas[mine] = np.where(uses_law[mine], corrected, areas[mine])
         return areas
 
     def _squeezed(self, levels, inputs, area, borne, hardness, hardest):
-        """Return area and mean pressure (n, m), of a soft film that is squeezed out of spots wider than it is thick."""
-        coating, touching = self.asked.drawn.coating, self.touching
+        """Return area and mean pressure (n, m) of contact spots after a soft film is squeezed in them.
+
+        This matters for spots wider than the film is thick. A contact without film is returned unchanged.
+        """
+        coating, touching = self.sampled.drawn.coating, self.touching
         if coating is None or not np.isfinite(touching).all():
             return area, borne / area
         radius = np.sqrt(area / (np.pi * np.maximum(touching, 1.0)))
-        thickness = self._of(self.asked.column(coating.thickness), inputs)
+        thickness = self._of(self.sampled.column(coating.thickness), inputs)
         times = squeezed(levels["confinement"], borne / area, radius, thickness, hardness, hardest)
         return area / times, borne / area * times
 
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
-        """Return ln of the area (n, m) over its mean, for the scatter of few spots.
+        """Return ln(area) minus its mean (n, m), for the random scatter of a small number of contact spots.
 
-        Zero where all is plastic, or where the map shows its spots.
+        It is 0 if all spots are plastic, or if a height map determines the spots.
         """
         from scipy.special import ndtri
 
         elastic = 1.0 - np.clip(pressure, 0.0, 1.0) ** 2
         number = 1.0 / np.maximum(self.touching, 1e-9)
-        varied = self.asked.contact.strength_variation
+        varied = self.sampled.contact.strength_variation
         sample = sum(law.weight * law.sample**2 for law in self.laws)
         more = np.maximum(number - 1.0 / np.maximum(_SOLVED * self._touching_share, _LEAST_SOLVED), 0.0)
-        of_spots = _OF_SPOTS * more * elastic if not self.asked.on_map else 0.0
-        variance = of_spots + sample + (0.0 if varied is None else 2.0 * self.asked.column(varied).mean(axis=0) ** 2 * number)
+        of_spots = _OF_SPOTS * more * elastic if not self.sampled.on_map else 0.0
+        variance = of_spots + sample + (0.0 if varied is None else 2.0 * self.sampled.column(varied).mean(axis=0) ** 2 * number)
         return ndtri(levels["chance"])[:, None] * np.minimum(np.sqrt(variance), _MOST_SCATTER)
 
 
-def _most_load(asked: Asked) -> np.ndarray:
-    """Return the hardness times the nominal area at each point, or of one contact (m or 1,) [N]."""
-    most: np.ndarray = np.median(asked.bodies.hardest, axis=0) * np.mean(asked.column(asked.drawn.nominal_area), axis=0)
+def _most_load(sampled: SampledCase) -> np.ndarray:
+    """Return hardness times nominal area [N] for each point (m,), or (1,) if all points share it."""
+    most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most
 
 
-def _refuse_flattened(asked: Asked) -> None:
-    """Raise InputError for a load that presses the faces together above the hardness.
+def _refuse_flattened(sampled: SampledCase) -> None:
+    """Raise InputError if a load exceeds hardness times nominal area.
 
-    Of many contacts only if all are pressed so.
+    For many contacts, it is raised only if all their loads do.
     """
-    most = np.broadcast_to(_most_load(asked), asked.loads.shape)
-    flattened = asked.loads > most
-    at = int(np.argmax(asked.loads / most))
-    if flattened.all() or (flattened.any() and asked.contacts == 1):
-        shown = (asked.contact.show(one, "load", 3) for one in (asked.loads[at], most[at]))
+    most = np.broadcast_to(_most_load(sampled), sampled.loads.shape)
+    flattened = sampled.loads > most
+    index = int(np.argmax(sampled.loads / most))
+    if flattened.all() or (flattened.any() and sampled.contacts == 1):
+        shown = (sampled.contact.show(load, "load", 3) for load in (sampled.loads[index], most[index]))
         raise InputError("load", next(shown), f"at most {next(shown)}, the hardness times the nominal area")

@@ -1,4 +1,4 @@
-"""Predict one number from names and values, for spreadsheets and other languages."""
+"""A single predicted number from names and values, for spreadsheets and other languages."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -20,16 +20,16 @@ _MU = "friction_coefficient"
 
 
 def predict_value(output: str, *pairs: str | float) -> float:
-    """Return one predicted number; a cell of a spreadsheet can call it.
+    """Return one predicted number, e.g. for a cell of a spreadsheet.
 
     Parameters
     ----------
     output : str
-        mu, friction_force [N] or contact_area [m^2]: the median; with _low or _high an end of the interval.
+        mu, friction_force [N] or contact_area [m^2] for the median; with _low or _high for an end of the interval.
     *pairs : str, number
-        Names, each followed by its value. Names are those of the table [contact] of a case file, with a dot for a table within
-        it ("roughness.rms_height"), "load", and "case", a case file that the others change. Numbers are in SI units; a text
-        has its unit ("0.2 um").
+        Names, each followed by its value. A name is a key of the table [contact] of a case file, with a dot for a table
+        inside it ("roughness.rms_height"). Further names are "load", and "case" for a case file whose numbers the other
+        pairs replace. Numbers are in SI units; text has a unit ("0.2 um").
 
     Returns
     -------
@@ -39,11 +39,11 @@ def predict_value(output: str, *pairs: str | float) -> float:
     Raises
     ------
     InputError
-        An unknown name or output, a value that is missing, out of bounds or without a prediction.
+        A name or the output is unknown, or a value is missing, out of bounds or without a prediction.
 
     Notes
     -----
-    Calls with the same pairs share one prediction, so that three cells with mu, mu_low and mu_high cost as much as one.
+    Calls with the same pairs share one prediction: three cells with mu, mu_low and mu_high cost as much as one.
 
     Examples
     --------
@@ -58,18 +58,21 @@ def predict_value(output: str, *pairs: str | float) -> float:
         raise InputError("output", output, ", ".join(PREDICTED).replace(_MU, "mu"))
     if len(pairs) % 2:
         raise InputError("pairs", f"{len(pairs)} words", "a value after each name")
-    given = dict(zip(pairs[::2], pairs[1::2], strict=True))
-    file = given.get("case")
+    named_values = dict(zip(pairs[::2], pairs[1::2], strict=True))
+    file = named_values.get("case")
     changed = Path(str(file)).stat().st_mtime_ns if file is not None and Path(str(file)).is_file() else 0
-    found = _predicted(tuple(given.items()), changed)[name]
-    if found.size != 1:
-        raise InputError("pairs", f"{found.size} contacts or loads", 'one: add "load", 5')
-    return float(found.squeeze())
+    values = _predicted(tuple(named_values.items()), changed)[name]
+    if values.size != 1:
+        raise InputError("pairs", f"{values.size} contacts or loads", 'a single contact and load, e.g. add "load", 5')
+    return float(values.squeeze())
 
 
 @lru_cache(maxsize=1024)
 def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
-    """Return the prediction; `changed`, the time of the case file, makes a changed file a new question."""
+    """Return the prediction for these pairs.
+
+    changed: modification time of the case file, so that the cache does not answer for an older version of it.
+    """
     pairs = dict(given)
     file = pairs.pop("case", None)
     tables: Any = {} if file is None else read_content(file)
@@ -80,14 +83,17 @@ def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Data
 
 
 def _with_unit(name: str, value: Any) -> Any:
-    """Return a number as text with the SI unit of its quantity; a text as it is."""
+    """Return a number as text with the SI unit of its quantity; return text unchanged."""
     if isinstance(value, str) or name not in QUANTITIES:
         return value
     return f"{float(value)!r} {QUANTITIES[name].unit}".rstrip()
 
 
 def _with_value(tables: Any, path: tuple[str, ...], value: Any) -> Any:
-    """Return the tables with a value at a place. A preset that stands where a table is wanted becomes the preset of that."""
+    """Return the tables with a value at this path.
+
+    A preset name on the path becomes a table that starts from the preset.
+    """
     if not path:
         return value
     table = tables if isinstance(tables, Mapping) else {} if tables is None else {"preset": tables}

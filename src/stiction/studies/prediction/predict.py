@@ -1,4 +1,4 @@
-"""One answer: the friction coefficient of a contact with an interval that holds the truth as often as it says."""
+"""The prediction: the friction coefficient of a contact with a calibrated interval."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -13,13 +13,13 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.prediction.asked import Asked
 from stiction.studies.prediction.beside import bare_metal, checked_against
 from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
 from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.regime import next_step, regime_of, warnings_of
+from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.shares import shares_of_variance
 from stiction.studies.prediction.unused import not_used, refusal_of
 from stiction.studies.pressing_loads import pressing_loads
@@ -49,44 +49,48 @@ def predict(
     Parameters
     ----------
     contact : Contact, Case, dict or path
-        A contact, or a case as `read_case` takes it; numbers may be several. Uncertain numbers of a case are drawn; so are
-        numbers of material presets within their ranges, unless the case switches that off.
+        A contact, or a case as for `read_case`; its numbers may be swept. The uncertain numbers of a case are sampled.
+        Numbers of material presets are sampled within their ranges, unless the case switches that off.
     load : number, text with a unit, or a sequence of these, optional
         Normal load [N], above 0; by default the loads of the case.
     level : float, optional
-        Share of the predictive distribution within the interval, between 0 and 1; by default the coverage of the case, 0.9.
+        Coverage probability of the interval, between 0 and 1; by default the coverage of the case, 0.9.
     measured : path, optional
-        CSV file of measured friction of this contact, with heads like `load [N],friction_coefficient`: draws then count by how
-        well they meet the measured values.
+        CSV file of measured friction of this contact, with the columns `load [N],friction_coefficient`. Samples are then
+        weighted by their agreement with the measured values.
 
     Returns
     -------
     xarray.Dataset
-        Over `load`, and over the dimensions of numbers that are several: `friction_coefficient`, `friction_force` [N] and
-        `contact_area` [m^2], medians, each with `_low` and `_high`, the ends of the interval; `friction_coefficient_samples`
-        (sample, load); where the case states a weakening slip also `friction_efficiency`, the force over the sum of strengths.
-        Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> share of the variance
-        of ln mu), `warnings` (a list, the main one first), `inputs_not_used` (a list), `next_step`, `models` (law of the area
-        -> weight), `beside_area` (laws of menisci and contamination), `excluded` (share of
-        draws that cannot be), `strength` (tau_0 [Pa]: median and ends). With measured friction
-        `shares` is empty; `value`, `low` and `high` over `parameter` are what it tells of the uncertain numbers, and `verdict`
-        says which it does not tell. Where numbers are several, there are no samples, and attributes are `level`, `draws` and
-        `refused`, the number of contacts without an answer.
+        Over `load` and the dimensions of swept numbers: medians of `friction_coefficient`, `friction_force` [N] and
+        `contact_area` [m^2]; `_low` and `_high` of each, the ends of the interval; and `friction_coefficient_samples` (sample,
+        load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.
+
+        Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> fraction of the variance of ln mu),
+        `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step`, `models` (area model -> weight),
+        `beside_area` (laws of menisci and contamination), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]:
+        median and ends of the interval).
+
+        With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
+        numbers, and `verdict` names those that the measurement does not determine.
+
+        With swept numbers there are no samples, and the attributes are `level`, `draws` (samples per contact) and `refused`
+        (number of contacts without an answer).
 
     Raises
     ------
     InputError
-        A number is out of bounds, the load does not press, no law answers for the contact, or a stated input would decide
-        friction and is known to no prediction.
+        A number is out of bounds, the load is not above 0, no area model applies, or a stated input would decide friction but
+        predictions cannot use it.
 
     Notes
     -----
-    mu = e (tau_0 A + alpha W)/P, with A the contact area under the load P and the pull in addition, W = P + pull. Drawn
-    together are the inputs; tau_0 and alpha, by the state of the interface; the area, by laws whose error on solved surfaces
-    near the contact is known; what pulls; how plastic junctions grow under shear; and chance, where few asperities touch. The
-    efficiency e is 1 unless a weakening slip is stated: then spots slip one after another (docs/explanation/onset.md). Bodies
-    bound all: tau_0 is at most the shear strength of the weaker body, A at most the nominal area, pressure at most the
-    hardness.
+    mu = e (tau_0 A + alpha W)/P. P is the load, W = P + pull the load with the adhesive pull, and A the contact area under
+    W. These are sampled together: the inputs; tau_0 and alpha by the state of the interface; the area, by models whose
+    errors on benchmark surfaces near the contact are known; the pull of adhesion and menisci; the growth of plastic
+    junctions under shear; and random scatter if few asperities touch. The efficiency e is 1 unless a weakening slip is
+    stated; then contact spots slip one after another (docs/explanation/onset.md). The bodies set limits: tau_0 is at most
+    the shear strength of the weaker body, A at most the nominal area, and the pressure at most the hardness.
 
     Examples
     --------
@@ -100,7 +104,7 @@ def predict(
     True
     """
     if level is not None and not 0.0 < level < 1.0:
-        raise InputError("level", level, "a share above 0 and below 1, e.g. 0.9")
+        raise InputError("level", level, "a probability above 0 and below 1, e.g. 0.9")
     case = case_given(contact, load)
     level = case.uncertainty.coverage if level is None else level
     if (refusal := refusal_of(case)) is not None:
@@ -112,43 +116,43 @@ def predict(
             raise InputError("--data", str(measured), "a single contact: the case has array parameters")
         return predict_several(case, level)
     stated = case.uncertain
-    case, (loads, at) = with_uncertain(case), pressing_loads(case)
+    case, (loads, working_index) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
-        given = None if case.load is None else case.subject.show(float(case.load.max()), "load")
-        raise InputError("load", given, "above 0: no point of the case has a pressing load")
+        largest_load = None if case.load is None else case.subject.show(float(case.load.max()), "load")
+        raise InputError("load", largest_load, "above 0 N, but no point of the case has a compressive load")
     if measured is None:
         levels = draws_of(case)
-        mixture = Mixture.of(Asked(case, loads, levels.inputs))
+        mixture = Mixture.of(SampledCase(case, loads, levels.inputs))
         samples = mixture.samples(levels, np.arange(len(levels)))
-        attributes = _attributes(mixture, samples, at, level, shares_of_variance(mixture, levels, at))
+        attributes = _attributes(mixture, samples, working_index, level, shares_of_variance(mixture, levels, working_index))
     else:
-        samples, attributes, found = _given(read_measured(measured, case), case, loads, at, level, stated)
+        samples, attributes, updated = _given(read_measured(measured, case), case, loads, working_index, level, stated)
     data = _dataset(samples, loads, level).assign_attrs(attributes)
-    data = data if measured is None else data.assign(found)
-    data = data.assign_attrs({"case": case.title} if case.title else {}, working_load=float(loads[at]))
+    data = data if measured is None else data.assign(updated)
+    data = data.assign_attrs({"case": case.title} if case.title else {}, working_load=float(loads[working_index]))
     return data.isel(load=0) if load is not None and np.ndim(cast("ArrayLike", load)) == 0 else data
 
 
 def is_predicted(case: Case) -> bool:
-    """Return whether the prediction answers for a case.
+    """Return whether `predict` answers for a case, instead of a single model.
 
-    It does for contacts of materials without a named model, law or option. Raises InputError for the model "recommended" where
-    it does not.
+    It does for a [contact] without a named model, law or option. Raises InputError if the case names the model
+    "recommended" together with any of these, or has [indices].
     """
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
-    asked = named.pop("model", None) == RECOMMENDED
+    is_recommended = named.pop("model", None) == RECOMMENDED
     if named or not isinstance(case.subject, Contact):
-        if asked:
-            of = "[contact] in place of [indices]" if not named else f"without {', '.join(named)}, or the key of a model"
-            raise InputError("model", RECOMMENDED, of)
+        if is_recommended:
+            allowed = f"the key of a model, or no {', '.join(named)}" if named else "a case with [contact] instead of [indices]"
+            raise InputError("model", RECOMMENDED, allowed)
         return False
-    return asked or case.choice.model is None
+    return is_recommended or case.choice.model is None
 
 
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
-    """Return the prediction of a case at a load [N], or None where there is none.
+    """Return the prediction of a case at a load [N], or None if there is none.
 
-    None for normalised numbers, where nothing presses, and for an input that no prediction uses.
+    There is none without a load, for [indices], or if an input that decides friction is not used by predictions.
     """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
@@ -156,7 +160,7 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
 
 
 def case_given(given: Any, load: Any) -> Case:
-    """Return the case that is given, at these loads if any are. Raises InputError."""
+    """Return the case of a contact, case, dict or path, at these loads if any are given. Raises InputError."""
     if isinstance(given, Contact):
         if load is None:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
@@ -166,93 +170,108 @@ def case_given(given: Any, load: Any) -> Case:
     else:
         case = as_case(given)
     if not isinstance(case.subject, Contact):
-        raise InputError("indices", "given", "[contact]: a prediction needs materials and lengths")
+        raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
     if load is None:
         return case
     read = case.subject.read
-    loads = np.atleast_1d(np.asarray([read(one, "load") for one in load] if np.ndim(load) else read(load, "load"), dtype=float))
+    loads = np.atleast_1d(
+        np.asarray([read(value, "load") for value in load] if np.ndim(load) else read(load, "load"), dtype=float)
+    )
     if not loads.size or not (np.isfinite(loads) & (loads > 0.0)).all():
-        raise InputError("load", float(loads.min()) if loads.size else None, "above 0 N: mu is friction over load")
+        raise InputError(
+            "load", float(loads.min()) if loads.size else None, "above 0 N, because mu is friction force over load"
+        )
     return replace(case, load=loads, separation=None)
 
 
 def with_uncertain(case: Case) -> Case:
-    """Return the case with all numbers that a prediction draws.
+    """Return the case with all uncertain numbers that a prediction samples.
 
-    Added are numbers that the finish of its surface leaves open, and ranges of materials unless the case switches them off.
+    These include roughness parameters left open by a surface finish, and ranges of materials unless the case switches them off.
     """
     if "ranges" not in case.uncertainty.model_fields_set:
-        taken = [*case.several, *(one.path for one in case.uncertain)]
+        taken = [*case.several, *(number.path for number in case.uncertain)]
         case = replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
     return with_finish(case)
 
 
 def draws_of(case: Case, count: int = COUNT) -> Levels:
-    """Return the levels of all draws of a case: as many as it states, else `count`."""
+    """Return the quantile levels of all samples of a case; `count` is their number if the case states none."""
     count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
     return draw_levels(len(case.unknowns), count, case.uncertainty.seed)
 
 
 def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
-    """Return medians of the results, and both ends of their intervals: name -> values (m,) and attributes."""
+    """Return the median and the interval of each result: name -> values (m,) and attributes.
+
+    level: coverage probability of the interval.
+    """
     tables = {"friction_coefficient": samples.force / loads, "friction_force": samples.force, "contact_area": samples.area}
     if (samples.efficiency != 1.0).any():
         tables["friction_efficiency"] = samples.efficiency
     ends = {"": 0.5, "_low": 0.5 - 0.5 * level, "_high": 0.5 + 0.5 * level}
     known = np.isfinite(samples.force)
-    found, answered = {}, known.any(axis=0)
+    results, answered = {}, known.any(axis=0)
     for name, table in tables.items():
         quantity, quantiles = QUANTITIES[name], np.full((len(ends), len(answered)), np.nan)
         quantiles[:, answered] = np.nanquantile(np.where(known, table, np.nan)[:, answered], list(ends.values()), axis=0)
         for (end, share), values in zip(ends.items(), quantiles, strict=True):
             meaning = f"{quantity.meaning}, " + ("median" if not end else f"quantile {share:.3g}")
-            found[name + end] = values, {"units": quantity.unit or "1", "long_name": meaning}
-    return found
+            results[name + end] = values, {"units": quantity.unit or "1", "long_name": meaning}
+    return results
 
 
 def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Dataset":
     import xarray
 
-    variables: dict[str, tuple] = {name: ("load", *found) for name, found in intervals(samples, loads, level).items()}
+    variables: dict[str, tuple] = {name: ("load", *result) for name, result in intervals(samples, loads, level).items()}
     mu = np.where(np.isfinite(samples.force), samples.force / loads, np.nan)
     variables["friction_coefficient_samples"] = (("sample", "load"), mu)
     return xarray.Dataset(variables, coords={"load": ("load", loads, {"units": "N", "long_name": "load"})})
 
 
 def _given(
-    known: Measured, case: Case, loads: np.ndarray, at: int, level: float, stated: Sequence[Uncertain]
+    known: Measured, case: Case, loads: np.ndarray, working_index: int, level: float, stated: Sequence[Uncertain]
 ) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
-    """Return the draws that meet measured values, the attributes of their prediction, and what they tell of stated numbers."""
+    """Return samples weighted by measured values, the attributes of their prediction, and updated uncertain numbers.
+
+    at: index of the working load; stated: uncertain numbers that the case itself states.
+    """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
-    mixture = Mixture.of(Asked(case, np.concatenate([loads, known.load]), levels.inputs))
+    mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))
     samples = mixture.samples(levels, np.arange(_MANY))
     mu = samples.force[:, len(loads) :] / known.load
     rows, warnings = chosen_draws(known, mu, COUNT)
     chosen = samples.some(rows, len(loads))
-    found = _attributes(mixture, chosen, at, level, {})
+    attributes = _attributes(mixture, chosen, working_index, level, {})
     weights = mixture.weights_of_laws(levels, rows)
-    found |= {"warnings": [*warnings, *found["warnings"]], "models": weights, "measured": len(known.load), "next_step": ""}
-    found["grows_with_pressure"] = int(mixture.strength.grows_with_pressure)  # a netCDF file has no truth values
+    attributes |= {
+        "warnings": [*warnings, *attributes["warnings"]],
+        "models": weights,
+        "measured": len(known.load),
+        "next_step": "",
+    }
+    attributes["grows_with_pressure"] = int(mixture.strength.grows_with_pressure)  # a netCDF file has no truth values
     if not stated:
-        return chosen, found, {}
+        return chosen, attributes, {}
     drawn = case.numbers_at(levels.inputs[rows])
     ends = [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level]
-    values = np.array([np.quantile(drawn[one.path], ends) for one in stated])
-    names = [".".join(one.path[1:]) for one in stated]
-    before = [_width(*one.at(np.array(ends[1:]))) for one in stated]
+    values = np.array([np.quantile(drawn[number.path], ends) for number in stated])
+    names = [".".join(number.path[1:]) for number in stated]
+    before = [_width(*number.at(np.array(ends[1:]))) for number in stated]
     untold = [name for name, row, wide in zip(names, values, before, strict=True) if _width(*row[1:]) > _UNTOLD * wide]
-    found["verdict"] = f"the measured friction does not tell {', '.join(untold)}" if untold else ""
+    attributes["verdict"] = f"the measured friction does not determine {', '.join(untold)}" if untold else ""
     table = {name: ("parameter", column) for name, column in zip(("value", "low", "high"), values.T, strict=True)}
-    return chosen, found, {"parameter": names} | table
+    return chosen, attributes, {"parameter": names} | table
 
 
 def _width(low: float, high: float) -> float:
-    """Return the width of an interval, in the logarithm where its ends are above 0."""
+    """Return the width of an interval; of its logarithm if both ends are positive."""
     return math.log(high / low) if low > 0.0 else high - low
 
 
 def _beside_area(contact: Contact) -> list[str]:
-    """Return the names of the laws that the contact needs in addition to its area."""
+    """Return the names of the laws, besides the area models, that the inputs of the contact require."""
     stated = {
         "meniscus law equilibrium_meniscus": contact.liquid,
         "contamination law independent_junctions": contact.strength_variation,
@@ -260,19 +279,21 @@ def _beside_area(contact: Contact) -> list[str]:
     return [name for name, value in stated.items() if value is not None]
 
 
-def _attributes(mixture: Mixture, samples: Samples, at: int, level: float, shares: Mapping[str, float]) -> dict[str, Any]:
+def _attributes(
+    mixture: Mixture, samples: Samples, working_index: int, level: float, shares: Mapping[str, float]
+) -> dict[str, Any]:
     strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
     return {
         "level": level,
-        "regime": regime_of(mixture, samples, at),
+        "regime": regime_of(mixture, samples, working_index),
         "shares": dict(shares),
         "strength": strength.tolist(),
-        "warnings": warnings_of(mixture, samples, at, shares),
-        "inputs_not_used": not_used(mixture.asked, mixture.strength, mixture.touching),
+        "warnings": warnings_of(mixture, samples, working_index, shares),
+        "inputs_not_used": not_used(mixture.sampled, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
-        "models": {law.name: float(law.weight[at]) for law in mixture.laws if law.weight[at] > 0.0},
-        "beside_area": _beside_area(mixture.asked.contact),
+        "models": {law.name: float(law.weight[working_index]) for law in mixture.laws if law.weight[working_index] > 0.0},
+        "beside_area": _beside_area(mixture.sampled.contact),
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
-        "checked_against": checked_against(mixture, at),
+        "checked_against": checked_against(mixture, working_index),
     }

@@ -1,21 +1,22 @@
-"""The factor by which adhesion and menisci raise the contact area.
+"""The factor by which adhesion and menisci increase the contact area.
 
-The factor g is that of sums over asperities: the area with the pull over that without it, of one law. It goes to 1 without
-a step where nothing pulls. Two laws of adhesion answer, equally likely: JKR asperities that yield (the 2015 model) and the
-elastic ones of Maugis.
+The factor g is computed by an asperity sum: the area with the pull over the area without it. It goes continuously to 1 as
+the pull vanishes. Two adhesion models are equally likely: JKR asperities that yield (the 2015 model) and Maugis' elastic
+ones.
 
-Their asperities do not feel each other, and spots that adhesion widens merge. Maps solved with adhesion have more area
-(validation/adhesion.py), g^m with
+In an asperity sum asperities do not interact. On real surfaces, contact spots that adhesion widens merge. Height maps
+solved with adhesion (validation/adhesion.py) have the larger factor g^m with
 
-    m = 1 + 1/(1 + (U/(10 w))^2),
+    m = 1 + 1/(1 + (U/(10 w))^2).
 
-U/w being the elastic energy of flattening the roughness over the work of adhesion (Persson & Tosatti 2001), by its bound
-E* h_rms h'/(4 w). Where U/w is small the faces jump into full contact. On these maps ln of the factor was met within 12 %
-(standard deviation); twice that is taken, as no surface with yielding spots was solved.
+U/w is the elastic energy of flattening the roughness over the work of adhesion (Persson & Tosatti 2001), estimated by its
+bound E* h_rms h'/(4 w). If U/w is small, the surfaces jump into full contact. On these maps the standard deviation of the
+error of ln(factor) was 12 %. Twice that is used, because no map with plastic spots was solved.
 
-Menisci on 18 maps of silicon, solved with Laplace's pressure (tests/prediction/test_menisci_of_a_prediction.py has four),
-raised the area by 1.03 to 5.9 times as much as the law does, most where they pull with less than a tenth of the load; the mean
-of ln is .7, its standard deviation .53. They pull at most with Laplace's pressure on the nominal area.
+Menisci on 18 maps of silicon, solved with the Laplace pressure, raised the area by 1.03 to 5.9 times as much as the
+meniscus law does (four of them are in tests/prediction/test_menisci_of_a_prediction.py). The difference is largest if
+menisci pull with less than a tenth of the load. Its logarithm has the mean 0.7 and the standard deviation 0.53. The pull is
+at most the Laplace pressure times the nominal area.
 """
 
 from dataclasses import replace
@@ -26,7 +27,7 @@ from stiction.contact.indices import Groups
 from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.studies.prediction.asked import Asked
+from stiction.studies.prediction.sampled_case import SampledCase
 
 __all__ = ["Pull", "pull_of"]
 
@@ -43,24 +44,25 @@ _MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53  # of ln of what menisci add to the 
 
 
 class Pull:
-    """Factors of the area by what pulls: adhesion, a list of arrays (n, m), one a law; menisci, an array (n, m).
+    """Factors of the contact area due to adhesion and menisci.
 
-    most: their largest pull over the load, (n, m)."""
+    adhesion: one array (n, m) for each adhesion model; menisci: (n, m); most: largest pull of menisci over the load, (n, m).
+    """
 
     def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
-    def at_load(self, at: int) -> "Pull":
-        """Return the factors at one of the loads of one contact."""
+    def at_load(self, index: int) -> "Pull":
+        """Return the factors for a single contact at the load with this index."""
         *adhesion, menisci, most = (
-            table[:, [at]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
+            table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
         )
         return Pull(adhesion, menisci, most)
 
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the factor (n, m) of the pull on the area, for these rows of the inputs.
+        """Return the total factor (n, m) of the contact area.
 
-        levels (n,): one selects the law, one its error.
+        model, error: quantile levels (n,) that select the adhesion model and its error; rows: rows (n,) of the sampled inputs.
         """
         from scipy.special import ndtri
 
@@ -73,51 +75,51 @@ class Pull:
         return np.exp(log_factor) * (1.0 + np.minimum(more, np.maximum(pulled, most)))
 
 
-def pull_of(asked: Asked) -> Pull:
-    """Return the factors of a contact by what it has of work of adhesion and liquid. Raises InputError where no law answers."""
-    contact, one = asked.contact, np.ones((1, len(asked.loads)))
-    adhesion = _by_adhesion(asked) if contact.adheres else [one]
-    menisci, most = one, 0.0 * one
+def pull_of(sampled: SampledCase) -> Pull:
+    """Return the factors of a contact with its work of adhesion and liquid. Raises InputError if no model applies."""
+    contact, ones = sampled.contact, np.ones((1, len(sampled.loads)))
+    adhesion = _by_adhesion(sampled) if contact.adheres else [ones]
+    menisci, most = ones, 0.0 * ones
     if contact.liquid is not None:
         film = "layered" if contact.has_film else None
-        wet, dry = (asked.areas(replace(choice, film=film), ("liquid",)) for choice in (_WET, _DRY))
+        wet, dry = (sampled.areas(replace(choice, film=film), ("liquid",)) for choice in (_WET, _DRY))
         menisci = _factor(wet, dry)
-        liquid = asked.drawn.liquid
+        liquid = sampled.drawn.liquid
         assert liquid is not None
-        most = asked.column(liquid.suction * asked.drawn.nominal_area) / asked.loads
+        most = sampled.column(liquid.suction * sampled.drawn.nominal_area) / sampled.loads
     return Pull(adhesion, menisci, most)
 
 
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
-    """Return one area over the other, at least 1.
+    """Return the area with pull over the area without it, at least 1.
 
-    NaN where the area of a sum passes the nominal one: where the pull causes it the faces are pulled flat, and where the load
-    alone causes it the pull adds nothing.
+    An area is NaN if an asperity sum exceeds the nominal area. If only the area with pull does, the surfaces are pulled
+    into full contact. If both do, the pull adds nothing.
     """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))
 
 
-def _by_adhesion(asked: Asked) -> list[np.ndarray]:
-    found, refusal = [], None
-    for choice in _ADHESION[:1] if asked.contact.has_film else _ADHESION:  # the others refuse films
+def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
+    factors, refusal = [], None
+    for choice in _ADHESION[:1] if sampled.contact.has_film else _ADHESION:  # the others refuse films
         try:
-            pulled, faint = (asked.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
-            found.append(_factor(pulled, faint) ** _merging(asked))
+            pulled, faint = (sampled.areas(choice, ("work_of_adhesion",), faint) for faint in (False, True))
+            factors.append(_factor(pulled, faint) ** _merging(sampled))
         except (InputError, ArithmeticError) as error:
-            if asked.contacts > 1:
+            if sampled.contacts > 1:
                 raise
             refusal = error
-    if not found:
+    if not factors:
         assert refusal is not None
         raise refusal
-    return found
+    return factors
 
 
-def _merging(asked: Asked) -> np.ndarray:
-    """Return the power (n or 1, m or 1) of the factor of a sum that solved maps have."""
+def _merging(sampled: SampledCase) -> np.ndarray:
+    """Return the exponent m (n or 1, m or 1) by which merging spots raise the factor of an asperity sum."""
     from xarray import DataArray
 
-    groups, dims = Groups.of(asked.drawn.indices())
+    groups, dims = Groups.of(sampled.drawn.indices())
     ratio = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) / _STICKY
-    return asked.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))
+    return sampled.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))

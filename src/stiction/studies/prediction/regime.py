@@ -1,4 +1,4 @@
-"""The state of a contact in one sentence, and the input to measure next."""
+"""Texts of an answer: the contact regime, warnings, and the input to measure next."""
 
 import math
 from collections.abc import Mapping
@@ -21,37 +21,43 @@ _DECIDES = 0.05  # share of the variance from which on a part is worth a warning
 _MANY = 0.05  # share of draws that cannot be, from which on it is said
 
 
-def regime_of(mixture: Mixture, samples: Samples, at: int) -> str:
-    """Return the state of the contact at the load of this number, in one or two sentences."""
-    asked = mixture.asked
+def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
+    """Return the contact regime in one or two sentences.
+
+    at: index of the load.
+    """
+    sampled = mixture.sampled
     area, pull, growth, pressure = (
-        float(np.nanmedian(np.broadcast_to(one, samples.area.shape)[:, at]))
-        for one in (samples.area, samples.pull, samples.growth, samples.pressure)
+        float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index]))
+        for table in (samples.area, samples.pull, samples.growth, samples.pressure)
     )
-    nominal = float(np.median(asked.drawn.nominal_area))
-    touching = float(mixture.touching[at])
-    said = []
+    nominal = float(np.median(sampled.drawn.nominal_area))
+    touching = float(mixture.touching[index])
+    sentences = []
     if pull > _STICKS:
-        said.append("Adhesion carries more than the load: the contact sticks by itself, and the friction force is the answer.")
+        sentences.append("Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu.")
     if area > _FLAT * nominal:
-        said.append("Pressed flat: mu = tau_0 A_n/P.")
+        sentences.append("Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P.")
     elif pressure > _PLASTIC:
         grows = ", times the growth of junctions under shear" if growth > _GROWN else ""
-        said.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
+        sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
-        said.append(_of_pressure(mixture, pressure, at))
+        sentences.append(_of_pressure(mixture, pressure, index))
     if touching < _FEW:
         count = round(max(touching, 1.0))
-        said.append(
+        sentences.append(
             f"About {count} {'asperity touches' if count == 1 else 'asperities touch'}: mu varies from one place to the next."
         )
-    return " ".join(said[:2])
+    return " ".join(sentences[:2])
 
 
-def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
-    """Return what contacts bear whose mean pressure is this over the hardness of the softer of the surfaces that meet."""
-    contact, hardness = mixture.asked.contact, float(np.median(mixture.asked.bodies.hardness))
-    carried = min(float(np.median(law.yields_at[:, at])) for law in mixture.laws)
+def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
+    """Return a sentence on the mean pressure of contact spots, and on yielding of the body below a film.
+
+    pressure: mean pressure over the hardness of the softer surface; at: index of the load.
+    """
+    contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
+    carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
         return (
             f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu rises with the real contact area."
@@ -66,59 +72,62 @@ def _of_pressure(mixture: Mixture, pressure: float, at: int) -> str:
     )
 
 
-def warnings_of(mixture: Mixture, samples: Samples, at: int, shares: Mapping[str, float]) -> list[str]:
-    """Return what limits the prediction, the most serious first; shares: of the variance, by part, empty if unknown."""
-    impossible = float(np.mean(~np.isfinite(samples.force[:, at])))
-    found = []
+def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float]) -> list[str]:
+    """Return the warnings about a prediction, the most serious first.
+
+    at: index of the load; shares: fraction of the variance by part, empty if unknown.
+    """
+    impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
+    warnings = []
     if impossible > _MANY:
-        found.append(f"{impossible:.0%} of the draws are physically impossible and are left out.")
+        warnings.append(f"{impossible:.0%} of the draws are physically impossible and are excluded.")
     if len(mixture.strength.states) > 1:
-        names = ", ".join(one.name for one, _ in mixture.strength.states)
-        found.append(f"The interface is not stated: mu is a mixture over {names}.")
+        names = ", ".join(state.name for state, _ in mixture.strength.states)
+        warnings.append(f"The interface is not stated: the interval of mu covers {names}.")
     if (times := mixture.strength.over_body) > 1.0:
-        found.append(f"The stated interface is {times:.3g} times as strong as the weaker body: mu is that of the body.")
-    elif times > _STEEP and mixture.asked.metallic:
-        found.append(
-            f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: 2 % of its strength "
-            "change mu by 15 % and more."
+        warnings.append(f"The stated interface is {times:.3g} times as strong as the weaker body, which limits mu.")
+    elif times > _STEEP and mixture.sampled.metallic:
+        warnings.append(
+            f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: if its "
+            "strength changes by 2 %, mu changes by 15 % or more."
         )
-    found += _of_few_waves(mixture)
-    found += [] if mixture.asked.contact.measured is None else list(mixture.asked.contact.measured.validity_warnings)
-    area, pressure = (float(np.nanmedian(one[:, at])) for one in (samples.area, samples.pressure))
-    is_open = area < _FLAT * float(np.median(mixture.asked.drawn.nominal_area)) and pressure < _PLASTIC
+    warnings += _of_few_waves(mixture)
+    warnings += [] if mixture.sampled.contact.measured is None else list(mixture.sampled.contact.measured.validity_warnings)
+    area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
+    is_open = area < _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)) and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
-    if decides and (is_open or mixture.asked.contact.has_film) and _kind_is_missing(mixture):
-        found.append("The kind of surface is not stated: surfaces of these numbers differ in area by factors.")
-    if decides and is_open and max(float(law.far[at] * law.weight[at]) * law.far_error for law in mixture.laws) > 0.2:
-        found.append("No solved surface is near this contact: its area is known within a factor of 2.")
-    return found
+    if decides and (is_open or mixture.sampled.contact.has_film) and _kind_is_missing(mixture):
+        warnings.append("The kind of surface is not stated: with the same numbers, the contact area can differ several times.")
+    if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:
+        warnings.append("No benchmark surface is near this contact: its real area is uncertain by a factor of 2.")
+    return warnings
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:
-    """Return whether the surface is known by numbers that do not tell its kind."""
-    asked = mixture.asked
-    return not asked.on_map and asked.contact.surface_kind is None and asked.contact.heights[0] == "gaussian"
+    """Return whether the kind of surface is unknown: neither a scan, a kind nor non-Gaussian heights are stated."""
+    sampled = mixture.sampled
+    return not sampled.on_map and sampled.contact.surface_kind is None and sampled.contact.heights[0] == "gaussian"
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
-    """Return a warning where the map has few of its longest waves."""
-    waves = of_the_map(mixture.asked.contact).get("longest_waves_on_a_side", math.inf)
-    few = f"The map holds {waves:.2g} of its longest waves on a side, fewer than {LEAST_WAVES:g}:"
-    return [f"{few} it may not stand for the surface."] if waves < LEAST_WAVES else []
+    """Return a warning if a height map contains only a few of its longest wavelengths; else []."""
+    waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
+    few = f"The map is only {waves:.2g} of its longest wavelengths wide, fewer than {LEAST_WAVES:g}:"
+    return [f"{few} it may not represent the surface."] if waves < LEAST_WAVES else []
 
 
 _MUCH = 0.2  # share of the variance that is worth a word in the case
 _STEPS = {
     "interface": "measure mu once: stiction fit CASE.toml --data FILE",
-    "area model": "measure the surface: give a scan in place of numbers",
-    "adhesion": "measure the pull-off force, which tells the work of adhesion",
+    "area model": "measure the surface: give a scan instead of numbers",
+    "adhesion": "measure the pull-off force, which gives the work of adhesion",
     "junctions": "measure mu once at this load: stiction fit CASE.toml --data FILE",
-    "chance": "measure at several places, or press with more load",
+    "chance": "measure at several places, or use a larger load",
 }
 
 
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
-    """Return what to measure or state next: what the width comes from most."""
+    """Return what to measure or state next, from the part with the largest share of the variance."""
     if len(mixture.strength.states) > 1:
         return "state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE"
     if not shares:

@@ -1,4 +1,4 @@
-"""Which part of a prediction its width comes from: shares of the variance of ln mu."""
+"""Fractions of the variance of ln mu that are due to each part of a prediction."""
 
 from collections.abc import Callable
 
@@ -16,40 +16,44 @@ _LEAST = 0.005  # share that is left out
 Quantity = Callable[[Levels, np.ndarray], np.ndarray]
 
 
-def shares_of_variance(mixture: Mixture, levels: Levels, at: int) -> dict[str, float]:
-    """Return the share of each part, the largest first; they sum to 1. Empty where nothing varies.
+def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str, float]:
+    """Return the fraction of the variance of ln mu due to each part, the largest first; {} if nothing varies.
 
-    at: the number of the load. The share of a part is its total Sobol index of ln mu (Jansen 1999), found by exchanging it
-    alone between draws, over the sum of all; inputs are divided among their numbers by a linear fit to their normal scores.
+    The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum
+    of all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. at: index of
+    the load.
     """
-    mixture = mixture.at_load(at)
+    mixture = mixture.at_load(index)
 
     def log_mu(levels: Levels, inputs: np.ndarray) -> np.ndarray:
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.log(mixture.samples(levels, inputs).force[:, 0])
 
-    whole = log_mu(levels, np.arange(len(levels)))
-    found = {part: _total(log_mu, levels, part, whole) for part in PARTS if part != "inputs" or levels.inputs.size}
-    if "inputs" in found:
-        found |= _of_each_input(mixture, levels, log_mu, found.pop("inputs"))
-    total = sum(found.values())
+    reference = log_mu(levels, np.arange(len(levels)))
+    variances = {part: _total(log_mu, levels, part, reference) for part in PARTS if part != "inputs" or levels.inputs.size}
+    if "inputs" in variances:
+        variances |= _of_each_input(mixture, levels, log_mu, variances.pop("inputs"))
+    total = sum(variances.values())
     if not total > 0.0:
         return {}
-    ordered = sorted(found.items(), key=lambda pair: -pair[1])
+    ordered = sorted(variances.items(), key=lambda pair: -pair[1])
     return {name: float(value / total) for name, value in ordered if value / total >= _LEAST}
 
 
-def _total(log_mu: Quantity, levels: Levels, part: str, whole: np.ndarray) -> float:
-    """Return half the mean square change of ln mu where one part is exchanged between draws."""
+def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -> float:
+    """Return half the mean square change of ln mu if one part is exchanged between samples.
+
+    whole: ln mu of all samples (n,).
+    """
     every = range(len(levels))
     rows = np.tile(every, len(_EXCHANGES))
     moved = np.concatenate([np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES])
     other = log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
-    return 0.5 * float(np.nanmean((whole[rows] - other) ** 2))
+    return 0.5 * float(np.nanmean((reference[rows] - other) ** 2))
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
-    """Divide the share of all inputs among them."""
+    """Return the share of the inputs divided among the uncertain numbers, by name."""
     from scipy.special import ndtri
 
     middle = Levels(levels.inputs, {name: np.full(len(levels), 0.5) for name in levels.others})
@@ -60,4 +64,4 @@ def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: fl
     squares = slopes**2
     if not squares.sum() > 0.0:
         return {}
-    return {name: share * square / squares.sum() for name, square in zip(mixture.asked.case.unknowns, squares, strict=True)}
+    return {name: share * square / squares.sum() for name, square in zip(mixture.sampled.case.unknowns, squares, strict=True)}

@@ -1,4 +1,4 @@
-"""The contact and the loads of a prediction, with its uncertain numbers, and the bare contact."""
+"""The contact, loads and uncertain numbers of one prediction."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-__all__ = ["PULLS", "Asked", "Bodies"]
+__all__ = ["PULLS", "Bodies", "SampledCase"]
 
 # What pulls on a contact beside its load, and what its interface resists: drawn by parts of their own.
 PULLS = ("work_of_adhesion", "liquid")
@@ -40,10 +40,10 @@ _INTERFACE = (
 
 @dataclass(frozen=True)
 class Bodies:
-    """Strengths of the surfaces that meet [Pa], arrays (n or 1, m or 1) over draws and points.
+    """Strengths of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
 
-    hardness, shear_strength, shear_modulus: of the softer one. hardest: the larger hardness of what may bear the load, which
-    bounds the mean pressure of a spot.
+    hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can
+    bear, the greater of the hardness of the touching surfaces and of the bodies below films.
     """
 
     hardness: np.ndarray
@@ -53,11 +53,11 @@ class Bodies:
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A case at its loads, and the levels (n, k) of its k uncertain numbers.
+class SampledCase:
+    """A case at its loads, with n samples of its k uncertain numbers, given as quantile levels (n, k).
 
-    load: array (m,) [N], or a labelled one along dimensions of the contacts, all above 0. Numbers of the case may be several:
-    then the m points are all combinations of these with the loads, in the order of `dims`.
+    load: loads above 0 in N, an array (m,) or a labelled array along dimensions of the contacts. If numbers of the case are
+    swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
     """
 
     case: Case
@@ -66,18 +66,18 @@ class Asked:
 
     @property
     def contact(self) -> Contact:
-        """Return the nominal contact, with arrays where numbers of the case are several."""
+        """Return the nominal contact; swept numbers are arrays."""
         return _contact(self.case)
 
     @cached_property
     def dims(self) -> dict[str, int]:
-        """Return the lengths of the dimensions along which the points are."""
+        """Return the dimensions of the points with their lengths."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
         return dimensions([*self.case.several.values(), self.load]) | loads
 
     @cached_property
     def loads(self) -> np.ndarray:
-        """Return the load of each point (m,)."""
+        """Return the load (m,) of each point in N."""
         own = self.load if hasattr(self.load, "dims") else None
         values = np.reshape(self.load, [1] * (len(self.dims) - 1) + [-1]) if own is None else aligned(own, self.dims)
         return np.broadcast_to(values, tuple(self.dims.values())).reshape(-1)
@@ -87,91 +87,94 @@ class Asked:
         """Return the number of contacts."""
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
-    def ends(self) -> "list[Asked]":
-        """Return the first and the last contact, each alone with one draw."""
-        found = []
-        for at in (0, -1):
-            some = {path: value.isel({dim: [at] for dim in value.dims}) for path, value in self.case.several.items()}
-            load = self.load.isel({dim: [at] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
+    def ends(self) -> "list[SampledCase]":
+        """Return the first and the last contact, each as a case of its own without uncertain numbers."""
+        contacts = []
+        for index in (0, -1):
+            some = {path: value.isel({dim: [index] for dim in value.dims}) for path, value in self.case.several.items()}
+            load = self.load.isel({dim: [index] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
             case = replace(self.case.at(some), several=some, uncertain=())
-            found.append(replace(self, case=case, load=load, levels=np.zeros((1, 0))))
-        return found
+            contacts.append(replace(self, case=case, load=load, levels=np.zeros((1, 0))))
+        return contacts
 
     def places(self, dims: Mapping[str, int]) -> np.ndarray:
-        """Return where each point (m,) stands among results along these dimensions, laid out in their order."""
+        """Return the index (m,) of each point in flattened results that have these dimensions."""
         numbers = np.arange(math.prod(dims.values())).reshape(tuple(dims.values()))
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
 
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
-        """Return the area [m2] (n, m) of a model on the drawn contacts, NaN where it refuses one or cannot be right there.
+        """Return the real contact area [m2] (n, m) of a model for all samples, NaN where the model refuses or is invalid.
 
-        n is 1 where no number is uncertain. pulls: which of PULLS the contact has; faint: with a work of adhesion so small that
-        it pulls with nothing. Raises InputError where the model refuses the nominal contact.
+        n is 1 without uncertain numbers. pulls: which of PULLS act on the contact; faint: whether the work of adhesion is
+        reduced until it has no effect. Raises InputError if the model refuses the nominal contact.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
         case = replace(_without(self.case, left_out), load=self.load, separation=None)
         case = _faint(case) if faint else case
-        kept = [name for name in self.case.unknowns if name in case.unknowns]
-        columns = [list(self.case.unknowns).index(name) for name in kept]
+        names = [name for name in self.case.unknowns if name in case.unknowns]
+        columns = [list(self.case.unknowns).index(name) for name in names]
         levels = self.levels[:, columns] if columns else np.zeros((1, 0))
         drawn = draw(case, levels, [Variant(choice)], names=("contact_area",))
         table = arranged(drawn.tables["contact_area"], (SAMPLE, *drawn.dims["contact_area"]), (SAMPLE, *self.dims))
         return np.broadcast_to(table, (len(levels), *self.dims.values())).reshape(len(levels), -1)
 
-    def by_numbers(self) -> "Asked":
-        """Return the same without the map of its surface: of every draw a map would be solved anew."""
+    def by_numbers(self) -> "SampledCase":
+        """Return the same with roughness parameters instead of a height map.
+
+        A map would have to be solved again for each sample.
+        """
         return replace(self, case=replace(self.case, subject=self.contact.as_numbers()))
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
-        """Return whether a Gaussian surface has as few asperities as the contact at each point (m,)."""
+        """Return, for each point (m,), whether the contact has at least the asperity density that a Gaussian surface needs."""
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
         return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
 
-    def as_gaussian(self) -> "Asked":
-        """Return the same with at least as many asperities as a Gaussian surface has."""
+    def as_gaussian(self) -> "SampledCase":
+        """Return the same with the asperity density raised to the lowest that a Gaussian surface can have."""
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
         density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
         return replace(self, case=replace(self.case.at(density), several={**self.case.several, **density}))
 
     def variation(self, choice: Choice) -> np.ndarray:
-        """Return the area (n, m) of a model on the drawn contacts, over that on the nominal one."""
+        """Return the area (n, m) of all samples over the area of the nominal contact, by one model."""
         nominal = replace(self, case=replace(self.case, uncertain=()), levels=np.zeros((1, 0)))
         return self.areas(choice) / nominal.areas(choice)
 
     def nominal(self, model: str) -> Contact:
-        """Return the nominal contact without adhesion, liquid and interface, as the model of this key takes it."""
+        """Return the nominal contact without adhesion, liquid and interface, with the roughness that this model needs."""
         return _contact(_without(self.case, _INTERFACE + PULLS).with_surface_moments(model))
 
     @property
     def on_map(self) -> bool:
-        """Return whether the map of the surface is known, also where a model takes the asperities found on it."""
+        """Return whether a height map of the surface is known, even if a model uses the asperities found on it."""
         return self.contact.with_surface_moments().map is not None
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return whether junctions are of a bulk metal (1 or m,), which grows under shear.
+        """Return whether contact spots are junctions of bulk metal (1 or m,), which grow under shear.
 
-        No law covers the growth of films.
+        It is False for coated contacts, because no law describes junction growth in films.
         """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
         return np.where(self._first_is_softer(self.contact), first, second) & (not self.contact.has_film)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
-        """Return whether the first body that meets is the softer one at each point (1 or m,), on average over the draws."""
+        """Return, for each point (1 or m,), whether the first touching body is the softer one on average over the samples."""
         first, second = (self.column(body.hardness).mean(axis=0) for body in contact.touching)
         return first <= second
 
     @cached_property
     def drawn(self) -> Contact:
-        """Return the contact whose uncertain numbers are arrays along the draws."""
+        """Return the contact with the samples of its uncertain numbers as arrays."""
         return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case)
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return the strengths of the surfaces that meet."""
+        """Return the strengths of the touching surfaces."""
         contact = self.drawn
         radius = contact.roughness.asperity_radius
         pair = pair_of(*(at_radius(body, radius) for body in contact.touching))
@@ -184,7 +187,7 @@ class Asked:
         return Bodies(hardness, shear_strength, modulus, np.maximum(hardness, body_below))
 
     def column(self, value: Any) -> np.ndarray:
-        """Return a number of the drawn contact as an array (n or 1, m or 1) over draws and points."""
+        """Return a number of the sampled contact as an array (n or 1, m or 1) over samples and points."""
         table = aligned(value, {SAMPLE: 0, **self.dims})
         if table.ndim < 2 or table.size == len(table):
             return table.reshape(-1, 1)
@@ -197,14 +200,14 @@ def _contact(case: Case) -> Contact:
 
 
 def _without(case: Case, names: Sequence[str]) -> Case:
-    """Return the case without these fields of its contact, and without their uncertain numbers."""
+    """Return the case without these fields of its contact and their uncertain numbers."""
     return _changed(case, dict.fromkeys(names))
 
 
 def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
-    """Return the case with these fields of its contact, of which nothing is uncertain or several.
+    """Return the case with these fields of its contact replaced by exact values.
 
-    With the work of adhesion that of the film goes.
+    Replacing the work of adhesion also removes the work of adhesion of the film.
     """
     contact = _contact(case)
     uncertain = tuple(number for number in case.uncertain if not (set(number.path[1:]) & fields.keys()))
@@ -219,5 +222,8 @@ _FAINT = 1e-6  # of the work of adhesion
 
 
 def _faint(case: Case) -> Case:
-    """Return the case with a millionth of its work of adhesion, which pulls with nothing: laws of adhesion alone refuse 0."""
+    """Return the case with a millionth of its work of adhesion.
+
+    Its adhesion has no effect, but adhesive models, which refuse 0, still apply.
+    """
     return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(_contact(case).work_of_adhesion))})
