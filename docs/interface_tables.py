@@ -46,7 +46,8 @@ def weights() -> str:
     """The prior weights of a state, by pair."""
     rows = []
     for row in st.interfaces():
-        pairs = "; ".join(f"{pair}: {weight:g}" for pair, weight in row["pairs"].items())
+        film = " (a film)" if row["of_film"] else ""
+        pairs = "; ".join(f"{pair}{film if not weight else ''}: {weight:g}" for pair, weight in row["pairs"].items())
         only = f" (one body of {' or '.join(row['only_with'])})" if row["only_with"] else ""
         rows.append((f"`{row['name']}`", pairs + only))
     return table(("state", "weight between"), rows)

@@ -155,6 +155,17 @@ def test_gold_contact_needs_gold_and_some_states_have_to_be_stated():
     assert not interface("ice").allows(steel, steel)
 
 
+def test_a_state_of_soft_metal_films_needs_a_film_between_hard_metals():
+    bare = dict(first="hardened_steel_52100", second="hardened_steel_52100", interface="soft-metal film", nominal_area="1 mm^2")
+    bare["roughness"] = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1e9 /m^2")
+    with pytest.raises(st.InputError) as refused:
+        st.Contact(**bare)
+    assert refused.value.field == "interface" and "soft-metal film" not in refused.value.allowed
+    silver = st.Coating(material="silver", bodies="first", thickness="1 um")
+    assert st.Contact(**bare, coating=silver).interface.name == "soft-metal film"
+    assert st.Contact(**bare | {"first": "silver"}).interface.name == "soft-metal film"
+
+
 def test_every_preset_has_a_class_and_numbers_give_one():
     assert {st.material(name).material_class for name in material_names()} == set(MATERIAL_CLASSES) - {"ice"}
     guessed = {name: class_of(st.material(name).replace(material_class=None)) for name in material_names()}

@@ -39,7 +39,7 @@ FLAGS = [
 ]  # fmt: skip
 SECOND = 1000.0  # ms
 SILVER = example_cases()["Silver film, 200 nm, on hardened steel, with adhesion"]
-TABS = ("Contact", "Compare", "Where am I", "One asperity", "Surface", "Studies", "Share")
+TABS = ("Contact", "Compare", "Regime", "One asperity", "Surface", "Studies", "Share")
 
 
 @pytest.fixture(scope="module")
@@ -561,7 +561,7 @@ def _mu_of_the_row(page):
 
 def test_the_place_with_a_figure_as_the_case(fresh):
     page = fresh
-    _tab(page, "Where am I")
+    _tab(page, "Regime")
     page.get_by_text(re.compile(r"The bodies: theta = 229, lambda = 2\.15e\+05")).wait_for()
     page.get_by_text("Figure 1(a) of the 2015 paper, corrected variant").wait_for()
     page.get_by_role("button", name="Open as the case").click()

@@ -27,7 +27,8 @@ class Interface(Input):
     body (of the film, where one meets the other body). pressure_coefficient: its median; left out, the strength does not depend
     on the pressure. range: 5 and 95 % quantiles; a number without a range is certain. source, grade: of each number, see
     data_files.GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it
-    is stated. only_with: materials, one required. not_for: where the state must not be used.
+    is stated. only_with: materials, one required. of_film: whether pairs of weight 0 need a film. not_for: where the state must
+    not be used.
 
     Nothing here is capped by the strength of the bodies. Raises InputError.
     """
@@ -42,6 +43,7 @@ class Interface(Input):
     grade: dict[str, Literal["A", "B", "C"]] = Field(default_factory=dict, description="A, B or C for each number")
     pairs: dict[str, float] = Field(default_factory=dict, description="prior weight for each pair of material classes")
     only_with: tuple[str, ...] = ()
+    of_film: bool = False
     not_for: str = ""
 
     @model_validator(mode="after")
@@ -86,12 +88,13 @@ class Interface(Input):
         slope = None if self.pressure_coefficient is None else self.pressure_coefficient_at(level)
         return self.strength_at(level, hardness, modulus), slope
 
-    def allows(self, first: Material, second: Material) -> bool:
-        """Return whether the state may be stated for two bodies.
+    def allows(self, first: Material, second: Material, *, coated: bool = True) -> bool:
+        """Return whether the state may be stated for two bodies; coated: whether one of them is a film.
 
         A state without pairs, as users give it, may be stated for any.
         """
-        return not self.pairs or self.weight_of(first, second) is not None
+        weight = self.weight_of(first, second)
+        return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
         """Return where the numbers come from, and where the state must not be used."""
@@ -143,9 +146,9 @@ def interface(name: str, /) -> Interface:
     return _states()[name]
 
 
-def allowed_interfaces(first: Material, second: Material) -> list[str]:
-    """Return the names of the states that may be stated for two bodies, in alphabetical order."""
-    return [name for name in interface_names() if interface(name).allows(first, second)]
+def allowed_interfaces(first: Material, second: Material, *, coated: bool) -> list[str]:
+    """Return the names of the states that may be stated for two bodies, in alphabetical order; coated: as of `allows`."""
+    return [name for name in interface_names() if interface(name).allows(first, second, coated=coated)]
 
 
 def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
@@ -154,8 +157,10 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     for name in (name for name in stated if getattr(contact, name) is not None):
         allowed = f"nothing where {name} is stated: leave out interface to keep the number, or {name} to keep the state"
         raise InputError("interface", state.name, allowed)
-    if not state.allows(first, second):
-        allowed = f"{', '.join(allowed_interfaces(first, second))}: what {first.name} and {second.name} allow"
+    coated = contact.part("coating") is not None
+    if not state.allows(first, second, coated=coated):
+        bodies = f"{first.name} and {second.name}" + ("" if coated else " without a film")
+        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))}: what {bodies} allow"
         raise InputError("interface", state.name, allowed)
 
 
@@ -181,8 +186,8 @@ def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        Name, strength and pressure_coefficient (value, unit, 5 and 95 % quantiles, source and grade of each), pairs, only_with
-        and not_for.
+        Name, strength and pressure_coefficient (value, unit, 5 and 95 % quantiles, source and grade of each), pairs, only_with,
+        of_film and not_for.
 
     Raises
     ------
@@ -206,6 +211,7 @@ def _row(state: Interface) -> dict[str, Any]:
         "pressure_coefficient": _number(state, "pressure_coefficient"),
         "pairs": dict(state.pairs),
         "only_with": list(state.only_with),
+        "of_film": state.of_film,
         "not_for": state.not_for,
     }
 

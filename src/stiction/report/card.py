@@ -41,7 +41,7 @@ class Card(NamedTuple):
     def confidence(self) -> str:
         """Return how sure mu is: a word, and how many times higher or lower it may be."""
         word = confidence(self.mu, self.low, self.high)
-        if not self.low > 0.0:
+        if self.named or not self.low > 0.0:  # two numbers are enough
             return word
         return f"{word}: up to {number(self.high / self.mu)} times higher, {number(self.mu / self.low)} times lower"
 

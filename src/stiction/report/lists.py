@@ -128,6 +128,7 @@ def interface_in_full(name: str) -> Group:
             Padding(Text(number["source"]), (0, 0, 0, 4)),
         ]
     with_one = f"; one body of {' or '.join(row['only_with'])}" if row["only_with"] else ""
-    lines.append(Text(f"allowed between: {'; '.join(row['pairs'])}{with_one}"))
+    pairs = (f"{pair} (a film)" if row["of_film"] and not weight else pair for pair, weight in row["pairs"].items())
+    lines.append(Text(f"allowed between: {'; '.join(pairs)}{with_one}"))
     lines += [Text(f"not for: {row['not_for']}"), _how_to_state(name)]
     return Group(*lines)

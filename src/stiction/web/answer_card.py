@@ -84,10 +84,16 @@ class AnswerCard:
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the answer card without commands, as a visitor has no case file; with a named model it is shorter."""
+    """Return the answer card of the page, in few words: without commands, as a visitor has no case file.
+
+    A warning that the next step repeats is left out; with a named model, all but the two numbers and the main warning.
+    """
     card = card_of(prediction, named)
-    action, command, _ = card.next_step.replace(" (stiction interfaces)", "").partition(": stiction fit")
-    return card._replace(next_step=f"{action} (tab Studies)" if command else action, decides="" if named else card.decides)
+    if named:
+        return card._replace(decides="", next_step="")
+    action, _, _ = card.next_step.replace(" (stiction interfaces)", "").partition(": stiction fit")
+    repeated = action.startswith("state the interface") and card.warning == "The interface is not stated"
+    return card._replace(next_step=action, warning="" if repeated else card.warning)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

@@ -16,12 +16,12 @@ class ContactTab:
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         with ui.row().classes("w-full items-center gap-4") as self._choices:
-            ui.toggle({"load": "over load", "mean_separation": "over separation"}, value="load",
+            ui.toggle({"load": "load", "mean_separation": "separation"}, value="load",
                       on_change=lambda event: self._look("against", event.value)).props("dense no-caps")  # fmt: skip
             self._point = ui.slider(min=0, max=1, value=0).style("flex: 1 1 160px; width: auto")
             self._point.props('dense aria-label="working load of the answer"')
             self._point.on("update:model-value", lambda event: self._look("point", int(event.args)), throttle=0.05)
-            self._stack = ui.select([], label="shares of", on_change=self._draw).classes("w-64").props("dense outlined")
+            self._stack = ui.select([], label="shares", on_change=self._draw).classes("w-64").props("dense outlined")
         with ui.grid().classes("charts w-full answer"):
             names = "friction_coefficient", "shares", "friction_force", "contact_area", "load"
             self._charts = {name: Picture(name.replace("_", " ")) for name in names}

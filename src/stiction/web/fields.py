@@ -27,6 +27,7 @@ _STRENGTH = ("interfacial_shear_strength", "pressure_coefficient")  # in place o
 _DECADES = 3.0  # of a slider, to either side of the example of a quantity
 Path = tuple[str, ...]
 ROUGHNESS: Path = ("contact", "roughness")
+INTERFACE: Path = ("contact", "interface")
 # Fields that are words: what they may be, and what holds where they are left out.
 _WORDS: dict[str, tuple[tuple[str, ...], str]] = {
     "kind": ((NOT_STATED, *dict.fromkeys([*SURFACE_KINDS, *finish_names()])), NOT_STATED),

@@ -15,6 +15,7 @@ from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
     ENDINGS,
+    INTERFACE,
     NOT_STATED,
     OPTIONAL_PARTS,
     ROUGHNESS,
@@ -264,8 +265,18 @@ class Form:
         if not there:
             self._switched_off[part.path] = got(self._explorer.query.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
-        await self._explorer.put(part.path, numbers if there else None)
+        tables = placed(self._explorer.query.tables, part.path, numbers if there else None)
+        await self._explorer.ask(self._with_allowed_interface(tables))
         self.build()
+
+    def _with_allowed_interface(self, tables: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the tables without a state of the interface that the bodies do not allow; it comes back with them."""
+        state = got(tables, INTERFACE) or self._switched_off.get(INTERFACE)
+        if not isinstance(state, str):
+            return tables
+        allowed = state in states_of(self._explorer.query.with_tables(tables))
+        self._switched_off[INTERFACE] = None if allowed else state
+        return placed(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
         """Add a menu of states, and in place of a state the numbers of a stated strength."""

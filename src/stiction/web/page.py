@@ -83,7 +83,7 @@ _NARROW = 800  # pixels of a page that is one column, as in its style
 TABS: dict[str, Callable[[Explorer], Any]] = {
     "Contact": ContactTab,
     "Compare": CompareTab,
-    "Where am I": PlaceTab,
+    "Regime": PlaceTab,
     "One asperity": AsperityTab,
     "Surface": SurfaceTab,
     "Studies": StudiesTab,

@@ -1,4 +1,4 @@
-"""The tab Where am I: the plane of the adhesion indices with the contact in it; claims and figures of the 2015 paper."""
+"""The tab Regime: the plane of the adhesion indices with the contact in it; claims and figures of the 2015 paper."""
 
 from functools import cache
 from typing import Any

@@ -25,7 +25,7 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
-from stiction.web.fields import placed, with_points
+from stiction.web.fields import INTERFACE, placed, with_points
 
 _MAX_POINTS = 20_000  # of a curve that is drawn anew while a slider moves
 _MAX_SAMPLES = 4096  # of uncertain parameters
@@ -141,10 +141,10 @@ def law_names(case: Case) -> dict[str, list[str]]:
 def states_of(query: Query) -> list[str]:
     """Return the states of the interface that the bodies of a query allow; all where the bodies are not known."""
     try:
-        subject = read_query(query.with_tables(placed(query.tables, ("contact", "interface"), None))).subject
+        subject = read_query(query.with_tables(placed(query.tables, INTERFACE, None))).subject
     except InputError:
         return interface_names()
-    return allowed_interfaces(*subject.touching) if isinstance(subject, Contact) else []
+    return allowed_interfaces(*subject.touching, coated=subject.has_film) if isinstance(subject, Contact) else []
 
 
 def option_values(data: xarray.Dataset) -> dict[str, tuple[str, ...]]:
