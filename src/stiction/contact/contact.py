@@ -215,19 +215,10 @@ class Contact(Subject):
         return self.roughness.height_distribution, self.roughness.height_parameters
 
     def optional_inputs(self) -> dict[str, str]:
-        names = {
-            "work_of_adhesion": "adhesion",
-            "interfacial_shear_strength": "shear_strength",
-            "pressure_coefficient": "pressure_coefficient",
-            "peeling": "peeling",
-            "hardness_to_yield": "hardness_to_yield",
-            "hold_time": "waiting",
-            "reference_time": "waiting",
-            "ageing_rate": "ageing_rate",
-            "strength_variation": "strength_variation",
-            "weakening_slip": "weakening_slip",
-            "residual_strength": "residual_strength",
-        }
+        own = ("pressure_coefficient", "peeling", "hardness_to_yield", "ageing_rate", "strength_variation", "weakening_slip",
+               "residual_strength")  # fmt: skip
+        names = {"work_of_adhesion": "adhesion", "interfacial_shear_strength": "shear_strength"}
+        names |= {name: name for name in own} | dict.fromkeys(("hold_time", "reference_time"), "waiting")
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
         for body in ("first", "second"):
