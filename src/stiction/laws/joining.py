@@ -1,4 +1,4 @@
-"""An asperity law and a tangential law, joined into the regimes that the engine sums."""
+"""Join an asperity law and a tangential law into the regimes that the engine sums."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -24,10 +24,10 @@ _FARTHEST = 1e100
 
 @dataclass(frozen=True)
 class Weights:
-    """Weights of an asperity's response; arrays (n,) or numbers.
+    """Store weights of an asperity's response; arrays (n,) or numbers.
 
-    The response starts at the displacement `shift`. unit: factor from the forces of this body to the unit of the whole contact.
-    load, area, friction: weights of its load, contact area and tangential resistance, usually 1 or 0.
+    shift: displacement at which the response starts. unit: factor from the forces of this body to the unit of the whole
+    contact. load, area, friction: weights of its load, contact area and tangential resistance, usually 1 or 0.
     """
 
     shift: np.ndarray | float = 0.0
@@ -39,22 +39,22 @@ class Weights:
 
 @formula
 def none(u, w, load, area):
-    """Return no tangential resistance."""
+    """Return no tangential resistance: slip-limited and yield-limited force are 0."""
     return 0.0, 0.0
 
 
 @cache
 def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interfacial: bool, parameters: int, own: int) -> Any:
-    """Return formulas of the joined regime.
+    """Return the formulas `along` and `coordinate` of a joined regime.
 
-    They take so many parameters of the asperity law and of the tangential law. The same objects are returned for the same laws,
-    so that kernels are compiled once.
+    parameters, own: number of parameters of the asperity law and of the tangential law. The function is cached, so that the
+    same laws give the same formulas and kernels are compiled once.
     """
     joined = parameters + own
 
     @formula
     def along(u, *row):
-        """Return the weighted normal law and the resistance that applies to it."""
+        """Return the six values that a `Regime` requires: weighted normal response and resistance of the body itself."""
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
         shift, unit, of_load, of_area, of_friction = row[joined:]
@@ -63,7 +63,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """Return the same for a resistance of the interface: it sees only weighted load and area."""
+        """Return the six values that a `Regime` requires; the interface resists according to the weighted load and area."""
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
         load, area = of_load * load, of_area * area
@@ -79,7 +79,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
 @dataclass(frozen=True)
 class Law:
-    """An asperity law and a tangential law, or None for contact only, with their options."""
+    """Combine an asperity law, a tangential law and their options; without a tangential law only contact is computed."""
 
     asperity: AsperityLaw
     tangential: TangentialLaw | None = None
@@ -87,20 +87,20 @@ class Law:
 
     @property
     def interfacial(self) -> bool:
-        """Return whether friction is of the interface, whichever body answers."""
+        """Return whether the tangential law describes the interface rather than the bodies."""
         return self.tangential is not None and self.tangential.interfacial
 
     def pieces(self, groups: Groups) -> list[NormalPiece]:
         return self.asperity.pieces(groups, **select_options(self.asperity, self.options))
 
     def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
-        """Join every piece of the asperity law."""
+        """Return one regime for each piece of the asperity law; labels: as in `join`."""
         return [self.join(piece, groups, weights, **labels) for piece in self.pieces(groups)]
 
     def join(self, piece: NormalPiece, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """Join one piece with the tangential law, under these weights.
+        """Return the regime of one piece with its tangential resistance, weighted by `weights`.
 
-        labels: body, touching, in_half_space of the Regime.
+        labels: further fields of the Regime, such as body, touching or in_half_space.
         """
         tangential_resistance = None
         if self.tangential is not None:
@@ -138,9 +138,9 @@ class Law:
 
 
 def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
-    """Return edges (n, m) with the kinks (n, k) that lie between them.
+    """Return the edges (n, m) with the kinks (n, k) inserted in order.
 
-    Other kinks make pieces without length.
+    Kinks outside the edges become pieces of zero length at an end.
     """
     if kinks is None or kinks.shape[1] == 0:
         return edges
@@ -165,9 +165,9 @@ Part = TypeVar("Part", NormalPiece, Regime)
 
 
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
-    """Return the part of a piece or regime between two coordinates (n,).
+    """Return the part of a piece or regime between the coordinates low and high (n,).
 
-    It is empty where high < low, or where they are outside.
+    The part is empty if high < low or if both are outside.
     """
     low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
     high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])
@@ -223,10 +223,7 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
 
 
 def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
-    """Return u (n,) where the displacement is w (n,).
-
-    It is the nearer end where the piece does not reach w.
-    """
+    """Return the coordinates u (n,) at the displacements w (n,), limited to the ends of the piece."""
     edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
     compiled = _coordinates(piece.normal, piece.coordinate, len(piece.parameters))
     compiled(_one_each(w, edges), columns(piece.parameters, len(edges)), edges, out)
@@ -234,9 +231,9 @@ def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
 
 
 def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndarray:
-    """Return u (n,) where the contact area has this value (n,).
+    """Return the coordinates u (n,) at the contact areas `area` (n,), limited to the ends of the piece.
 
-    The area grows along the piece; it is the nearer end where the piece does not reach it.
+    The area must grow along the piece.
     """
     edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
     compiled = _coordinates_at_area(piece.normal, len(piece.parameters))
@@ -245,15 +242,12 @@ def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndar
 
 
 def states(regime: Regime, u: np.ndarray) -> np.ndarray:
-    """Return the six values (n, 6) of `along` at the coordinates u (n,)."""
+    """Return the six values (n, 6) of `Regime.along` at the coordinates u (n,)."""
     return _values(regime.along, regime.parameters, u, 6)
 
 
 def normal_states(piece: NormalPiece, u: np.ndarray) -> np.ndarray:
-    """Return displacement, its derivative, load and contact area (n, 4).
-
-    At the coordinates u (n,).
-    """
+    """Return displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
     return _values(piece.normal, piece.parameters, u, 4)
 
 
@@ -268,9 +262,9 @@ def _one_each(values: np.ndarray | float, edges: np.ndarray) -> np.ndarray:
 def resistances(
     tangential: TangentialLaw, groups: Groups, load: np.ndarray, area: np.ndarray, state: str = "elastic"
 ) -> np.ndarray:
-    """Return the tangential force (n, m) of a law of the interface.
+    """Return the tangential force (n, m) that a law of the interface gives for whole contacts.
 
-    The loads and contact areas (n, m) are those of whole contacts, elastic or plastic.
+    load, area: of the contacts (n, m). state: "elastic" or "plastic".
     """
     anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)

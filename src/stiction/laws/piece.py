@@ -1,4 +1,4 @@
-"""A piece: one smooth part of an asperity's behaviour under normal load, before any tangential law is joined to it."""
+"""Describe one smooth part (piece) of an asperity's normal behaviour, and the tangential resistance on it."""
 
 import math
 from collections.abc import Callable
@@ -15,15 +15,16 @@ STATES = ("elastic", "elastic-plastic", "plastic")
 
 @dataclass(frozen=True)
 class NormalPiece:
-    """One smooth part of one asperity's normal behaviour, for n parameter sets ("laws") at once.
+    """Describe one smooth part of an asperity's normal behaviour, for n parameter sets ("laws") at once.
 
-    normal(u, *parameters) -> (displacement, its derivative by u, load, contact area) at the coordinate u;
-    coordinate(displacement, *parameters) -> u is its inverse. Both are formulas (engine.compiled.formula) of scalars, in
-    the units of docs/theory.md: displacement over sigma, load over K R^(1/2) sigma^(3/2), area over pi R sigma.
+    normal(u, *parameters) returns displacement, derivative of the displacement by u, load and contact area at the coordinate
+    u. coordinate(displacement, *parameters) -> u is the inverse of the displacement. Both are scalar formulas
+    (engine.compiled.formula) in the units of docs/theory.md: displacement over sigma, load over K R^(1/2) sigma^(3/2), area
+    over pi R sigma.
 
-    parameters: arrays (n,), in the order that `normal` takes them.
-    edges: array (n, m + 1) in u, from where the piece starts to where it ends, which may be infinite; edges between are kinks.
-    state: one of STATES. lowest: no displacement of the piece is below this.
+    parameters: arrays (n,), in the order in which `normal` takes them.
+    edges: array (n, m + 1) of coordinates: start, kinks, and end of the piece; the end may be infinite.
+    state: one of STATES. lowest: lower bound of the displacement.
     """
 
     normal: Callable
@@ -36,13 +37,13 @@ class NormalPiece:
 
 @dataclass(frozen=True)
 class TangentialResistance:
-    """Tangential resistance of a piece: the force at which one asperity is sheared off.
+    """Describe the tangential resistance on a piece: the force at which one asperity shears off.
 
-    resistance(u, displacement, load, area, *parameters) -> (slip-limited, yield-limited) tangential force, one of which is zero
-    wherever the other is not; in the unit of the load. parameters: arrays (n,).
+    resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
+    the load; at least one of them is zero. parameters: arrays (n,).
 
-    kinks: array (n, k), coordinates of the piece at which the resistance is not smooth, in any order (those outside the piece
-    do not matter), or None. branch: as in Regime, coordinates at which it starts like a broken power; or None.
+    kinks: array (n, k) of coordinates at which the resistance is not smooth, in any order, or None; those outside the piece
+    are ignored. branch: coordinates at which the resistance starts like a fractional power, as in `Regime`, or None.
     """
 
     resistance: Callable
@@ -53,18 +54,18 @@ class TangentialResistance:
 
 @formula
 def displaced(w, *row):
-    """Return the coordinate of a piece that is written in its displacement."""
+    """Return the coordinate of a piece whose coordinate is its displacement w."""
     return w
 
 
 @formula
 def root_of(w, *row):
-    """Return the coordinate of a piece that is written in the square root of its displacement."""
+    """Return the coordinate of a piece whose coordinate is the square root of its displacement w."""
     return math.sqrt(max(w, 0.0))
 
 
 def edges_at(*places: np.ndarray | float) -> np.ndarray:
-    """Return the edges (n, m) of a piece at m places, each an array (n,) or a number."""
+    """Return m coordinates, each an array (n,) or a number, as edges (n, m) of a piece."""
     return np.stack(np.broadcast_arrays(*places), axis=1)
 
 
@@ -77,21 +78,21 @@ def from_curve(
     parameters: tuple[np.ndarray, ...] = (),
     state: str = "elastic",
 ) -> NormalPiece:
-    """Return a piece from load and contact area as plain functions of the displacement.
+    """Return a piece from plain functions for load and contact area against displacement.
 
-    Slower than a piece with formulas in a coordinate of its own, and sums are good to 1e-8: the coordinate is the square root
-    of the displacement beyond `start`, which smooths curves that begin there like a half-integer power.
+    It runs slower than a piece with formulas in a suitable coordinate, and its sums are accurate to 1e-8. Its coordinate is
+    the square root of the displacement beyond `start`, in which curves that begin like a half-integer power are smooth.
 
     Parameters
     ----------
     load, area : functions of (displacement, *parameters)
-        Of numbers, smooth between `start` and `end`; `math`, `if`, `min` and `max` may be used.
+        Functions of numbers, smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
     start : array (n,)
         Displacement at which the piece starts, over sigma.
     end : array (n,) or float
         Displacement at which it ends, over sigma; infinite for the last piece.
     parameters : arrays (n,)
-        In the order in which both functions take them.
+        Parameters, in the order in which both functions take them.
     state : str
         One of STATES.
     """
@@ -102,9 +103,9 @@ def from_curve(
 
 @cache
 def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
-    """Return formulas for two functions of the displacement.
+    """Return the formulas `normal` and `coordinate` for two functions of the displacement.
 
-    The same objects are returned for the same functions, so that kernels compile once.
+    The function is cached, so that the same functions give the same formulas and kernels are compiled once.
     """
     load, area = formula(load), formula(area)
 

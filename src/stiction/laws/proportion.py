@@ -1,4 +1,4 @@
-"""Inputs of implausible size for a rough surface, whichever law takes them."""
+"""Warn of inputs whose size is implausible for a rough surface, for any law."""
 
 from math import inf
 
@@ -15,5 +15,5 @@ OUT_OF_PROPORTION = (
 
 
 def input_warnings(subject: Subject) -> list[str]:
-    """Describe implausible inputs in words, before any model runs."""
+    """Return one sentence for each implausible input of a contact, before any model runs."""
     return [str(warning) for warning in warnings_about(subject, OUT_OF_PROPORTION, {})]

@@ -1,4 +1,4 @@
-"""Ranges and limits that several laws claim in the same words."""
+"""Define validity ranges and limits that several laws share."""
 
 import math
 
@@ -24,5 +24,5 @@ ENOUGH_SUMMITS = Validity(
 
 
 def elastic_limit(parent: str) -> Limit:
-    """Return the limit of a law that becomes its elastic parent where nothing yields."""
+    """Return the limit check of a law that equals the elastic law `parent` if nothing yields."""
     return Limit(parent, {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9)

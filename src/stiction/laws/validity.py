@@ -1,4 +1,4 @@
-"""Where a result goes beyond what the authors of its laws claim, as validity warnings."""
+"""Report, as validity warnings, where a result lies outside the range that the authors of its laws state."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -15,9 +15,10 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return a warning for each range of validity that the contact leaves.
+    """Return a warning for each validity range that a contact and its results leave.
 
-    results: normalised, by name, the mean separation over sigma; None if missing. Other values come from the contact.
+    results: normalised results by name; mean_separation is over sigma, None if missing. Other quantities are taken from the
+    contact.
     """
     found = []
     for rule, values, outside in ranges_left(subject, rules, results):
@@ -30,7 +31,7 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def ranges_left(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Return each rule, the values of its quantity, and a mask of those outside.
+    """Yield each rule that is violated, the values of its quantity, and a mask of the values outside.
 
     NaN counts as inside.
     """
@@ -45,12 +46,15 @@ def ranges_left(
 
 
 def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "xarray.Dataset":
-    """Return a result with more validity warnings: as text under `outside_validity`, as JSON under `validity_warnings`."""
+    """Return a copy of a result with more validity warnings.
+
+    They are stored as text in the attribute `outside_validity` and as JSON in `validity_warnings`.
+    """
     return data.assign_attrs(as_attributes([*warnings_of(data), *more]))
 
 
 def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
-    """Return the attributes of a result that hold its validity warnings; a netCDF file keeps them."""
+    """Return the attributes that store validity warnings in a result, and in netCDF files."""
     found = tuple(warnings)
     data = json.dumps([one.as_data() for one in found], ensure_ascii=False)
     return {"outside_validity": "; ".join(map(str, found)), "validity_warnings": data}
@@ -62,5 +66,5 @@ def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:
 
 
 def read_warnings(text: str) -> list[ValidityWarning]:
-    """Return the validity warnings that `as_attributes` wrote as JSON."""
+    """Return the validity warnings stored as JSON by `as_attributes`."""
     return [ValidityWarning.from_data(row) for row in json.loads(text)]

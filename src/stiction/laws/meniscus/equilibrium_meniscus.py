@@ -84,12 +84,15 @@ PULL_ON_MAPS = Validity(
 
 @formula
 def along(w, pull, height):
-    """At the displacement w, its own coordinate: w, 1, the pull, and neither area nor resistance. pull: 2 pi/theta_m."""
+    """Return the six values of a `Regime` at the displacement w: only the load, minus the pull of the meniscus, is not zero.
+
+    pull: 2 pi/theta_m. height: w_m. The coordinate is the displacement itself.
+    """
     return w, 1.0, -pull * min(1.0, max(1.0 + w / height, 0.0)), 0.0, 0.0, 0.0
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Bridging from w = -w_m on, in contact from 0 on."""
+    """Return the regime of menisci that bridge a gap from w = -w_m on and surround a contact from w = 0 on."""
     height = groups.meniscus_height
     edges = edges_at(-height, 0.0, np.inf)
     lowest = float(np.min(-height, initial=0.0))

@@ -58,7 +58,10 @@ _ring = maugis_1992.ring
 
 @formula
 def along(s, pull, height):
-    """At the coordinate s: displacement, its slope, the pull, and neither area nor resistance. pull: 2 pi/theta_m."""
+    """Return the six values of a `Regime` at the coordinate s: area and resistance are zero.
+
+    pull: 2 pi/theta_m. height: w_m.
+    """
     if s == math.inf:
         return math.inf, math.inf, -0.5 * pull, 0.0, 0.0, 0.0
     F, F_falls, _, _, turn = _ring(s)
@@ -69,9 +72,9 @@ def along(s, pull, height):
 
 @formula
 def coordinate(w, pull, height):
-    """Return s at the displacement w, by Newton's method on s^2/F from above.
+    """Return the coordinate s at the displacement w, by Newton's method on s^2/F.
 
-    F is at most pi/2 and at most 4/(3 s).
+    The start is an upper bound, because F is at most pi/2 and at most 4/(3 s).
     """
     if w == math.inf:
         return math.inf
@@ -87,7 +90,7 @@ def coordinate(w, pull, height):
 
 
 def pull(groups: Groups) -> list[Regime]:
-    """Bridging from w = -w_m to 0, as in equilibrium, and the ring from there on."""
+    """Return two regimes: menisci that bridge a gap, from w = -w_m to 0, and rings of liquid around contacts, from w = 0 on."""
     bridging = equilibrium_meniscus.pull(groups)[0]
     edges = np.tile([0.0, np.inf], (len(groups), 1))
     ring = Regime(along, coordinate, bridging.parameters, edges, MENISCUS, touching=False)

@@ -1,4 +1,4 @@
-"""Menisci: a kind of law that is added to a model."""
+"""Define meniscus laws: capillary forces that are added to a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,10 +10,10 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Meniscus(Addition):
-    """Capillary force of a liquid around an asperity, independent of the contact law.
+    """Describe the capillary force of a liquid around an asperity, independent of the asperity law.
 
-    pull(groups, **own options) -> list of Regime, by displacement, which may begin below zero, where the liquid bridges a gap:
-    no area, no resistance, and loads below zero.
+    pull(groups, **options) returns a list of `Regime` with negative loads and without area or resistance. Displacements below
+    zero describe a meniscus that bridges a gap.
     """
 
     kind = keyword = "meniscus"

@@ -1,4 +1,4 @@
-"""Presliding: a kind of law that is added to a model."""
+"""Define presliding laws: tangential stiffness of a contact before it slides, added to a model."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -10,10 +10,10 @@ from stiction.records.registry import Addition, FilmLaw, RoughSurface, Tangentia
 
 @dataclass(frozen=True, kw_only=True)
 class Presliding(Addition, TangentialLaw):
-    """Elastic tangential displacement of a contact before it slides.
+    """Describe the elastic tangential displacement of a contact before it slides.
 
-    A tangential law whose resistance is the tangential stiffness of one asperity at zero force, times sigma and in the unit of
-    the load.
+    It is a tangential law whose resistance is the tangential stiffness of one asperity at zero force, times sigma, in the unit
+    of the load.
     """
 
     kind = keyword = "presliding"

@@ -60,28 +60,28 @@ from stiction.records.sources import Source
 
 @formula
 def stiffness(area, K_beta):
-    """Return dT/d(displacement) at T = 0, where nothing slips.
+    """Return the tangential stiffness of a contact at zero force, where nothing slips.
 
-    k_t = 8 a/beta for two bodies, 1/beta = G* of the pair. With a = sqrt(x R sigma), k_t sigma/(K R^(1/2) sigma^(3/2)) = 8
-    sqrt(x)/(K beta).
+    In SI it is k_t = 8 a/beta, with 1/beta = G* of the pair. Here it is k_t sigma/(K R^(1/2) sigma^(3/2)) = 8 sqrt(area)/(K
+    beta).
     """
     return 8.0 * math.sqrt(area) / K_beta
 
 
 @formula
 def sliding_displacement(load, area, friction, K_beta):
-    """Return the displacement at which all of a Hertz contact slips, 3 mu P beta/(16 a).
+    """Return the tangential displacement at which a whole Hertz contact slips, 3 mu P beta/(16 a).
 
-    It is 3/2 of mu P over the initial stiffness.
+    It is 3/2 of mu P over the initial stiffness. friction: mu.
     """
     return 1.5 * friction * load / stiffness(area, K_beta)
 
 
 @formula
 def force(displacement, load, area, friction, K_beta):
-    """Return T = mu P (1 - (1 - s)^(3/2)), s = displacement/sliding displacement.
+    """Return the tangential force at a displacement: T = mu P (1 - (1 - s)^(3/2)), s = displacement/sliding displacement.
 
-    Slip spreads inwards from the rim under Coulomb's law at each point, until all slips at T = mu P.
+    By Coulomb's law at each point, slip spreads inwards from the rim until the whole contact slips at T = mu P. friction: mu.
     """
     left = max(1.0 - displacement / sliding_displacement(load, area, friction, K_beta), 0.0)
     return friction * load * (1.0 - left * math.sqrt(left))
@@ -89,9 +89,9 @@ def force(displacement, load, area, friction, K_beta):
 
 @formula
 def displacement(force, load, area, friction, K_beta):
-    """Invert `force` for 0 <= T <= mu P.
+    """Return the displacement at a tangential force 0 <= T <= mu P (the inverse of `force`).
 
-    The result is the sliding displacement times 1 - (1 - T/(mu P))^(2/3).
+    It is the sliding displacement times 1 - (1 - T/(mu P))^(2/3).
     """
     left = max(1.0 - force / (friction * load), 0.0)
     return sliding_displacement(load, area, friction, K_beta) * (1.0 - left ** (2.0 / 3.0))
@@ -99,19 +99,19 @@ def displacement(force, load, area, friction, K_beta):
 
 @formula
 def slip_share(s):
-    """Return 1 - (1 - s)^(3/2) of an asperity at the share s < 1 of its sliding displacement.
+    """Return the tangential force over the strength, 1 - (1 - s)^(3/2), accurate for small s.
 
-    It is exact where s is small.
+    s: displacement over the sliding displacement of the asperity, below 1.
     """
     return -math.expm1(1.5 * math.log1p(-s))
 
 
 @formula
 def loss_share(s):
-    """Return the energy lost in a cycle of amplitude s.
+    """Return the energy lost in a cycle of amplitude s, over strength times sliding displacement.
 
-    It is over the strength and the sliding displacement: 8 times the integral of the force less 4 s times it. For small s that
-    cancels, and its Taylor series is taken: s^3/2 + s^4/8 + 9 s^5/160 + ...
+    It is 8 times the integral of the force from 0 to s, minus 4 s times the force. For small s this cancels, and its Taylor
+    series s^3/2 + s^4/8 + 9 s^5/160 + ... is used.
     """
     if s < 0.1:
         tail = 0.006982421875 + s * (0.0053558349609375 + s * (0.004215240478515625 + s * 0.0033884048461914062))
@@ -125,12 +125,12 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """Return the stiffness, in the slot of a force."""
+    """Return the tangential stiffness of one asperity, in place of its slip-limited force, and 0."""
     return stiffness(area, K_beta), 0.0
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the stiffness of every piece, from its contact radius."""
+    """Return the tangential stiffness on a piece, as a `TangentialResistance` that the engine can sum."""
     return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(piece.edges[:, 0]))
 
 

@@ -53,7 +53,7 @@ if TYPE_CHECKING:
 
 
 def bodies_of(contact: Contact) -> Bodies:
-    """Return compliances and hardness of a contact of single numbers."""
+    """Return elastic compliances and hardness of a contact, for the solver; every input must be a single number."""
     coating = contact.coating
     if coating is None:
         return Bodies(1.0 / (compliance_of(contact.first) + compliance_of(contact.second)),
@@ -67,7 +67,7 @@ def bodies_of(contact: Contact) -> Bodies:
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:
-    """Return the compliance under shear of a contact of single numbers."""
+    """Return the elastic compliance under shear of a contact, for the solver; every input must be a single number."""
     coating = contact.coating
     bare = {
         name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))
@@ -90,9 +90,10 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 def of_map(
     surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str, adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """Solve the contact of the map at nominal pressures [Pa].
+    """Solve the contact of a map at nominal pressures [Pa].
 
-    Raises InputError for a map or a pressure that cannot be solved.
+    The options points, yielding, shear and adhesion are those of the model. Raises InputError if the map or a pressure cannot
+    be solved.
     """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
 
@@ -109,7 +110,7 @@ def of_map(
 def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
-    """Add adhesion: the work of adhesion of the faces, over its range."""
+    """Solve the contact of a map with adhesion, which decays over a finite range of the gap."""
     from stiction.solvers.boundary_elements.sticking import shortest_range, sticking_curve
 
     coating = contact.coating

@@ -41,13 +41,16 @@ from stiction.surfaces.theory.summits import Shapes
 
 @cache
 def ellipses() -> Shapes:
-    """Hertz's ellipse with the axes b <= a, against the flatness t of the summit; Gauss points in (b/a)^(1/3).
+    """Return Hertz's elliptic contacts with axes b <= a, tabulated against the asymmetry t of the summit's curvatures.
 
-    Johnson 1985, section 4.2(c): with e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and E(e), overlap w, greatest
+    Johnson 1985, section 4.2(c): with e^2 = 1 - b^2/a^2, complete elliptic integrals K(e) and E(e), overlap w, largest
     pressure p0, and half the principal curvatures, A = (kappa - r)/2 and B = (kappa + r)/2,
         w = (p0 / E*) b K,   A = (p0 / E*) b (K - E) / (e^2 a^2),   B = (p0 / E*) b (E a^2/b^2 - K) / (e^2 a^2).
-    A + B = kappa gives a^2 = w E / (K kappa b^2/a^2), hence the area pi a b and the load (2/3) pi a b p0; B - A = r gives t.
-    The ellipse grows long, and the integrand of stiction.surfaces.theory.summits falls to zero, as t goes to 1.
+    A + B = kappa gives a^2 = w E / (K kappa b^2/a^2), and so the area pi a b and the load (2/3) pi a b p0; B - A = r gives t =
+        r/kappa.
+    As t tends to 1, the ellipse becomes long and the integrand of stiction.surfaces.theory.summits tends to zero. The places
+        are Gauss
+    points in (b/a)^(1/3).
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0
@@ -68,15 +71,12 @@ def ellipses() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) at separations h (H,) or (n, H).
-
-    The separations are from the mean of the summits.
-    """
+    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
     return summits.curve(h, groups.roughness_parameter, ellipses)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) where the loads (n, H) are carried."""
+    """Return approximate separations (n, H) at the loads (n, H), as starting values."""
     return separation_of_summits(load, groups.roughness_parameter, ellipses)
 
 

@@ -33,10 +33,10 @@ _MOST_STEPS = 200
 
 
 def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
-    """Return x = h + compliance F_3/2(x), where lone asperities carry the same load.
+    """Return the separation x = h + compliance F_3/2(x) of independent asperities that carry the same load.
 
-    Arrays of the same shape. x - compliance F_3/2(x) grows with x and its slope falls, so that Newton's method from h climbs to
-    the root, never past it.
+    h, compliance: arrays of the same shape. x - compliance F_3/2(x) grows with x and its slope decreases. Newton's method from
+    h therefore rises to the root without passing it.
     """
     x = h.astype(float)
     for _ in range(_MOST_STEPS):
@@ -49,21 +49,27 @@ def shifted_separation(h: np.ndarray, compliance: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Load and area (n, H) at separations h (H,) or (n, H) of the mean of the asperities, undeformed, from the flat."""
+    """Return load and area (n, H) per asperity at separations h (H,) or (n, H).
+
+    h is measured from the flat to the mean of the undeformed asperities.
+    """
     x = shifted_separation(*np.broadcast_arrays(h, _compliance(groups)))
     return truncated_mean(1.5, x), truncated_mean(1.0, x)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return separations (n, H) where the loads (n, H) are carried.
+    """Return separations (n, H) at the loads (n, H).
 
-    They differ from those of lone asperities by the sinking of the area.
+    They are those of independent asperities minus the displacement of the nominal area.
     """
     return lone_separation(load) - _compliance(groups) * load
 
 
 def _compliance(groups: Groups) -> np.ndarray:
-    """u / (sigma F_3/2) (n, 1): u = SINKING (p / E*) sqrt(A_n) with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2."""
+    """Return the mean displacement u of the nominal area over sigma F_3/2, (n, 1).
+
+    u = SINKING (p / E*) sqrt(A_n) with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
+    """
     return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 
 

@@ -27,7 +27,11 @@ from stiction.surfaces.theory.summits import Shapes
 
 @cache
 def spheres() -> Shapes:
-    """Area pi w / g and load (4/3) E* w^(3/2) / sqrt(g) with g = kappa sqrt(1 - t^2); Gauss points in (1 - t)^(1/4)."""
+    """Return the spherical contacts that replace elliptic ones, tabulated against the asymmetry t of the summit's curvatures.
+
+    The curvature is g = kappa sqrt(1 - t^2), the area pi w / g and the load (4/3) E* w^(3/2) / sqrt(g). The places are Gauss
+    points in (1 - t)^(1/4).
+    """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0
     t = 1.0 - root**4
@@ -36,15 +40,12 @@ def spheres() -> Shapes:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) at separations h (H,) or (n, H).
-
-    The separations are from the mean of the summits.
-    """
+    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
     return summits.curve(h, groups.roughness_parameter, spheres)
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return approximate separations (n, H) where the loads (n, H) are carried."""
+    """Return approximate separations (n, H) at the loads (n, H), as starting values."""
     return separation_of_summits(load, groups.roughness_parameter, spheres)
 
 

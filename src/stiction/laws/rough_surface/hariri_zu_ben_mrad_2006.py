@@ -58,7 +58,10 @@ LARGEST_DENSITY = float(density_of_bandwidth(n_point.LARGEST_BANDWIDTH))
 
 
 def correlation_of(density: np.ndarray) -> np.ndarray:
-    """Correlation of neighbouring points of the sampled profile of a surface with this N R sigma (n,)."""
+    """Return the correlation (n,) of neighbouring points of the sampled profile of surfaces with density = N R sigma (n,).
+
+    Raises InputError if no such profile exists or is tabulated.
+    """
     bad = ~((density >= LEAST_DENSITY) & (density <= LARGEST_DENSITY))
     if bad.any():
         raise InputError(
@@ -72,10 +75,7 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
 
 
 def curve(h: np.ndarray, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area (n, H) at separations h (H,) or (n, H).
-
-    The separations are from the mean of the summits.
-    """
+    """Return load and area (n, H) per asperity at separations h (H,) or (n, H) from the mean of the summits."""
     return _sums(h, groups.roughness_parameter)
 
 
@@ -92,7 +92,10 @@ def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Separations (n, H), about where the loads (n, H) are carried, on the farther side of the largest load."""
+    """Return approximate separations (n, H) at the loads (n, H), as starting values.
+
+    They are on the far side of the largest load, where the load rises on approach.
+    """
     return _near()(load, np.log(groups.roughness_parameter))
 
 

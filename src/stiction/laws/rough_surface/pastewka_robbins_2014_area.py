@@ -35,7 +35,7 @@ from stiction.surfaces.theory.moments import reduced_pressure
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
 
-    NaN for sticking contacts among several; raises InputError where all stick.
+    It is NaN for contacts that stick. Raises InputError if all contacts stick.
     """
     ratio = stickiness(groups)[:, None]
     if not (ratio > 1.0).any():

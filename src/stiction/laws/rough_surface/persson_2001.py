@@ -32,7 +32,7 @@ from stiction.records.sources import Source
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """Return A/A0 at the reduced pressures p / (E* h') >= 0, any shape.
+    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
 
     Source: Persson 2001.
     """
@@ -40,10 +40,7 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
-
-    No contact under tension.
-    """
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
     return area_per_asperity(load, groups, area_share)
 
 

@@ -38,9 +38,10 @@ _APART, _TERMS = 13.0, 27
 
 
 def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(elastic, plastic) contact area over the nominal area. Source: Persson 2001 (Phys. Rev. Lett.), in the sums above.
+    """Return the elastic and the plastic contact area over the nominal area.
 
-    share: p0/H; from 1 on everything is plastic. hardness: H / (E* h'). Arrays alike in shape.
+    share: nominal pressure over hardness, p0/H; from 1 on the whole contact is plastic. hardness: H / (E* h'), same shape.
+    Source: Persson 2001 (Phys. Rev. Lett.), in the sums given above.
     """
     p, root_G = np.clip(share, 0.0, 1.0), 1.0 / (math.sqrt(8.0) * hardness)  # both over H
     plastic = erfc((1.0 - p) / (2.0 * root_G))
@@ -58,13 +59,19 @@ def area_shares(share: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np
 
 
 def hardness_over_slope(groups: Groups) -> np.ndarray:
-    """H / (E* h') (n,): H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/theory.md, section 1)."""
+    """Return the reduced hardness H / (E* h') (n,).
+
+    H/E* is (4/3) eta sqrt(sigma/R) / pi (docs/theory.md, section 1).
+    """
     eta = groups.eta
     return 4.0 / 3.0 * eta / math.pi / slope_over_sharpness(groups.roughness_parameter)
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area, elastic and plastic, per asperity over pi R sigma (n, H) at loads per asperity (n, H); none under tension."""
+    """Return the area per asperity over pi R sigma (n, H), elastic and plastic, at loads per asperity (n, H).
+
+    It is 0 under tension.
+    """
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     hardness = np.broadcast_to(hardness_over_slope(groups)[:, None], pressure.shape)

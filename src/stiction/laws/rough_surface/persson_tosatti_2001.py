@@ -29,15 +29,19 @@ from stiction.surfaces.theory.moments import Moments
 
 
 def elastic_over_adhesion(groups: Groups) -> np.ndarray:
-    """Return the bound of U/gamma (n,). By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma)."""
+    """Return an upper bound of the elastic energy over the work of adhesion, U/gamma (n,).
+
+    By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
+    """
     moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
     return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H), the nominal one; not a number for contacts that stay partial.
+    """Return the nominal area per asperity over pi R sigma (n, H); NaN for contacts that stay partial.
 
-    Raises InputError where all do."""
+    Raises InputError if all contacts stay partial.
+    """
     ratio = elastic_over_adhesion(groups)
     if not (ratio < 1.0).any():
         allowed = f"more: flattening the roughness takes {ratio.min():.3g} times the work of adhesion"

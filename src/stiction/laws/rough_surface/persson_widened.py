@@ -44,7 +44,10 @@ WAYS = {
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Area per asperity over pi R sigma (n, H) at loads per asperity (n, H), by the moments; none under tension."""
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H), from the moments of the surface.
+
+    It is 0 under tension.
+    """
     density = groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     elastic = of_moments(pressure, np.maximum(bandwidth(density), LEAST_BANDWIDTH))
@@ -52,9 +55,9 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the area at loads from the map itself.
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H), from the map.
 
-    All contacts have its surface.
+    All contacts have the same map as their surface.
     """
     density = groups.roughness_parameter[:, None]
     slope = groups.sharpness[:, None] * slope_of(density)
@@ -68,7 +71,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def way(surface: "HeightMap | None") -> str:
-    """How the area is found, a key of WAYS. surface: the map, None where there is none."""
+    """Return how the area is computed, as a key of WAYS; surface: the map, or None."""
     if surface is None:
         return "moments"
     from stiction.solvers.boundary_elements.map_area import map_area  # slow to import

@@ -67,10 +67,10 @@ STIFF = 5.0  # over the modulus of the bodies: under such films, where they are 
 
 
 class Waves(NamedTuple):
-    """A spectrum: wavevectors, and their shares of the mean square gradient.
+    """Store a spectrum: wavevectors, and their fractions of the mean square gradient.
 
-    wavevector: (n, m) or (m,), over 1/sqrt(R sigma) where the film's thickness is over sqrt(R sigma), or both in SI; share: of
-    the same shape, of sum 1.
+    wavevector: (n, m) or (m,), in units of 1/sqrt(R sigma) if the film thickness is over sqrt(R sigma), or both in SI units.
+    share: same shape, with sum 1.
     """
 
     wavevector: np.ndarray
@@ -78,10 +78,11 @@ class Waves(NamedTuple):
 
 
 def waves_of_moments(density: np.ndarray) -> Waves:
-    """Return the self-affine surface with the moments of N R sigma (n,).
+    """Return the spectrum of the self-affine surface with the moments that belong to density = N R sigma (n,).
 
-    In units of sqrt(R sigma). Between k_l and k_s = z k_l its integrals M_n of k^(n + 1) k^(-2 - 2 H) give Nayak's alpha =
-    (3/2) M_0 M_4/M_2^2, from which z follows, and m4/m2 = (3/4) M_4/M_2, which is 6 pi sqrt(3) N (Nayak 1971).
+    Lengths are in units of sqrt(R sigma). The spectrum lies between k_l and k_s = z k_l. With M_n the integral of k^(n + 1)
+    k^(-2 - 2 H) over it, Nayak's alpha = (3/2) M_0 M_4/M_2^2 gives z, and m4/m2 = (3/4) M_4/M_2 = 6 pi sqrt(3) N gives k_s
+    (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
     at = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
@@ -94,7 +95,7 @@ def waves_of_moments(density: np.ndarray) -> Waves:
 
 @cache
 def _log_bandwidths() -> np.ndarray:
-    """Return ln alpha at _RATIOS."""
+    """Return ln alpha for the ratios k_s/k_l in _RATIOS."""
     log = np.log(_RATIOS)
 
     def moment(order: float) -> np.ndarray:
@@ -108,13 +109,16 @@ def _log_bandwidths() -> np.ndarray:
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film over the shortest wave of the surface (n,)."""
+    """Return the thickness of one film over the shortest wavelength of the surface (n,)."""
     shortest = waves_of_moments(groups.roughness_parameter).wavevector[:, -1]
     return groups.film_aspect / groups.films * shortest / (2.0 * math.pi)
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """E_P at a/t (n, ...) over the modulus of the bodies without film. curve: its coefficients (n, TERMS); n_E: (n,)."""
+    """Return the modulus E_P at a/t (n, ...) over that of the bodies without film.
+
+    curve: coefficients (n, TERMS) of E_P. n_E (n,): film modulus over substrate modulus.
+    """
     more = a_over_t.ndim - 1
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
     sums = np.zeros_like(z)
@@ -126,10 +130,10 @@ def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> 
 def area_of_waves(
     pressure: np.ndarray, bare: Callable[[np.ndarray], np.ndarray], waves: Waves, thickness: np.ndarray, groups: Groups
 ) -> np.ndarray:
-    """Return the elastic area over the nominal one (n, H).
+    """Return the elastic contact area over the nominal area (n, H).
 
-    pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; bare: the area law, of arrays like it; thickness: of
-    one film (n,), in the unit of the waves; groups: complete, of film and bodies.
+    pressure (n, H): mean pressure over E* h' of the bodies without film, >= 0. bare: area law without film, a function of this
+    pressure. thickness (n,): of one film, in the unit of the waves. groups: complete groups of film and bodies.
     """
     curve, n_E = coefficients(groups)[:, 0], np.broadcast_to(groups.n_E, len(pressure))
     k = np.broadcast_to(waves.wavevector, (len(pressure), np.shape(waves.wavevector)[-1]))[:, None, :]
@@ -147,10 +151,7 @@ def area_of_waves(
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
-
-    No contact under tension.
-    """
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
     whole = groups.resolved()
     require_gaussian(whole.roughness_parameter)
     parts = [_area(load[rows], whole[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
@@ -164,9 +165,9 @@ def _area(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the area over the nominal one (n, H) where nothing flows.
+    """Return the contact area over the nominal area (n, H) of elastic contacts.
 
-    pressure: mean, over E* h' of the bodies without film, (n, H), >= 0; groups: complete.
+    pressure (n, H): mean pressure over E* h' of the bodies without film, >= 0. groups: complete groups.
     """
     from stiction.surfaces.theory.widened_area import of_moments  # slow to import
 
@@ -176,9 +177,10 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the share of the area (n, H) at the bearing limit of the film or body.
+    """Return the contact area over the nominal area (n, H) with a limited contact pressure.
 
-    The mean spot is computed for as many asperities as touch where elastic ones have this area.
+    The limit is the film hardness, or the pressure that the body below carries through the film if that is less. It depends on
+    the mean size of a contact spot, which follows from the number of asperities that touch at this area.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 
@@ -196,15 +198,15 @@ def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.nd
 
 
 def _thickness(groups: Groups) -> np.ndarray:
-    """Return the thickness of one film (n,), over sqrt(R sigma)."""
+    """Return the thickness of one film over sqrt(R sigma) (n,)."""
     return np.broadcast_to(groups.film_aspect / groups.films, len(groups))
 
 
 def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.ndarray:
-    """Return the area at loads from the map itself.
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H), from the map.
 
-    Its elastic contact with the film is solved at a few loads. Between and beyond them its spectrum is used, with the solution
-    of its own contact as the bare area law. All contacts have its surface.
+    The elastic contact of the map with its film is solved at a few loads. Between and beyond them, the area law is used with
+    the spectrum of the map and with the bare contact area of the map. All contacts have the same map as their surface.
     """
     whole, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
@@ -216,10 +218,7 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
-    """Return the spectrum of a map, in units of sqrt(R sigma) from its moments.
-
-    groups: of one contact.
-    """
+    """Return the spectrum of a map for one contact; lengths are in units of sqrt(R sigma), from the moments of the map."""
     from stiction.surfaces.spectrum import power_spectrum, radial_average  # slow to import
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
@@ -228,14 +227,17 @@ def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
 
 
 def _unit(surface: "HeightMap", groups: Groups) -> float:
-    """Return sqrt(R sigma) by the moments of a map [m]."""
+    """Return sqrt(R sigma) in metres, from the moments of the map and the groups of one contact."""
     from stiction.surfaces.asperity_method.mccool import mccool  # slow to import
 
     return math.sqrt(_single(groups.roughness_parameter) / mccool(surface, None).density)
 
 
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
-    """Return how film and bodies of one contact give way, with the modulus of both bodies without film 1."""
+    """Return the compliance of film and bodies of one contact for the solver.
+
+    The contact modulus of both bodies without film is 1.
+    """
     from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
 
     share, thickness = _single(groups.coated_share), _single(_thickness(groups)) * _unit(surface, groups)
@@ -252,10 +254,11 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
 
 
 def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", slope: float) -> np.ndarray:
-    """Return the elastic area over the nominal one (H,) of one contact with a map of this rms slope.
+    """Return the elastic contact area over the nominal area (H,) of one contact with this map.
 
-    A few loads are solved with the film. Between and beyond them the area follows the law: the ratio of both is read off over
-    the logarithm of the pressure. A load under which too few points touch has the ratio of one under which enough do.
+    The contact is solved with its film at a few loads. The ratio of these solutions to the area law is interpolated over the
+    logarithm of the pressure and applied at all loads. If too few points touch at a load, the ratio of the lightest load with
+    enough points is used. slope: rms slope of the map.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -284,9 +287,9 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return the bare area of a map against the pressure over E* h'.
+    """Return a function for the bare contact area of the map against the pressure over E* h'.
 
-    A formula from its slopes covers all pressures that films of this modulus may require.
+    It interpolates a formula from the slopes of the map, over all pressures that films with modulus ratio n_E may need.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -308,7 +311,7 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
 
 
 def _single(value: np.ndarray) -> float:
-    """Return a group of one contact."""
+    """Return the value of a group of one contact as a float."""
     return float(np.ravel(value)[0])
 
 

@@ -25,7 +25,10 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
-    """Return regimes of a bare or coated surface (docs/theory.md, sections 2 to 6)."""
+    """Return the regimes of a bare or coated surface (docs/theory.md, sections 2 to 6).
+
+    Raises InputError for options that exclude each other.
+    """
     printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
         allowed = "loading; unloading is for the corrected variant of a bare surface that jumps"
@@ -49,7 +52,7 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transi
 
 
 def _adhesion_without_plasticity(theta: float, eta: float) -> dict[str, float]:
-    """Return groups with the hardness group set: lambda = eta^4 theta^2 / (18 pi^2)."""
+    """Return theta and lambda for a given theta and hardness group eta: lambda = eta^4 theta^2 / (18 pi^2)."""
     return {"theta": theta, "lam": eta**4 * theta**2 / (18.0 * np.pi**2)}
 
 

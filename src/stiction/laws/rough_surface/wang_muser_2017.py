@@ -29,16 +29,16 @@ from stiction.records.sources import Source
 
 
 def rate(share: np.ndarray) -> np.ndarray:
-    """dV/dV_c at shares of the area in contact. Source: Wang & Müser 2017, as restated by Xu et al. 2024."""
+    """Return dV/dV_c at `share`, the contact area over the nominal area (any shape).
+
+    Source: Wang & Müser 2017, as restated by Xu et al. 2024.
+    """
     squared = share**2
     return (5.0 - 2.0 * squared + 6.0 * squared**2) / 9.0
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
-
-    No contact under tension.
-    """
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
     return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 
 

@@ -36,10 +36,11 @@ _STEPS = 12
 
 
 def area_share(pressure: np.ndarray) -> np.ndarray:
-    """A/A0 at the reduced pressures p / (E* h') >= 0, any shape. Source: Xu et al. 2024, the published program.
+    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
 
-    With q = p / sqrt(2 V) it is erf(q) with q^2 [gamma + (1 - gamma) erf(q)] = 2 p^2, solved by Newton's method in ln q: there
-    the left side rises with a slope from 2 to 3.
+    With q = p / sqrt(2 V) the area is erf(q), where q^2 [gamma + (1 - gamma) erf(q)] = 2 p^2. This is solved by Newton's
+    method in ln q, in which the logarithm of the left side has a slope from 2 to 3. Source: Xu et al. 2024, the published
+    program.
     """
     x = np.clip(pressure, 1e-150, 1e150)
     wanted = 2.0 * np.log(math.sqrt(2.0) * x)
@@ -54,10 +55,7 @@ def area_share(pressure: np.ndarray) -> np.ndarray:
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
-
-    No contact under tension.
-    """
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
     return area_per_asperity(load, groups, area_share)
 
 

@@ -35,15 +35,15 @@ GAMMA = 0.45
 
 
 def rate(share: np.ndarray) -> np.ndarray:
-    """dV/dV_c at shares of the area in contact. Source: Yang & Persson 2008, as restated by Xu et al. 2024."""
+    """Return dV/dV_c at `share`, the contact area over the nominal area (any shape).
+
+    Source: Yang & Persson 2008, as restated by Xu et al. 2024.
+    """
     return GAMMA + (1.0 - GAMMA) * share**2
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
-
-    No contact under tension.
-    """
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
     return area_per_asperity(load, groups, lambda pressure: area_share(pressure, rate))
 
 

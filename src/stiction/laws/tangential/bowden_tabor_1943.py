@@ -22,7 +22,10 @@ from stiction.records.sources import Source
 
 @formula
 def shear_force(area, eta, shear_strength):
-    """T = tau_0 A: a pressure H on the area x is the load eta x, so a stress (tau_0/H) H is that part of it."""
+    """Return the tangential force T = tau_0 A; shear_strength: tau_0/H.
+
+    In these units a pressure H on the area A is the load eta A, so that T = (tau_0/H) eta A.
+    """
     return shear_strength * eta * area
 
 
@@ -32,7 +35,7 @@ def resistance(u, w, load, area, eta, shear_strength):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the resistance of every piece, elastic or not."""
+    """Return the resistance on a piece, elastic or plastic."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
 
 

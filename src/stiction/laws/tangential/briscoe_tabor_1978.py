@@ -24,12 +24,12 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
-    """T = tau_0 A + alpha P. A net tension raises nothing: alpha counts the load where it is compressive."""
+    """Return the slip-limited force T = tau_0 A + alpha P, without the last term under tension, and 0."""
     return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the resistance of every piece, with a kink at zero net load."""
+    """Return the resistance on a piece; it has a kink at zero load."""
     turns = zero_load(piece)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
     return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])

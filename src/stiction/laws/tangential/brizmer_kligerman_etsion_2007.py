@@ -38,13 +38,17 @@ _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 
 @formula
 def friction_coefficient(load_ratio):
-    """mu = 0.27 coth(0.27 (P/L_c)^0.35), L_c the load at first yield in full stick: 0.27 for heavy loads, 1.0242 at L_c."""
+    """Return the friction coefficient of one asperity, 0.27 coth(0.27 (P/L_c)^0.35).
+
+    load_ratio: P/L_c, with L_c the load at first yield in full stick. The coefficient is 1.0242 at L_c and tends to 0.27 for
+    heavy loads.
+    """
     return 0.27 / math.tanh(0.27 * load_ratio**0.35)
 
 
 @formula
 def resistance(u, w, load, area, L_c):
-    """mu P: sliding begins where the yielding junction has lost its tangential stiffness."""
+    """Return 0 and the yield-limited force mu P, at which the junction has lost its tangential stiffness."""
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 
 

@@ -52,10 +52,9 @@ _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 @formula
 def axis_coefficient(nu):
-    """Return c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)).
+    """Return c1 = -1 + (3/2) z atan(1/z) - z^2 / (2 (1 + z^2)), the shear stress on the axis over the surface traction q0.
 
-    It is the tangential shear stress on the axis at the depth z a of first yield; z = 0.48 is that depth for nu = 0.3, which
-    the authors use for all.
+    z = 0.48 is the depth of first yield over the contact radius for nu = 0.3; the authors use it for every nu.
     """
     z = 0.48
     return -1.0 + 1.5 * z * math.atan(1.0 / z) - z * z / (2.0 * (1.0 + z * z))
@@ -63,13 +62,19 @@ def axis_coefficient(nu):
 
 @formula
 def on_axis(w_ratio, nu, K_H):
-    """Return Q/P at which the axis yields: (f p0)^2 + 3 (c1 q0)^2 = Y^2."""
+    """Return the ratio Q/P of tangential to normal force at which the axis yields.
+
+    The condition is (f p0)^2 + 3 (c1 q0)^2 = Y^2. w_ratio: omega/omega_c.
+    """
     return _ON_AXIS / (K_H * abs(axis_coefficient(nu))) * math.sqrt(max(1.0 / w_ratio - 1.0, 0.0))
 
 
 @formula
 def at_edge(w_ratio, nu, K_H):
-    """Return Q/P at which the trailing edge yields: c3 mu^2 + c4 mu + c5 = 0."""
+    """Return the ratio Q/P of tangential to normal force at which the trailing edge yields.
+
+    The condition is c3 mu^2 + c4 mu + c5 = 0. w_ratio: omega/omega_c.
+    """
     c3 = 9.0 * math.pi * math.pi / 16.0 * (2.0 - nu / 2.0 + 7.0 / 8.0 * nu * nu)
     c4 = 9.0 * math.pi / 4.0 * (1.0 - 2.0 * nu) * (1.0 - nu / 2.0)
     c5 = 1.5 * (1.0 - 2.0 * nu) * (1.0 - 2.0 * nu) - _AT_EDGE / (K_H * K_H * w_ratio)
@@ -78,7 +83,10 @@ def at_edge(w_ratio, nu, K_H):
 
 @formula
 def friction_coefficient(w_ratio, nu, K_H):
-    """Q/P of one asperity at the onset of yield under both forces; zero where P alone yields (w_ratio >= 1)."""
+    """Return the ratio Q/P of one asperity at first yield under both forces.
+
+    It is 0 if the load alone causes yield (w_ratio = omega/omega_c >= 1).
+    """
     return min(on_axis(w_ratio, nu, K_H), at_edge(w_ratio, nu, K_H)) if w_ratio < 1.0 else 0.0
 
 
@@ -97,7 +105,7 @@ def _fill_first_on_axis(nu, K_H, out):
 
 
 def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
-    """omega/omega_c (n,) from which the axis yields before the edge: 0.9512 for nu = 0.3. Bisection; there is one."""
+    """Return omega/omega_c (n,) above which the axis yields before the edge, by bisection; it is 0.9512 for nu = 0.3."""
     out = np.empty_like(nu)
     _fill_first_on_axis(nu, K_H, out)
     return out
@@ -105,16 +113,16 @@ def first_on_axis(nu: np.ndarray, K_H: np.ndarray) -> np.ndarray:
 
 @formula
 def resistance(u, w, load, area, w_c, nu, K_H):
-    """mu P, all of it limited by yield; nothing before first touch, where mu has no bound, nor from w_c on."""
+    """Return 0 and the yield-limited force mu P; both are 0 before first touch and from w_c on."""
     return 0.0, load * friction_coefficient(w / w_c, nu, K_H) if 0.0 < w < w_c else 0.0
 
 
 def tangential_resistance(
     piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance of any piece that starts elastic.
+    """Return the resistance on a piece that is elastic at its start.
 
-    The condition is on Hertz's stresses; beyond first yield there is no resistance.
+    The stresses are Hertz's. Beyond first yield there is no resistance, unless `plastic_junctions` names another law.
     """
     if piece.state == "plastic":
         return of_whole_piece(plastic_junctions, piece, groups)

@@ -76,40 +76,37 @@ INSIDE, BELOW, IN_NU = 14, 15, 20
 
 
 def inside_reach(nu):
-    """Up to this (1 - 2 nu) p0/Y the series for a place inside the contact is made: it is in use up to 1 to 7 % less."""
+    """Return the upper end of (1 - 2 nu) p0/Y for the series of yield inside the contact.
+
+    The series is used up to a value that is 1 to 7 % smaller.
+    """
     return 0.205 + 0.33 * nu
 
 
 def below_reach(nu):
-    """Return the reach of the series for a place below the surface.
+    """Return the reach of the series of yield below the surface.
 
-    It starts at p0/Y = (1 - reach) F, which is up to 2 % of F too early.
+    The series starts at p0/Y = (1 - reach) F, which is at most 2 % of F before it is used; F: p0/Y at yield by the load alone.
     """
     return 0.012 + 0.22 * nu
 
 
 def shear_at_yield(s, nu, x, z) -> np.ndarray:
-    """Return q0/Y at which the place (x, z) over a yields at p0/Y = s.
+    """Return q0/Y at which the place (x, z), over the contact radius, yields under p0/Y = s; infinite if it never yields.
 
-    Infinite if it never does. The square of the von Mises stress is a square form in s and q.
+    The squared von Mises stress is a quadratic form in s and q0/Y.
     """
     return _root(s, *_forms(nu, x, z))
 
 
 def _forms(nu, x, z) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress.
-
-    At a place, over Y^2.
-    """
+    """Return the coefficients of s^2, 2 s q and q^2 in the squared von Mises stress over Y^2 at a place (x, z)."""
     normal, tangential = pressed(x, 0.0, z, nu), dragged(x, 0.0, z, nu)
     return _product(normal, normal), _product(normal, tangential), _product(tangential, tangential)
 
 
 def _root(s, of_s, of_both, C) -> np.ndarray:
-    """Return the larger root q of C q^2 + 2 B q + A = 0.
-
-    The form that does not cancel is used.
-    """
+    """Return the larger root q of the yield condition C q^2 + 2 B q + A = 0, without cancellation."""
     A, B = s * s * of_s - 1.0, s * of_both
     root = np.sqrt(np.maximum(B * B - A * C, 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -117,7 +114,10 @@ def _root(s, of_s, of_both, C) -> np.ndarray:
 
 
 def _product(one: Stress, other: Stress) -> np.ndarray:
-    """Of two stresses: 3/2 of their deviators' double contraction; of one with itself, the square of its von Mises stress."""
+    """Return 3/2 of the double contraction of the deviators of two stresses.
+
+    For two equal stresses this is the squared von Mises stress.
+    """
     shear = one[3] * other[3] + one[4] * other[4] + one[5] * other[5]
     mean = (one[0] + one[1] + one[2]) * (other[0] + other[1] + other[2]) / 3.0
     return 1.5 * (one[0] * other[0] + one[1] * other[1] + one[2] * other[2] - mean) + 3.0 * shear
@@ -125,7 +125,7 @@ def _product(one: Stress, other: Stress) -> np.ndarray:
 
 @cache
 def first_yield_of_load() -> np.ndarray:
-    """F = p0/Y at which the load alone yields: coefficients (IN_NU,) of a Chebyshev series in 4 nu - 1."""
+    """Return F = p0/Y at which the load alone causes yield, as a Chebyshev series (IN_NU,) in 4 nu - 1."""
     nu = (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     largest = least_over(lambda x, z: -von_mises(pressed(x, 0.0, z, nu[:, None])), np.zeros(IN_NU), 0.48, 0.0, 0.1)[2]
     return _fit(-1.0 / largest[None, :])[0]
@@ -133,9 +133,9 @@ def first_yield_of_load() -> np.ndarray:
 
 @cache
 def series_inside() -> np.ndarray:
-    """Return the series of q/Y where the place is inside the contact.
+    """Return the Chebyshev series of q0/Y for yield inside the contact.
 
-    Chebyshev coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu).
+    Coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu).
     """
     y, nu = _nodes(INSIDE)
     # At nu = 0.5 every y but 0 is beyond reach, yet the stresses on the surface know s only as (1 - 2 nu) s.
@@ -145,9 +145,9 @@ def series_inside() -> np.ndarray:
 
 @cache
 def series_below() -> np.ndarray:
-    """Return the series of (q/Y)^2/y where the place is below the surface.
+    """Return the Chebyshev series of (q0/Y)^2/y for yield below the surface.
 
-    Chebyshev coefficients (BELOW, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - s/F) / below_reach(nu).
+    Coefficients (BELOW, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - s/F) / below_reach(nu).
     """
     y, nu = _nodes(BELOW)
     s = chebyshev.chebval(4.0 * nu - 1.0, first_yield_of_load()) * (1.0 - y * below_reach(nu))
@@ -156,9 +156,9 @@ def series_below() -> np.ndarray:
 
 
 def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
-    """Return the least shear at which any place yields.
+    """Return the smallest q0/Y at which any place yields, for arrays s and nu.
 
-    The places are near the best of x, z; an array like s and nu.
+    The places (x, z) are tried first; then the neighbourhood of the best, reach_x by reach_z, is searched.
     """
 
     def shear(x, z):
@@ -170,13 +170,13 @@ def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
 
 
 def _nodes(terms: int) -> tuple[np.ndarray, np.ndarray]:
-    """y (terms, 1) and nu (1, IN_NU) at Chebyshev's points of [0, 1] and [0, 0.5], broadcast against each other."""
+    """Return Chebyshev points y in [0, 1] and nu in [0, 0.5], both as arrays (terms, IN_NU)."""
     y, nu = (1.0 + chebyshev.chebpts1(terms)) / 2.0, (1.0 + chebyshev.chebpts1(IN_NU)) / 4.0
     return np.meshgrid(y, nu, indexing="ij")
 
 
 def _fit(values: np.ndarray) -> np.ndarray:
-    """Return Chebyshev coefficients of a function with these values (y, nu) at the nodes."""
+    """Return the Chebyshev coefficients of a function with the given values at the nodes (y, nu)."""
     for axis in (0, 1):
         count = values.shape[axis]
         basis = chebyshev.chebvander(chebyshev.chebpts1(count), count - 1)
@@ -186,7 +186,10 @@ def _fit(values: np.ndarray) -> np.ndarray:
 
 @formula
 def _sum(y, series, first, terms):
-    """Return the sum of so many terms of the series, from the first on, at a place y of its interval (Clenshaw)."""
+    """Return the sum of a Chebyshev series at y in [0, 1], by Clenshaw's method.
+
+    The coefficients are series[first:first + terms].
+    """
     t = 4.0 * y - 2.0
     last = before = 0.0
     for at in range(first + terms - 1, first, -1):
@@ -196,10 +199,11 @@ def _sum(y, series, first, terms):
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Q = (q0/p0) P. s = p0/Y = 1.5 k P/(eta x): the mean pressure is H where P = eta x (docs/theory.md), and H = k Y.
+    """Return 0 and the yield-limited force Q = (q0/p0) P of an elastic asperity.
 
-    row: eta, k, nu; s at which the three places take turns: inside_until, below_from, end; to_inside, to_below, which make s
-    the y of the series; and the terms of both (`series_for`).
+    s = p0/Y = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (docs/theory.md) and H = k Y. row: eta, k, nu;
+    the values of s up to which yield is inside the contact, from which it is below the surface, and at which the load alone
+    causes yield; factors that turn s into the variable y of both series; coefficients of both series (`series_for`).
     """
     eta, k, nu, inside_until, below_from, end, to_inside, to_below = row[:8]
     series = row[8:]
@@ -216,9 +220,10 @@ def resistance(u, w, load, area, *row):
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the parameters of `resistance` for each Poisson's ratio (n,).
+    """Return the parameters of `resistance` for each Poisson's ratio nu (n,).
 
-    inside_until, below_from, end, to_inside and to_below (5, n), and the series (INSIDE + BELOW, n).
+    They are inside_until, below_from, end, to_inside and to_below (5, n), and the coefficients of both series (INSIDE + BELOW,
+    n).
     """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())
@@ -255,9 +260,10 @@ def _series_for(nu_bytes: bytes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Find where `passed` turns true between low and high, or return high.
+    """Return the place between low and high (n,) at which `passed` turns True, or high if it never does.
 
-    Bisection of arrays to 1e-10 of the range: the resistance is continuous, so the effect of an error in a kink is its square.
+    Bisection to 1e-10 of the range is enough: the resistance is continuous, so that a misplaced kink has a second-order
+    effect.
     """
     for _ in range(34):
         middle = 0.5 * (low + high)
@@ -267,10 +273,7 @@ def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the force at which an elastic asperity first yields.
-
-    After yield there is no resistance.
-    """
+    """Return the resistance on an elastic piece, the force at first yield; None for other pieces, which resist nothing."""
     if piece.state != "elastic":
         return None
     eta, k = groups.eta, groups.hardness_to_yield

@@ -49,7 +49,11 @@ _force_of_full_stick = full_stick.resistance
 
 @formula
 def together(of_interface, of_full_stick, share):
-    """T with 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2: full stick for c = 1, the interface alone for T_s without end."""
+    """Return the force T from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
+
+    of_interface: tau_0 A. of_full_stick: T_s. share: c, the strength of the interface over that of the bulk. For c = 1 the
+    force is that of full stick; for T_s -> infinity it is tau_0 A/sqrt(1 - c^2).
+    """
     if of_interface == 0.0 or of_full_stick == 0.0:
         return 0.0
     weaker = (1.0 - share) * (1.0 + share) * (of_full_stick / of_interface) ** 2
@@ -58,7 +62,7 @@ def together(of_interface, of_full_stick, share):
 
 @formula
 def resistance(u, w, load, area, L_c, eta, shear_strength, share):
-    """Return the resistance of the interface, up to full stick, where the bulk fails."""
+    """Return the force as slip-limited while the interface is weaker than the bulk, else as yield-limited."""
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = together(shear_force(area, eta, shear_strength), of_full_stick, share)
     return (force, 0.0) if share < 1.0 else (0.0, force)

@@ -34,9 +34,11 @@ NONE_FROM = 6.0  # omega/omega_c from which the plastic zone reaches the surface
 
 @formula
 def friction_coefficient(w_ratio):
-    """Q/P: Q/P_c = 0.52 w^0.982 over P/P_c = w^1.5 up to 1; a cubic up to 6; then none.
+    """Return the friction coefficient Q/P of one asperity; w_ratio: omega/omega_c.
 
-    The cubic has three digits. Its product with the load 1.03 w^1.425, printed in 2004 with two digits, is negative above 4.3.
+    Up to 1 it follows from Q/P_c = 0.52 w^0.982 and P/P_c = w^1.5, from 1 to 6 it is a cubic, beyond it is 0. The cubic has
+    three-digit coefficients. The 2004 paper prints its product with the load 1.03 w^1.425 with two digits, which is negative
+    above 4.3.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518
@@ -46,7 +48,7 @@ def friction_coefficient(w_ratio):
 
 @formula
 def resistance(u, w, load, area, w_c):
-    """mu P, all of it limited by yield; nothing before first touch, where mu has no bound."""
+    """Return 0 and the yield-limited force mu P; both are 0 before first touch."""
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
 

@@ -47,17 +47,17 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """T = q A. row: eta/k, where the load alone yields, and what the spline takes."""
+    """Return 0 and the yield-limited force T = q A; both are 0 where the load alone causes yield.
+
+    row: eta/k, the coordinate at which the load alone causes yield, and the parameters of `strength_at`.
+    """
     if u >= row[1]:
         return 0.0, 0.0
     return 0.0, row[0] * area * strength_at(u, row[2], row[3], row[4:]) ** 0.5
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the force at which an elastic asperity first yields.
-
-    After yield there is no resistance.
-    """
+    """Return the resistance on an elastic piece, the force at first yield; None for other pieces, which resist nothing."""
     if groups.n_E is None:
         return of_a_half_space(piece, groups)
     if piece.state != "elastic":

@@ -41,9 +41,9 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on the elastic pieces of a JKR asperity.
+    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces.
 
-    A plastic asperity does not peel by this energy balance and has no resistance.
+    The energy balance does not apply to plastic asperities, which resist nothing.
     """
     if groups.n_E is None:
         return of_a_half_space(piece, groups)

@@ -38,10 +38,11 @@ from stiction.records.sources import Source
 
 @formula
 def slip_resistance(load, theta, K_beta):
-    """T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) P + 3 pi^2/theta^2), with P the load carried before shearing.
+    """Return the peeling force T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) P + 3 pi^2/theta^2).
 
-    Energy balance G_N + G_T = gamma at fixed load; eq (10) of the 2015 paper restated from the state before shearing
-    (departure D6). The bracket is a perfect square for a JKR contact, so rounding alone can make it negative.
+    P is the load before shearing. The force follows from the energy balance G_N + G_T = gamma at constant load; it is eq (10)
+    of the 2015 paper, restated for the state before shearing (departure D6). The radicand is a perfect square for a JKR
+    contact; only rounding can make it negative.
     """
     pull = math.pi / theta
     return 4.0 * math.sqrt(max(2.0 * pull * load + 3.0 * pull * pull, 0.0) / K_beta)
@@ -49,7 +50,10 @@ def slip_resistance(load, theta, K_beta):
 
 @formula
 def slip_resistance_printed(x, theta, K_beta):
-    """Eq (10) of the 2015 paper to the letter: T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2)."""
+    """Return the peeling force of eq (10) of the 2015 paper exactly as printed.
+
+    T = 4 (K beta)^(-1/2) sqrt((2 pi/theta) x^(3/2) - 3 pi^2/theta^2).
+    """
     hertz = x * math.sqrt(x)
     return 4.0 * math.sqrt(max(2.0 * math.pi / theta * hertz - 3.0 * (math.pi / theta) ** 2, 0.0) / K_beta)
 
@@ -60,9 +64,9 @@ def resistance(u, w, load, area, theta, K_beta):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on the elastic pieces of a JKR asperity.
+    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces.
 
-    A plastic asperity does not peel by this energy balance and has no resistance.
+    The energy balance does not apply to plastic asperities, which resist nothing.
     """
     if piece.state != "elastic":
         return None
@@ -72,7 +76,10 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
 
 
 def share_that_peels(groups: Groups) -> np.ndarray:
-    """zeta (n,), the group `peeling`, 1 if that is left out; InputError where nothing would peel."""
+    """Return zeta (n,), the group `peeling`, by default 1.
+
+    Raises InputError if it is 0, because the peeling force would then be infinite.
+    """
     share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
     if np.any(share == 0.0):
         raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
@@ -80,7 +87,10 @@ def share_that_peels(groups: Groups) -> np.ndarray:
 
 
 def no_resistance(piece: NormalPiece, groups: Groups) -> np.ndarray | None:
-    """Where a pulled JKR contact is about to come off by its load alone, coordinates (n, 1): the force is |u^3 - S/2| there."""
+    """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None in loading.
+
+    The peeling force is proportional to |u^3 - S/2|, which has a kink there.
+    """
     if piece.lowest >= 0.0:
         return None
     S = np.sqrt(6.0 * math.pi / groups.theta)

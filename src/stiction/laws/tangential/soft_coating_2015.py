@@ -47,7 +47,10 @@ from stiction.records.sources import Source
 
 @formula
 def resistance(u, w, load, area, *row):
-    """Slip resistance, or yield resistance where that is less. row: theta, eta, K_beta (times the peeling), nu, k = H/Y."""
+    """Return the smaller of slip-limited and yield-limited force; the other is 0.
+
+    row: theta, eta, K_beta (times the mode-mixity share), nu, k = H/Y.
+    """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
     return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
@@ -55,7 +58,7 @@ def resistance(u, w, load, area, *row):
 
 @formula
 def resistance_printed(u, w, load, area, *row):
-    """Return the resistance with eq (10) as printed, for the same row."""
+    """Return the smaller of slip-limited and yield-limited force with eq (10) as printed; row: as in `resistance`."""
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
     return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
@@ -64,9 +67,9 @@ def resistance_printed(u, w, load, area, *row):
 def tangential_resistance(
     piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance on a JKR asperity in the coordinate u = x^(1/4).
+    """Return the resistance on a piece of a JKR asperity with the coordinate u = x^(1/4).
 
-    With a film and its body solved together, it uses the stiffness and the stresses of both.
+    If film and body are solved together, the stiffness and the stresses of both are used.
     """
     if piece.state != "elastic":
         return of_whole_piece(plastic_junctions, piece, groups)

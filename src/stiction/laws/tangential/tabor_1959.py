@@ -48,10 +48,10 @@ _ROUNDING = 1e-12
 
 @formula
 def grown_area(load, area, eta, share):
-    """Return the area at which the interface gives way, or the area without growth.
+    """Return the contact area at which the interface shears, or the initial area if the junction does not grow.
 
-    W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha). A pressure H on the area x is the load eta x; a junction with a larger
-    load counts as if it carried this load.
+    The area A follows from W^2 + alpha T^2 = H^2 A^2 with T = c H A/sqrt(alpha); share: c. A pressure H on the area A is the
+    load eta A; a larger load counts as eta A.
     """
     return max(area, min(load / eta, area) / math.sqrt((1.0 - share) * (1.0 + share)))
 
@@ -62,9 +62,9 @@ def resistance(u, w, load, area, eta, shear_strength, share):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
-    """Return the resistance on every piece.
+    """Return the resistance on a piece; it has kinks where growth begins and where the mean pressure reaches the hardness.
 
-    It has kinks where growth begins, and where the pressure is the hardness.
+    Raises InputError if the interface is as strong as the bulk.
     """
     share = share_of_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING

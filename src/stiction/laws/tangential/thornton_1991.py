@@ -25,16 +25,17 @@ from stiction.records.sources import Source
 
 @formula
 def peeling_force(load, pull_off, stiffness_ratio):
-    """T = 4 sqrt((P P_c + P_c^2) G*/E*), with P_c = (3/2) pi gamma R and 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2.
+    """Return the peeling force T = 4 sqrt((P P_c + P_c^2) G*/E*).
 
-    The bracket never is negative: a contact under P < -P_c has come off. Rounding alone can make it so.
+    pull_off: P_c = (3/2) pi gamma R. stiffness_ratio: G*/E*, with 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The radicand is not
+    negative, because a contact is lost at P = -P_c; only rounding can make it so.
     """
     return 4.0 * math.sqrt(max((load + pull_off) * pull_off * stiffness_ratio, 0.0))
 
 
 @formula
 def resistance(u, w, load, area, theta, K_beta):
-    """G* = 1/beta and K = (4/3) E*, so that G*/E* = (4/3)/(K beta)."""
+    """Return the peeling force and 0; G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta)."""
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 
 

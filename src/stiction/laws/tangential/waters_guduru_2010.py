@@ -54,7 +54,7 @@ _NEAR = 1e-9
 
 @formula
 def _grows(psi, p, kappa):
-    """Of the sign of the derivative of the force by the phase angle: finite, and continuous over all angles."""
+    """Return a number with the sign of the derivative of the force by the phase angle psi; it is finite and continuous."""
     sine, cosine = math.sin(psi), math.cos(psi)
     narrow, shared = math.cos(kappa * psi), kappa * sine * math.tan(kappa * psi)
     opening = cosine / narrow
@@ -64,10 +64,7 @@ def _grows(psi, p, kappa):
 
 @formula
 def _phase(p, kappa):
-    """Return the phase angle at which the force is largest, or pi/2.
-
-    By regula falsi (Illinois).
-    """
+    """Return the phase angle with the largest force, at most pi/2, by regula falsi (Illinois variant)."""
     low, high = 0.0, 0.5 * math.pi
     at_low, at_high = _grows(low, p, kappa), _grows(high, p, kappa)
     if at_high >= 0.0:
@@ -94,7 +91,10 @@ def _phase(p, kappa):
 
 @formula
 def peeling_force(p, kappa):
-    """(sqrt(g) + sqrt(g + p)) sqrt(q) at its largest, at the load p P_c: sqrt(1 + p) for kappa = 0."""
+    """Return the largest (sqrt(g) + sqrt(g + p)) sqrt(q) over the phase angle, at the load p P_c.
+
+    It is sqrt(1 + p) for kappa = 0.
+    """
     p = max(p, -1.0)
     psi = _phase(p, kappa)
     narrow = math.cos(kappa * psi)
@@ -109,10 +109,7 @@ def resistance(u, w, load, area, theta, K_beta, kappa):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on the elastic pieces of a JKR asperity.
-
-    A plastic asperity has no resistance.
-    """
+    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces, which resist nothing."""
     if piece.state != "elastic":
         return None
     share = share_that_peels(groups)
@@ -122,7 +119,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
 
 
 def _to_hertz(piece: NormalPiece, groups: Groups, kappa: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) at which the force becomes Hertz's."""
+    """Return the coordinate (n,) beyond which the contact shrinks to Hertz's area before it slides."""
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
     S = np.sqrt(6.0 * math.pi / groups.theta)

@@ -1,6 +1,6 @@
-"""Partial slip of single contacts as a tangential law: the force that is carried at a displacement, in place of the strength.
+"""Describe partial slip as a tangential law: the force carried at a given displacement replaces the strength.
 
-So that the engine sums it over heights: equations and sources in `laws/presliding/mindlin_1949.py`.
+The engine can then sum this force over heights. Equations and sources are in `laws/presliding/mindlin_1949.py`.
 """
 
 from collections.abc import Callable
@@ -25,7 +25,10 @@ _MOST = 4  # places on a piece where an asperity begins to slide, or no longer d
 
 @cache
 def _slipping(resistance: Callable, own: int) -> Any:
-    """Return the formula of force and energy lost in a cycle, of so many parameters."""
+    """Return the formula for the force of an asperity and for the energy it loses in a cycle.
+
+    own: number of parameters of `resistance`, the strength.
+    """
     compliance, moved, left = own, own + 1, own + 2
 
     @formula
@@ -48,7 +51,7 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
     @formula
     def not_yet(u, row):
-        """Return a positive number until the asperity slides."""
+        """Return a number that is positive while the asperity does not slide yet."""
         w, _, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:whole])
         return 1.5 * (slip_limited + yield_limited) - row[whole + 1] * stiffness(max(area, 0.0), row[whole])
@@ -57,10 +60,10 @@ def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) 
 
 
 def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: float) -> TangentialLaw:
-    """Return the tangential law of contacts displaced by (n,) over sigma.
+    """Return the tangential law of contacts that are displaced by `displacement` (n,), over sigma.
 
-    Its slip-limited part is the force that they carry, its yield-limited part the energy lost in a cycle of that amplitude, in
-    the unit of force times sigma. kept: the share of its strength that an asperity keeps once it slides.
+    Its slip-limited part is the force that the contacts carry. Its yield-limited part is the energy lost in a cycle of this
+    amplitude, in the unit of force times sigma. kept: fraction of its strength that an asperity keeps once it slides.
     """
 
     def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
@@ -94,10 +97,7 @@ def _sticking(resistance: Callable, own: int) -> Any:
 
 
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
-    """Return the slope of that force at rest.
-
-    It is the stiffness of the contacts that have a strength.
-    """
+    """Return the tangential law whose resistance is the stiffness at zero displacement of the contacts that have a strength."""
 
     def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
         strength = tangential.tangential_resistance(piece, groups, **options)
@@ -114,10 +114,7 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
 
 
 def _begins(piece: NormalPiece, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
-    """Return coordinates (n, 4) at which an asperity is about to slide.
-
-    The first of the piece for none.
-    """
+    """Return the coordinates (n, 4) at which an asperity is about to slide; unused entries are the first coordinate."""
     edges = with_kinks(piece.edges, strength.kinks)
     edges = np.ascontiguousarray(np.minimum(edges, coordinates(piece, _DEEPEST)[:, None]))
     excess = _not_yet(piece.normal, len(piece.parameters), strength.resistance, len(strength.parameters))

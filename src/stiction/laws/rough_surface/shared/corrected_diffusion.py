@@ -1,16 +1,16 @@
-r"""Persson's diffusion of the pressure at a rate that depends on the area already in contact.
+"""Solve Persson's diffusion of pressure with a rate that depends on the area in contact.
 
-Let V be the variance that the pressure at a point has reached, V_c that of full contact at the same resolution, and A the share
-of the nominal area in contact, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
+Let V be the variance of the pressure at a point, V_c the variance in full contact at the same resolution, and A the contact
+area over the nominal area, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c. Corrected theories have
 
     dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
 
-(h': root mean square gradient). V_c alone plays the part of time, so that nothing but h' is asked of the spectrum. With
-q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation is a quadrature,
+(h': root mean square gradient). V_c takes the place of time, so that of the whole spectrum only h' is needed. With
+q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
 
-    1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q),
+    1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q).
 
-and with S = 1 gives Persson's q = sqrt(2) x again. J falls with q, and beyond q = 6, where erf is 1 in double precision,
+S = 1 gives Persson's q = sqrt(2) x again. J decreases with q. Beyond q = 6, where erf is 1 in double precision,
 J = 1 / (2 q^2).
 """
 
@@ -37,16 +37,17 @@ _PANELS, _NODES, _STEPS = 120, 16, 8
 
 @dataclass(frozen=True)
 class _Table:
-    """ln q of the ends of panels, from light contact to full, and J there."""
+    """Store ln q at the ends of panels, from light to full contact, and the integral J there."""
 
     log_q: np.ndarray
     J: np.ndarray
 
 
 def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return A/A0 at the reduced pressures p / (E* h') >= 0, any shape.
+    """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
 
-    rate: S, of arrays of A/A0, positive and 1 at 1; the same function each time, since its table is stored.
+    rate: the function S of arrays of A/A0, positive, with S(1) = 1. Pass the same function object each time, because its table
+    is cached.
     """
     table = _table(rate)
     goal = np.asarray(pressure, dtype=float)
@@ -60,7 +61,7 @@ def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
 
 
 def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
-    """q with J(q) as wanted (n,): Newton's method in the logarithms of both, in which J is nearly straight."""
+    """Return q with J(q) = wanted (n,), by Newton's method in the logarithms of both, in which J is almost linear."""
     panel = np.searchsorted(-table.J, -wanted)  # J falls along the table; this is the first that is not above
     log_q = np.interp(np.log(wanted), np.log(table.J[::-1]), table.log_q[::-1])
     for _ in range(_STEPS):
@@ -87,9 +88,9 @@ def _table(rate: Rate) -> _Table:
 
 
 def area_per_asperity(load: np.ndarray, groups: Groups, share: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H).
+    """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension.
 
-    No contact under tension. share: A/A0 at reduced pressures p / (E* h').
+    share: function that returns A/A0 at reduced pressures p / (E* h').
     """
     density = groups.roughness_parameter[:, None]
     return share(reduced_pressure(np.maximum(load, 0.0), density)) / (math.pi * density)

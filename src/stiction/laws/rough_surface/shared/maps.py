@@ -1,4 +1,4 @@
-"""The range within which the points of a map resolve its area, shared by the models that solve the contact of a map."""
+"""Define the validity range of maps whose points must resolve the contact area; shared by models that solve a map."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The tangential force at which the film yields at the trailing edge of a contact: `solvers.layered.edge` for every contact."""
+"""Compute the tangential force at which a coated contact yields at its trailing edge, from `solvers.layered.edge`."""
 
 import math
 
@@ -25,9 +25,10 @@ def _curve(z, row):
 
 @formula
 def edge_root(u, load, area, row):
-    """Return the discriminant and larger root of D (A P^2 + 2 B P T + T^2) = S^2.
+    """Return the discriminant and the larger root T of D (A P^2 + 2 B P T + T^2) = S^2.
 
-    S is the yield stress times the area. The root counts where both are above 0, as `Force` requires. row: of `edge_columns`.
+    S: yield stress times contact area. The force T is valid if both numbers are positive, as `Force` requires. row: parameters
+    from `edge_columns`.
     """
     z = 1.0 - 2.0 / (row[1] * u + 1.0)
     A, B = _curve(z, row[_A:_B]), _curve(z, row[_B:_END])
@@ -38,9 +39,9 @@ def edge_root(u, load, area, row):
 
 
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return the parameters of `edge_root` for contacts with a film, columns (n,).
+    """Return the parameters (n,) of `edge_root`; where there is no film, they describe yield of the body.
 
-    groups: complete. Without a film the body yields.
+    groups: complete groups.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
@@ -52,7 +53,7 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def _of_half_space(nu: np.ndarray) -> np.ndarray:
-    """Return the curves (n, FORMS, ...) of half-spaces of these Poisson's ratios (n,)."""
+    """Return the curves of ln D, A and B (n, FORMS, ...) for half-spaces with Poisson's ratios nu (n,)."""
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
     curves = np.zeros((len(nu), FORMS, _WIDTH))

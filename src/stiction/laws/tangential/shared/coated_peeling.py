@@ -1,12 +1,13 @@
-"""The tangential force at which an adhesive asperity on a film peels, along its elastic piece: a curve of every contact.
+"""Compute the tangential force at which an adhesive asperity on a film peels, as a curve along its elastic piece.
 
-Under the load P and a shear force T the edge of a contact on the radius a releases
+Under the load P and a shear force T, the edge of a contact of radius a releases the energy
 
     G = (P_H - P)^2 S'/(4 pi a S^2) + zeta T^2 S_T'/(4 pi a S_T^2),    S_T = 8 a/beta,    S_T'/S_T^2 = (1 - e) beta/(8 a^2),
 
-S_T the tangential stiffness and e = d ln beta/d ln a. In equilibrium G is the work of adhesion: where T grows at the same P,
-the contact shrinks, up to the largest T at which there is such a radius. With c = (P_H - P)/L, L the pull that JKR's contact
-has on that radius, this is the largest of T^2 = 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 - c^2) over c from 0 to 1.
+where S_T is the tangential stiffness and e = d ln beta/d ln a. In equilibrium G equals the work of adhesion. As T grows at
+constant P, the contact shrinks, up to the largest T for which such a radius exists. With c = (P_H - P)/L, where L is the
+adhesive force of JKR's contact at this radius, T is the largest value of T^2 = 32 pi n_g u^6/(theta zeta K beta (1 - e)) (1 -
+c^2) over c from 0 to 1.
 """
 
 import math
@@ -33,7 +34,10 @@ _LEAST_SHARE = 1e-200
 
 @formula
 def _softness(u, root, curve):
-    """K beta, and 1 - e, from the logarithms of its ends and the coefficients between them."""
+    """Return K beta and 1 - e at the coordinate u.
+
+    curve: logarithms of K beta for the film and for the bodies, and coefficients of the curve between them.
+    """
     rest = 1.0 / (root * u + 1.0)
     z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a
     value = slope = 0.0
@@ -47,9 +51,9 @@ def _softness(u, root, curve):
 
 @formula
 def _narrower(start, c, load, row):
-    """Return the largest u at which P_H - c L is the load.
+    """Return the largest u at which P_H - c L equals the load; negative if there is none.
 
-    By the secant method from a wider one; negative where it never is.
+    The secant method starts from a wider contact.
     """
     u = start
     before = before_u = slope = 0.0
@@ -70,10 +74,7 @@ def _narrower(start, c, load, row):
 
 @formula
 def _largest(start, load, row, root, curve):
-    """Return the largest T^2 theta zeta/(32 pi n_g) over c, by golden sections.
-
-    It rises to its maximum from either side.
-    """
+    """Return the largest T^2 theta zeta/(32 pi n_g) over c from 0 to 1, by golden section search; there is one maximum."""
     low, high = 0.0, 1.0
     at_first, at_second, best = -1.0, -1.0, 0.0
     for _ in range(_NARROWING):
@@ -101,7 +102,7 @@ def _largest(start, load, row, root, curve):
 def _fill(rows, root, curves, first, out):
     """Fill out[i] with sqrt(T^2 theta zeta/(32 pi n_g))/u^3 at the knots from first[i] on.
 
-    Negative on contacts that a constant load would tear off: wider ones carry the same load.
+    It is negative for contacts that a constant load would pull off, because wider contacts carry the same load.
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
@@ -121,10 +122,10 @@ def _fill(rows, root, curves, first, out):
 
 
 def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
-    """Return the parameters of `peeling_force`, columns (n,), and a coordinate (n, 1).
+    """Return the parameters (n,) of `peeling_force` and, in unloading, the coordinate (n, 1) at which the force vanishes.
 
-    The asperity is JKR's, in a film law that solves film and body together. At the coordinate the force of a contact vanishes
-    in unloading. groups: complete, of contacts with a film. Without peeling (`peeling` 0) the force is infinite.
+    In loading the coordinate is None. The piece is a JKR asperity of a film law that solves film and body together. groups:
+    complete groups of contacts with a film. If `peeling` is 0, the force is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
@@ -133,9 +134,9 @@ def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarra
 
 
 def _curves(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the start of the curve and its coefficients, columns (n,), and a coordinate (n,).
+    """Return start and spline coefficients (n,) of the curve, and the coordinate (n,) at which the force vanishes.
 
-    At the coordinate the force vanishes; otherwise it is the first.
+    The coordinate is the start of the curve if the force vanishes nowhere.
     """
     laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
     different, which = bodies_of(groups)
@@ -149,7 +150,7 @@ def _curves(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...],
 
 
 def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Where the values at the knots change their sign, between two of them in a straight line."""
+    """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation; else `first`."""
     at = np.maximum((values < 0.0).sum(axis=1), 1)
     below, above = (np.take_along_axis(values, one[:, None], axis=1)[:, 0] for one in (at - 1, at))
     y = (at - np.clip(above / (above - below), 0.0, 1.0)) / PIECES
@@ -158,7 +159,10 @@ def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 @formula
 def peeling_force(u, load, area, row):
-    """T at the coordinate u. row: sqrt(32 pi n_g/(theta zeta)), where the curve starts, its coefficients."""
+    """Return the peeling force T at the coordinate u.
+
+    row: sqrt(32 pi n_g/(theta zeta)), start of the curve, spline coefficients.
+    """
     y = 1.0
     if u < 1e100:
         part = math.log(max(u / row[1], 1.0))

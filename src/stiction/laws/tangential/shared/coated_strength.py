@@ -1,9 +1,10 @@
-"""The mean traction at which a coated asperity first yields, along its elastic piece: a curve of every contact, as a spline.
+"""Tabulate the mean traction at which a coated asperity first yields, as a spline along its elastic piece.
 
-The norms of `solvers.layered.first_yield` say when film and body yield under any mean pressure and traction; the piece says the
-pressure. Knots are spaced evenly in 1 - sqrt(1 - y), y as ln(1 + p), p in proportion to the square root of the radius: they
-crowd towards y = 1, where the load alone yields, because the traction falls over the last few per cent of the pressure. Its
-square, which comes to nothing in a straight line, is the spline.
+The tables of `solvers.layered.first_yield` tell whether film or body yields under given mean pressure and mean traction; the
+piece gives the pressure. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end and p is
+proportional to the square root of the contact radius. They are dense near y = 1, where the load alone causes yield, because
+the traction falls to zero over the last few per cent of the pressure. The spline represents the square of the traction, which
+falls there linearly.
 """
 
 from collections.abc import Callable
@@ -31,9 +32,10 @@ _STEP, _LEAST, _MOST = 1.06, 1e-9, 1e30
 
 @formula
 def _norms_at(p, table, angle, film_strength, film):
-    """Return N over the yield stress of the body at p = (a/t)^(1/2).
+    """Return the von Mises stress over the yield stress of the body at p = (a/t)^(1/2), the larger one of film and body.
 
-    In a direction of ANGLES; of film or body, whichever is larger.
+    angle: index of a ratio of traction to pressure in ANGLES. film_strength: film yield stress over the body's. film: 1, or 0
+    without a film.
     """
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
     at = int(place)
@@ -45,10 +47,7 @@ def _norms_at(p, table, angle, film_strength, film):
 
 @formula
 def _traction(p, s, table, film_strength, film):
-    """Return the squared mean traction at yield under the mean pressure s.
-
-    Both are over the body's yield stress.
-    """
+    """Return the squared mean traction at yield under the mean pressure s, both over the body's yield stress."""
     before_s = before_q = 0.0
     for angle in range(_ANGLES):
         norm = _norms_at(p, table, angle, film_strength, film)
@@ -65,7 +64,7 @@ def _traction(p, s, table, film_strength, film):
 def _filling(normal: Callable, parameters: int) -> Any:
     @formula
     def holds(u, given):
-        """Return whether the mean pressure is below the one that alone causes yield."""
+        """Return whether the mean pressure at u is too small to cause yield alone."""
         row, scale, root, table, film_strength, film = given
         _, _, load, area = normal(u, *row)
         return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) < 1.0
@@ -74,9 +73,9 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def fill(rows, scale, root, film_strength, film, which, tables, place, out):
-        """Fill place[i] and out[i], the squared traction at the knots.
+        """Fill out[i] with the squared traction at the knots, and place[i] with the coordinate that they use.
 
-        place[i]: the coordinate where the load alone yields, the unit of p in ln(1 + p), and 1 over ln(1 + p) there.
+        place[i]: u where the load alone causes yield, factor from u to p, and 1 over ln(1 + p) at this u.
         """
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
@@ -100,7 +99,10 @@ def _filling(normal: Callable, parameters: int) -> Any:
 
 
 def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Coordinates (n, _BENDS) of the knots at which the curves bend the most: where another place begins to yield first."""
+    """Return the coordinates (n, _BENDS) of the knots with the largest second difference.
+
+    There the place that yields first changes.
+    """
     bent = np.abs(np.diff(values, n=2, axis=1))
     at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
     left = 1.0 - at / PIECES
@@ -108,11 +110,11 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Tabulate the strength of the elastic piece of a film law, columns (n,).
+    """Return the strength of an elastic piece as columns (n,), and coordinates (n, k) at which its curve bends.
 
-    The law solves film and body together. The columns are: where the load alone yields, the unit of the coordinate in
-    `strength_at`, 1 over its ln(1 + p) there, and the coefficients. Also returns the coordinates (n, k) of its bends. groups:
-    complete, of contacts with a film.
+    The columns are: u where the load alone causes yield, factor and scale of the coordinate in `strength_at`, spline
+    coefficients. The piece belongs to a film law that solves film and body together. groups: complete groups of contacts with
+    a film.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
@@ -132,6 +134,6 @@ def _table(bodies: Bodies) -> np.ndarray:
 
 @formula
 def strength_at(u, unit, scale, coefficients):
-    """Return the squared traction; 0 where the spline, next to its end, is negative."""
+    """Return the squared mean traction at yield at the coordinate u, or 0 if the spline is slightly negative near its end."""
     y = 1.0 - max(1.0 - np.log1p(unit * u) * scale, 0.0) ** 0.5
     return max(spline(y, coefficients), 0.0)

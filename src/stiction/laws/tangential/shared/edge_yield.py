@@ -1,7 +1,7 @@
-"""Tangential force at which the trailing edge of a contact yields: Hamilton 1983 with the von Mises criterion.
+"""Compute the tangential force at which the trailing edge of a Hertz contact yields (Hamilton 1983, von Mises).
 
-Reconstruction: the 2015 paper takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 without
-printing them. The condition used here has exactly the powers of eq (11); that its coefficients are theirs is unproven (D12).
+Reconstruction: the 2015 paper takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 and does not print
+them. The condition used here has exactly the powers of eq (11); it is not proven that its coefficients are the same (D12).
 """
 
 import math
@@ -11,15 +11,18 @@ from stiction.engine.compiled import formula
 
 @formula
 def coefficients(nu):
-    """n, p, q of the edge stresses: n = (1-2nu)/(2 pi), p = 3(4+nu)/16, q = 9nu/16 (docs/theory.md, yield at the edge)."""
+    """Return n, p, q of the stresses at the edge (docs/theory.md, yield at the edge).
+
+    n = (1-2nu)/(2 pi), p = 3(4+nu)/16, q = 9nu/16.
+    """
     return (1.0 - 2.0 * nu) / (2.0 * math.pi), 3.0 * (4.0 + nu) / 16.0, 9.0 * nu / 16.0
 
 
 @formula
 def yield_resistance(load, strength, nu):
-    """Larger root T of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, or 0 where it is not real and positive.
+    """Return the larger root T of 3n^2 P^2 + 3n(p-q) P T + (p^2+q^2-pq) T^2 = strength^2, or 0 if it is not real and positive.
 
-    `strength` is eta x / (pi k): the yield stress times the contact area over pi, in the units of the load.
+    strength: yield stress times contact area over pi, eta x / (pi k), in the unit of the load.
     """
     n, p, q = coefficients(nu)
     d = p * p + q * q - p * q
@@ -32,6 +35,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def lesser(slip_limited, yield_limited):
-    """Return both, the greater of them set to zero."""
+    """Return the slip-limited and the yield-limited force with the larger of them set to zero."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -1,4 +1,4 @@
-"""Cubic splines with evenly spaced knots between 0 and 1, as formulas: a curve of every contact that is tabulated once."""
+"""Evaluate cubic splines with evenly spaced knots in [0, 1] inside formulas; each contact has its own tabulated curve."""
 
 from functools import lru_cache
 
@@ -11,9 +11,9 @@ PIECES = 56
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """Return the matrix from PIECES + 1 values at knots to PIECES + 3 coefficients.
+    """Return the matrix that turns PIECES + 1 values at the knots into PIECES + 3 B-spline coefficients.
 
-    The coefficients are of B-splines, not-a-knot at both ends.
+    Both ends are not-a-knot.
     """
     from scipy.interpolate import BSpline  # slow to import
 
@@ -26,7 +26,7 @@ def to_coefficients() -> np.ndarray:
 
 @formula
 def spline(y, coefficients):
-    """Return the value at y, 0 to 1."""
+    """Return the value of the spline at y, 0 to 1."""
     place = min(y * PIECES, PIECES - 1e-9)
     at = int(place)
     t = place - at

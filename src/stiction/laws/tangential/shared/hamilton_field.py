@@ -1,10 +1,12 @@
-"""Stresses in a half-space under a Hertz contact that is pressed and sheared, and where they first reach yield: Hamilton 1983.
+"""Compute the stresses in a half-space below a pressed and sheared Hertz contact, and its first yield: Hamilton 1983.
 
-Everything over the contact radius a and the largest pressure p0. Hamilton's equations divide by powers of the distance from the
-axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0, 0 <= N <= 1 with
+Lengths are over the contact radius a, stresses over the largest pressure p0. Hamilton's equations divide by powers of the
+    distance
+from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0, 0 <= N <= 1 with
     z = M N,   r^2 = (1 + M^2)(1 - N^2),
-in which every such power cancels: the contact is M = 0, the free surface N = 0, the axis N = 1. What is left is
-exact everywhere.
+in which every such power cancels: the contact is M = 0, the free surface N = 0, the axis N = 1. The remaining formulas are
+    exact
+everywhere.
 """
 
 from collections.abc import Callable
@@ -16,10 +18,10 @@ Stress = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.nd
 
 
 def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLike) -> Stress:
-    """Return the six stresses (x, y, z, xy, yz, xz) over p0 below a dragged contact.
+    """Return the six stresses (x, y, z, xy, yz, xz) over p0 below a Hertz contact under normal and tangential force.
 
-    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times that as traction. x, y, z: place over
-    a, z >= 0 into the half-space; mu: tangential over normal force, any sign; nu: Poisson's ratio, 0 to 0.5. Arrays that
+    The contact carries the pressure p0 sqrt(1 - r^2) and, in the direction +x, mu times this as traction. x, y, z: place over
+    a, z >= 0 into the half-space. mu: tangential over normal force, any sign. nu: Poisson's ratio, 0 to 0.5. All arguments are
     broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
@@ -28,9 +30,9 @@ def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLik
 
 
 def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Stresses over p0 under the pressure p0 sqrt(1 - r^2) alone; arguments and order as in `stress`.
+    """Return the six stresses over p0 under the pressure p0 sqrt(1 - r^2) alone; arguments and order as in `stress`.
 
-    Source: Hamilton (1983), the stresses of the normal load; in r, theta and z they are Huber's of 1904.
+    Source: Hamilton (1983), the stresses of the normal load. In r, theta and z they are those of Huber (1904).
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -51,9 +53,9 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
 
 def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
-    """Stresses over q0 under the traction q0 sqrt(1 - r^2) in the direction +x alone; arguments and order as in `stress`.
+    """Return the six stresses over q0 under the traction q0 sqrt(1 - r^2) in the direction +x.
 
-    Source: Hamilton (1983), the stresses of the tangential load.
+    Arguments and order are as in `stress`. Source: Hamilton (1983), the stresses of the tangential load.
     """
     x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
@@ -89,10 +91,10 @@ def von_mises(stress: Stress) -> np.ndarray:
 
 
 def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
-    """Return the load at which a dragged contact first yields (von Mises), and where.
+    """Return p0/Y at which a sheared Hertz contact first yields (von Mises), and the place (x, z) over a.
 
-    mu: tangential over normal force, 0 or more; nu: Poisson's ratio, 0 to 0.5. Returns p0/Y and the place (x, z) over a, in the
-    plane y = 0, where the largest stress always is; x < 0 is behind. p0/Y is good to 1e-12.
+    mu: tangential over normal force, 0 or more. nu: Poisson's ratio, 0 to 0.5. The place is in the plane y = 0, where the
+    stress is always largest; x < 0 is the trailing side. p0/Y is accurate to 1e-12.
     """
     # The trailing edge, a cusp, is a place of this grid; so is the axis.
     x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
@@ -107,10 +109,10 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
 def least_over(
     function: Callable, x: ArrayLike, z: ArrayLike, reach_x: float, reach_z: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the least of function(x, z) near each of the places x, z.
+    """Return the minimum of function(x, z) near each of the places x, z, as (x, z, value).
 
-    Arrays that broadcast; z >= 0. Ever finer grids surround the best place so far. Returns x, z, good to 1e-7 at best, and the
-    value there, good to the square of that.
+    x, z: arrays that are broadcast; z stays >= 0. Grids around the best place are refined, starting with the size reach_x by
+    reach_z. The place is accurate to 1e-7 at best, the value to the square of this.
     """
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
     step_x, step_z = (one.ravel() for one in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
@@ -123,7 +125,7 @@ def least_over(
 
 
 def _spheroidal(x, y, z):
-    """M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle in the plane (1 and 0 on the axis)."""
+    """Return M, N, S = M^2 + N^2, arctan(1/M), and cosine and sine of the angle around the axis (1 and 0 on the axis)."""
     r = np.hypot(x, y)
     A = (r - 1.0) * (r + 1.0) + z * z
     S = np.hypot(A, 2.0 * z)

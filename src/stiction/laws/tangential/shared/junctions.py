@@ -1,7 +1,7 @@
-"""Junctions whose interface has a share of the strength of what they join: that share, and where pressures are reached.
+"""Compare the strength of the interface with that of the bulk, and find where a piece reaches a given pressure.
 
-A junction under the mean pressure p and the mean shear stress tau is fully plastic where p^2 + alpha tau^2 = H^2, so that its
-bulk shears without any pressure at H/sqrt(alpha).
+A junction under the mean pressure p and the mean shear stress tau is fully plastic if p^2 + alpha tau^2 = H^2. Without
+pressure its bulk therefore shears at H/sqrt(alpha).
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ _MOST = 2  # on a piece: where the pressure rises above, and where a hardness th
 
 
 def share_of_bulk(groups: Groups, alpha: str) -> np.ndarray:
-    """c = sqrt(alpha) tau_0/H (n,): the strength of the interface over the shear strength of the bulk."""
+    """Return c = sqrt(alpha) tau_0/H (n,), the shear strength of the interface over that of the bulk; alpha: key of ALPHA."""
     return np.sqrt(ALPHA[alpha](groups.hardness_to_yield)) * groups.shear_strength
 
 
@@ -41,7 +41,10 @@ def _above(normal: Callable, parameters: int) -> Any:
 
 
 def where_pressure_is(piece: NormalPiece, pressure: np.ndarray) -> np.ndarray:
-    """Coordinates (n, 2) at which the load of a piece is this pressure (n,) times its area; the first of the piece for none."""
+    """Return the coordinates (n, 2) at which the mean pressure of a piece equals `pressure` (n,).
+
+    Unused entries are the first coordinate.
+    """
     last = np.minimum(piece.edges[:, -1], coordinates(piece, _DEEPEST))
     edges = np.ascontiguousarray(np.minimum(piece.edges, last[:, None]))
     parameters = (*piece.parameters, pressure * (1.0 + _ROUNDING))

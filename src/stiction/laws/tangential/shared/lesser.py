@@ -1,4 +1,4 @@
-"""An adhesive asperity that holds until it peels or yields, whichever comes first: the lesser of two forces, with its kinks."""
+"""Take the smaller of peeling force and yield force on an adhesive asperity, and find the kinks of the result."""
 
 from collections.abc import Callable
 from functools import cache
@@ -16,10 +16,10 @@ _MOST = 5
 
 
 class Force(NamedTuple):
-    """A formula of (u, load, area, row), and the columns (n,) of its row.
+    """Store a formula of (u, load, area, row) and the columns (n,) of its row.
 
-    Peeling gives the force. Yield gives a number that is 0 or more as far as its force is real, and the force, which counts
-    where it is above 0.
+    A formula for peeling returns the force. A formula for yield returns a number that is 0 or more if its force is real, and
+    the force, which counts if it is positive.
     """
 
     formula: Callable
@@ -38,9 +38,10 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
 
 @cache
 def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, parameters: int) -> Any:
-    """Return a formula of numbers that change sign at the kinks.
+    """Return a formula of two numbers that change sign at the kinks of the smaller force.
 
-    The kinks are where the forces cross, where yield leaves no force, and where its force ceases to be real.
+    The first changes sign where the forces cross or the yield force vanishes, the second where the yield force stops being
+    real.
     """
     of_yield = parameters + width
 
@@ -56,7 +57,7 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
 
 
 def lesser_of(piece: NormalPiece, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
-    """Return the smaller force on the elastic piece of an adhesive asperity."""
+    """Return the smaller of both forces on the elastic piece of an adhesive asperity; kinks (n, k): further kinks."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
     found = turns(signed, piece, own, 2, _MOST)

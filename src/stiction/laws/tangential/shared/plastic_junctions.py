@@ -1,7 +1,7 @@
-"""Resistance of yielded junctions by another law, chosen with the option plastic_junctions.
+"""Give yielded junctions a resistance by another law, chosen with the option plastic_junctions.
 
-The law itself is left as it is published: only where it says nothing, from a displacement on or on a whole piece, the other one
-answers. It then takes the junction as it is, whatever it wants of the asperity that is still elastic.
+The published law stays unchanged. Only where it gives no resistance, beyond a displacement or on a whole piece, the other law
+is used. The requirements of the other law on elastic asperities are not checked there.
 """
 
 from collections.abc import Callable
@@ -20,7 +20,7 @@ LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman
 
 
 def of_whole_piece(plastic_junctions: str, piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance of a whole piece by the option plastic_junctions."""
+    """Return the resistance of the law named by `plastic_junctions` on a whole piece, or None if no law is named."""
     if plastic_junctions == NO_JUNCTIONS:
         return None
     law = find(plastic_junctions, TangentialLaw)
@@ -43,9 +43,9 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 def beyond(
     plastic_junctions: str, start: np.ndarray, published: TangentialResistance, piece: NormalPiece, groups: Groups
 ) -> TangentialResistance:
-    """Return the published resistance, followed by the option's from `start` (n,) on.
+    """Return the published resistance up to the displacement `start` (n,), and that of the law `plastic_junctions` beyond.
 
-    `start` is a displacement, one of the kinks of the published resistance.
+    `start` must be one of the kinks of the published resistance.
     """
     other = of_whole_piece(plastic_junctions, piece, groups)
     if other is None:

@@ -1,10 +1,11 @@
-"""Where the resistance min(slip, yield) of an adhesive elastic asperity has kinks: the edges of its regimes.
+"""Find the kinks of the resistance min(slip, yield) of an adhesive elastic asperity, which are edges of its regimes.
 
-With S = sqrt(6 pi/theta) and u = S^(1/3) v, everything below depends on e = eta S^(-2/3), nu, k and K beta alone. At
-y = v^3 slip and yield are equal (docs/theory.md, section 3) where
+With S = sqrt(6 pi/theta) and u = S^(1/3) v, the equations below depend only on e = eta S^(-2/3), nu, k and K beta. With
+y = v^3, slip and yield resistance are equal (docs/theory.md, section 3) where
     G(y) = [d s^2 + 3n(p-q) s y (y-1) + 3n^2 y^2 (y-1)^2] / y^(8/3)   equals   (e/(pi k))^2,
-d = p^2 + q^2 - pq, s = g r = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed), g = 4/sqrt(3 K beta). G is known, so
-its crossings are bracketed between its own turning points: none can be missed.
+d = p^2 + q^2 - pq, s = g r = g |y - 1/2| (corrected) or g sqrt(y^2 - 1/4) (as printed), g = 4/sqrt(3 K beta). The crossings
+    are
+bracketed between the turning points of G, so that none can be missed.
 """
 
 import math
@@ -24,10 +25,7 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 
 @formula
 def _shape(nu, K_beta):
-    """Return the coefficients of G that depend on the material.
-
-    They multiply r^2, r y (y-1) and y^2 (y-1)^2, s = g r.
-    """
+    """Return the coefficients of G that depend on the material: of r^2, of r y (y-1) and of y^2 (y-1)^2, with s = g r."""
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
     return (p * p + q * q - p * q) * g * g, 3.0 * n * (p - q) * g, 3.0 * n * n
@@ -35,7 +33,7 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """Return G(y) y^(8/3), and its derivative by y."""
+    """Return G(y) y^(8/3) and its derivative by y; printed: whether s is as printed."""
     a, b, c = shape
     if printed:
         r = math.sqrt(y * y - 0.25)
@@ -49,17 +47,17 @@ def _numerator(y, shape, printed):
 
 @formula
 def _steepness(y, shape, printed):
-    """Return d ln G / d ln y."""
+    """Return the logarithmic slope of G, d ln G / d ln y."""
     value, slope = _numerator(y, shape, printed)
     return y * slope / value - 8.0 / 3.0
 
 
 @formula
 def _turning_point(low, high, shape, printed):
-    """Find a zero of the steepness between two places by regula falsi (Illinois).
+    """Return a turning point of G between low and high, by regula falsi (Illinois variant); `high` if there is none.
 
-    Returns the second of them if its sign is the same at both. To 1e-8, which is enough: G is flat there, so a crossing between
-    this and the true turning point is within 1e-16 of touching.
+    An accuracy of 1e-8 is enough: G is flat at a turning point, so that a crossing this close to it is a touching point within
+    1e-16.
     """
     at_low, at_high = _steepness(low, shape, printed), _steepness(high, shape, printed)
     if (at_low < 0.0) == (at_high < 0.0):
@@ -81,9 +79,9 @@ def _turning_point(low, high, shape, printed):
 
 @formula
 def _dip(nu, shape, printed):
-    """Where G turns down and up again above the touching point, or that point twice where it only rises.
+    """Return the two turning points between which G falls, beyond the touching point; that point twice if G only rises.
 
-    The steepness falls from the touching point to one lowest value and rises to 4/3 from there.
+    The slope of G falls from the touching point to a single lowest value and rises to 4/3 from there.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
@@ -111,9 +109,9 @@ def _dip(nu, shape, printed):
 
 @formula
 def _crossing(low, high, level, shape, printed):
-    """Find the v in (low, high), where G is monotonic, with G(v^3) = level.
+    """Return the v between low and high with G(v^3) = level, or `high` if there is none; G must be monotonic there.
 
-    Returns `high` if there is none. Bracketed Newton on the fourth root of G, which is nearly straight where v is large.
+    Bracketed Newton's method is applied to the fourth root of G, which is almost linear for large v.
     """
     if not high > low:
         return high
@@ -138,9 +136,9 @@ def _crossing(low, high, level, shape, printed):
 
 @formula
 def _unloading_kinks(out, level, shape):
-    """Fill out[0:6] with the kinks below the touching point.
+    """Fill out[0:6] with the kinks below the touching point, which unloading reaches.
 
-    The slip resistance vanishes at y = 1/2, and G turns once on either side.
+    The slip resistance vanishes at y = 1/2, and G has one turning point on either side.
     """
     lost, none, touch = _LOST ** (1.0 / 3.0), _NO_SLIP ** (1.0 / 3.0), _TOUCH ** (1.0 / 3.0)
     left = _turning_point(_LOST, _NO_SLIP - 1e-9, shape, False) ** (1.0 / 3.0)
@@ -155,7 +153,7 @@ def _unloading_kinks(out, level, shape):
 
 @lazy_kernel(worth=3_000)
 def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
-    """Kinks (n, 3 or 9) in v where slip and yield are equal, on asperities that end at `end`."""
+    """Fill `kinks` (n, 3 or 9) with the v at which slip and yield resistance are equal, up to `end` (n,)."""
     touch = _TOUCH ** (1.0 / 3.0)
     down, up, shape = touch, touch, (0.0, 0.0, 0.0)
     for i in range(level.size):
@@ -174,11 +172,11 @@ def _fill_kinks(level, end, nu, K_beta, printed, unloading, kinks):
 def kinks_of(
     groups: Groups, K_beta: np.ndarray, last: np.ndarray, printed: bool, unloading: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Kinks (n, 5 or 11) in u of the resistance of n laws, and the branch point (n,) of their yield resistance.
+    """Return the kinks (n, 5 or 11) in u of the resistance, and the branch point (n,) of the yield resistance.
 
-    K_beta: with what weighs the tangential compliance. last: where the elastic asperity ends, (n,). printed: the slip
-    resistance of eq (10) of the 2015 paper to the letter. unloading: from the smallest stable contact on, not from the touching
-    point. A kink that is not there lies at an end, or outside.
+    K_beta (n,): K beta times the mode-mixity share. last (n,): end of the elastic asperity. printed: use eq (10) of the 2015
+    paper as printed. unloading: start at the smallest stable contact, not at first touch. A kink that does not exist is placed
+    at an end or outside the piece.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)

@@ -1,4 +1,4 @@
-"""Where along a piece the sign of something changes: kinks of laws that take the lesser of two forces."""
+"""Find sign changes along a piece, which are kinks of laws that take the smaller of two forces."""
 
 from collections.abc import Callable
 from functools import cache
@@ -49,10 +49,10 @@ def _finding(signed: Callable, parameters: int) -> Any:
 
 
 def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
-    """Return coordinates (n, numbers, most) at which numbers change their sign.
+    """Return the coordinates (n, numbers, most) at which numbers change sign along a piece.
 
-    The numbers are those from signed(u, row) along the piece; the first coordinate for none. signed: a formula; row: the
-    parameters of the piece, and these (n,).
+    signed(u, row) returns these numbers; row: parameters of the piece, followed by `parameters` (n,). numbers: how many there
+    are. most: largest number of sign changes of each. Unused entries are the first coordinate.
     """
     laws = len(piece.edges)
     whole, out = (*piece.parameters, *parameters), np.empty((laws, numbers, most))

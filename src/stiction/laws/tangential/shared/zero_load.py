@@ -1,4 +1,4 @@
-"""Where the load of an asperity turns from tension to compression: a kink of laws that count compression only."""
+"""Find where the load of an asperity changes from tension to compression, a kink of laws that ignore tension."""
 
 from collections.abc import Callable
 from functools import cache
@@ -26,8 +26,8 @@ def _zeros(normal: Callable, parameters: int) -> Any:
     def fill_zeros(table, edges, out):
         """Fill out[i] with the coordinate at which the load of law i becomes positive.
 
-        The first where it is not in tension there, the last where it stays in tension. Steps that double, then bisection: right
-        if the load changes its sign once.
+        It is the first coordinate if the load is not negative there, and the last if the load stays negative. The search
+        doubles its steps and then bisects; the load must change sign at most once.
         """
         for i in range(out.size):
             row = unpack(table[i], parameters)
@@ -49,9 +49,9 @@ def _zeros(normal: Callable, parameters: int) -> Any:
 
 
 def zero_load(piece: NormalPiece) -> np.ndarray | None:
-    """Return coordinates (n,) at which the load turns from tension to compression.
+    """Return the coordinates (n,) at which the load changes from tension to compression, limited to the ends of the piece.
 
-    The nearer end where it does not; None for a piece without length.
+    Returns None for a piece without length.
     """
     laws, count = piece.edges.shape
     if count < 2:
