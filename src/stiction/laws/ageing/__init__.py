@@ -1,1 +1,1 @@
-"""strengthening at rest; none: without"""
+"""growth of the interface strength with the time at rest ("none" leaves it out)"""

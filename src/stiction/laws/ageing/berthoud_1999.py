@@ -1,33 +1,34 @@
-r"""Strengthening at rest with the logarithm of time, by creep of the junctions: Berthoud et al. 1999, Dieterich 1972.
+r"""Growth of strength at rest with the logarithm of time, by creep of junctions: Berthoud et al. 1999, Dieterich 1972.
 
-*Assumes*: the junctions creep under the load, and the real area, and with it the force that shears it, grows with the
-logarithm of the time at rest; below the cut-off time $t_\mathrm c$ nothing has grown yet. No shear acts while the contact
-waits, and there is no end to the growth. *Source*: [dieterich_1978], abstract, for rocks (first [dieterich_1972]);
-[berthoud_1999] for rough polymers, and [baumberger_caroli_2006], of which the abstract was seen: slow growth of the real area
-by creep. The form is written down from memory and derived here, below; [jagla_2010], abstract, finds it in a model of creep at
-low loads, towards an area that is never passed. [dillavou_rubinstein_2020] has static friction and
-area both grow so, friction faster than area where a shear load acts at rest.
+*Assumes*: the junctions creep under the load. The real contact area, and with it the shear force, grows with the logarithm of
+the time at rest. Before the reference time $t_\mathrm c$ nothing has grown yet. No shear force acts during the rest, and the
+growth has no end. *Source*: [dieterich_1978], abstract, for rocks (first [dieterich_1972]); [berthoud_1999] for rough
+polymers; [baumberger_caroli_2006], abstract: slow growth of the real area by creep. The formula is written from memory and
+derived below. [jagla_2010], abstract, finds it in a model of creep at low loads; there the area tends to a limit. In
+[dillavou_rubinstein_2020] static friction and area both grow this way, and friction grows faster than area if a shear load
+acts at rest.
 
 $$
 \tau_0\,A\;\to\;\tau_0\,A\left[1+m\ln\left(1+\frac{t_\mathrm w}{t_\mathrm c}\right)\right]
 $$
 
-It follows from a rate of creep that falls exponentially with the area gained, as of an activated flow under the pressure that
-the growing area relieves: $\dot A=(mA_0/t_\mathrm c)\,e^{-(A-A_0)/(mA_0)}$. Measured are the slope of $\mu_s$ over $\ln t$,
-over $\mu_s$ at first, which is $m$, and $t_\mathrm c$, where the line bends. A slope $B$ for each factor of ten in time is
-$m=B/(\mu_0\ln10)$.
+It follows if the creep rate falls exponentially with the gained area, as in an activated flow whose pressure decreases while
+the area grows: $\dot A=(mA_0/t_\mathrm c)\,e^{-(A-A_0)/(mA_0)}$. To be measured are $m$, the slope of $\mu_s$ over $\ln t$
+divided by the initial $\mu_s$, and $t_\mathrm c$, the time at which the line bends. A slope $B$ per decade of time
+corresponds to $m=B/(\mu_0\ln10)$.
 
-Laws of the interface alone take it, in the part of their force that goes with the area: what rises with the pressure
-([`briscoe_tabor_1978`](#briscoe_tabor_1978)) depends on the load, which does not grow. `contact_area` is that at first.
-Every other law is refused: how asperities strengthen that peel, yield or grow under shear is not known.
+Only tangential laws of the interface accept it, for the part of their force that is proportional to the area. The part that
+rises with pressure ([`briscoe_tabor_1978`](#briscoe_tabor_1978)) depends on the load, which does not grow. `contact_area` is
+the initial area. Every other tangential law raises an error, because it is unknown how asperities that peel, yield or grow
+under shear gain strength.
 
-Over about five decades of time it was followed; results that wait longer say so.
+Experiments followed the growth over about five decades of time; results at longer times give a warning.
 
-*Limit*: no waiting, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
+*Limit*: no time at rest, or $m=0$: nothing changes. *Check*: $m=0.02$ and $t_\mathrm c=1$ s:
 
 | $t_\mathrm w$ | 0 | 1 s | 1 min | 1 h | 1 day | 1 year |
 |---|---|---|---|---|---|---|
-| strength over that at first | 1 | 1.01386 | 1.08222 | 1.16378 | 1.22734 | 1.34533 |
+| strength over initial strength | 1 | 1.01386 | 1.08222 | 1.16378 | 1.22734 | 1.34533 |
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
-r"""One asperity without adhesion that does not slip on its counterpart: Brizmer, Kligerman & Etsion 2006.
+r"""One asperity without adhesion in full stick with its counterface: Brizmer, Kligerman & Etsion 2006.
 
-*Assumes*: elastic, perfectly plastic sphere against a rigid flat in full stick: nothing slips in the contact; fitted to
-finite elements. *Source*: [brizmer_kligerman_etsion_2006]; critical values and load from an independent code. The critical
-values are those of a frictionless Hertz contact (in slip) times ratios that depend on Poisson's ratio. In slip
-$w_s=(\tfrac23C_\nu\eta/k)^2$ with $C_\nu=1.234+1.256\nu$; in stick
+*Assumes*: an elastic, perfectly plastic sphere on a rigid flat in full stick, without slip anywhere in the contact. The
+formulas are fitted to finite elements. *Source*: [brizmer_kligerman_etsion_2006]; critical values and load are taken from an
+independent code. The critical values are those of a frictionless Hertz contact (in slip), multiplied by ratios that depend on
+Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with $C_\nu=1.234+1.256\nu$; in stick
 
 $$
 w_c=\left[6.82\nu-7.83\,(\nu^2+0.0586)\right]w_s,\qquad P_c=\left[8.88\nu-10.13\,(\nu^2+0.089)\right]w_s^{3/2}
@@ -14,14 +14,15 @@ $$
 A=w\left\{1+\exp\left[\frac1{1-r^\alpha}\right]\right\},\qquad r=\frac w{w_c}>1
 $$
 
-with $\beta=0.174+0.08\nu$, $\alpha=0.25+0.125\nu$; below, $P=P_cr^{3/2}$ and $A=w$. The brackets are 0.8825 and
-0.8507 at $\nu=0.3$, 0.994 and 1.006 at $\nu=\tfrac12$; they were fitted from $\nu=0.2$ on and are held at that value
-below. In SI $\omega_s=(\pi C_\nu(1-\nu^2)Y/(2E))^2R$; here $E/(1-\nu^2)$ is $E^*$ of any pair and $Y=H/k$.
+with $\beta=0.174+0.08\nu$, $\alpha=0.25+0.125\nu$; below, $P=P_cr^{3/2}$ and $A=w$. The brackets are 0.8825 and 0.8507 at
+$\nu=0.3$, 0.994 and 1.006 at $\nu=\tfrac12$; they are fitted for $\nu\ge0.2$ and constant below. In SI $\omega_s=(\pi
+C_\nu(1-\nu^2)Y/(2E))^2R$; here $E/(1-\nu^2)$ is $E^*$ of any pair and $Y=H/k$.
 
-Smooth. *Limit*: Hertz's area; its load times 1.026 at $\nu=0.3$, 1.043 at most, because stick stiffens. *Unknown*: the
-exponent $\alpha$ of the area is as commonly remembered, and the critical area was taken as $\pi R\omega_c$; the agreement
-with the [other elastic-plastic laws](#the-elastic-plastic-laws-side-by-side) is the only check of both. *Trap*: a public
-implementation has $6.82-7.83(\ldots)$, without the $\nu$. *Coordinate*: $u=\sqrt w$.
+Load and area are continuous. *Limit*: Hertz's area; Hertz's load times 1.026 at $\nu=0.3$, times 1.043 at most, because stick
+makes the contact stiffer. *Unknown*: the exponent $\alpha$ of the area is from memory, and the critical area is assumed to be
+$\pi R\omega_c$. The only check of both is the agreement with the [other elastic-plastic
+laws](#the-elastic-plastic-laws-side-by-side). *Trap*: a public implementation has $6.82-7.83(\ldots)$, without the $\nu$.
+*Coordinate*: $u=\sqrt w$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

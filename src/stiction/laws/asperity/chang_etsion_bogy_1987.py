@@ -1,16 +1,16 @@
-r"""One asperity without adhesion: Hertz to first yield, then of conserved volume: Chang, Etsion & Bogy 1987.
+r"""One asperity without adhesion, elastic up to first yield, then plastic with constant volume: Chang, Etsion & Bogy 1987.
 
-*Assumes*: Hertz to first yield; beyond, a truncated sphere of conserved volume under the uniform pressure $K_HH$.
-*Source*: [chang_etsion_bogy_1987].
+*Assumes*: the asperity is elastic (Hertz) up to first yield. Beyond, it is a truncated sphere of constant volume under the
+uniform pressure $K_HH$. *Source*: [chang_etsion_bogy_1987].
 
 $$
 w_c=\left(\tfrac23K_H\eta\right)^2,\quad K_H=0.454+0.41\nu;\qquad P=w^{3/2},\ A=w\ (w<w_c);\qquad
 A=2w-w_c,\ P=\eta K_HA\ (w\ge w_c)
 $$
 
-In SI $\omega_c=(\pi K_HH/(2E^*))^2R$, $A=\pi R\omega(2-\omega_c/\omega)$. The paper of 1987 has the constant
-$K_H=0.6$; the form with $\nu$ is the authors' of 1988. *Jump*: the mean pressure rises from $\tfrac23K_HH$ to $K_HH$ at
-$\omega_c$: the load by half, the area not at all. *Limit*: `hertz` for $\lambda\to\infty$.
+In SI $\omega_c=(\pi K_HH/(2E^*))^2R$, $A=\pi R\omega(2-\omega_c/\omega)$. The 1987 paper uses the constant $K_H=0.6$; the
+authors gave the form with $\nu$ in 1988. *Jump*: the mean pressure rises from $\tfrac23K_HH$ to $K_HH$ at $\omega_c$: the
+load jumps by half, the area is continuous. *Limit*: `hertz` for $\lambda\to\infty$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,13 +1,13 @@
-r"""One elastic asperity, adhesion around the contact: Derjaguin, Muller & Toporov 1975.
+r"""One elastic asperity with adhesion that acts around the contact: Derjaguin, Muller & Toporov 1975.
 
-*Assumes*: the adhesion acts around the contact and leaves its shape Hertz's. *Source*:
-[derjaguin_muller_toporov_1975], in the form that [maugis_1992] gives it: the load less the constant $2\pi\gamma R$.
+*Assumes*: adhesion acts around the contact and does not change its Hertzian shape. *Source*: [derjaguin_muller_toporov_1975],
+in the form given by [maugis_1992]: the load is Hertz's minus the constant $2\pi\gamma R$.
 
 $$
 P=w^{3/2}-\frac{2\pi}\theta,\qquad A=w\qquad(w\ge0)
 $$
 
-It is for Tabor parameters below about 0.1. Asperities that do not touch are not pulled. *Limit*: `hertz`.
+It is valid for Tabor parameters below about 0.1. Asperities that do not touch are not attracted. *Limit*: `hertz`.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

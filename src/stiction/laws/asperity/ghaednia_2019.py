@@ -1,10 +1,10 @@
 r"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
 
-*Assumes*: Jackson and Green's sphere, flattened, of a material that hardens bilinearly: its stress rises by Young's modulus
-up to the yield stress $Y$ and by the tangent modulus $E_t$ from there on (`tangent_modulus` of the softer material; the group
-is `hardening` $=e=E_t/E$). Hertz up to $1.9\,\omega_c$; then area and load lie between those of the sphere that does not
-harden and Hertz's, the nearer to these the more it hardens. *Source*: [ghaednia_2019], eqs. (1) to (6) and (23) to (31), with
-the numbers that codes of one author's group give beside their formulas.
+*Assumes*: the flattened sphere of Jackson and Green, made of a material with bilinear hardening. Its stress rises with
+Young's modulus up to the yield stress $Y$ and with the tangent modulus $E_t$ beyond (`tangent_modulus` of the softer
+material; the group is `hardening` $=e=E_t/E$). Up to $1.9\,\omega_c$ the contact is Hertz's. Beyond, area and load lie
+between those of the sphere without hardening and Hertz's, closer to Hertz's the stronger the hardening. *Source*:
+[ghaednia_2019], eqs. (1) to (6) and (23) to (31), with constants from codes of one author's group.
 
 $$
 a=a_e+(a_p-a_e)\exp\Upsilon,\qquad P=P_p+(P_e-P_p)\left(1-\exp(-3.3e)\right),\qquad
@@ -16,19 +16,20 @@ $$
 $$
 
 (eqs. 25, 30, 28 and 26; the power in the last is one of $e=E_t/E$) with $a_e$, $P_e$ Hertz's (eqs. 1 and 31) and $a_p$, $P_p$
-Jackson and Green's (eqs. 23, 24, 27 and 29) with this $H_G$. $E$ is the sphere's own modulus: with `other_body="alike"`
-(default) either of two bodies alike, $E=2(1-\nu^2)E^*$, with `"rigid"` the one that is not rigid, $E=(1-\nu^2)E^*$.
-$\Upsilon=0$ for $e=0$. $H_G$ is held from $a=R$ on.
+Jackson and Green's (eqs. 23, 24, 27 and 29) with this $H_G$. $E$ is the modulus of the sphere itself. With
+`other_body="alike"` (default) both bodies are equal and $E=2(1-\nu^2)E^*$; with `"rigid"` one body is rigid and
+$E=(1-\nu^2)E^*$. $\Upsilon=0$ for $e=0$. $H_G$ is constant beyond $a=R$.
 
-*Reconstructed*, hence grade C: eq. (26) is as those codes compute it and not as printed; they quote the print, which has the
-other sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is without its factor $\pi$, which Hertz's
-force does not have.
+*Reconstructed*, hence grade C: eq. (26) is taken from these codes, not from print. The codes quote the printed form, which
+has the opposite sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is used without its printed
+factor $\pi$, which Hertz's force does not have.
 
-*Limits*: at $e=0$ the area of `jackson_green_2005` exactly and, for blunt asperities, its load (the limiting pressures differ
-where $a/R$ is not small); at $e\to1$ Hertz's area, and 96 % of the way to its load. *Coordinate*: $u=\sqrt w$.
+*Limits*: at $e=0$ the area is exactly that in `jackson_green_2005`. For blunt asperities the load is too; the limiting
+pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load has covered 96 % of the difference
+between $P_p$ and Hertz's. *Coordinate*: $u=\sqrt w$.
 
-*Check*: thirteen rows of an independent code's regression file, radius and force, to $10^{-12}$; four of them, for $E=192$ GPa,
-$\nu=0.3$, $R=1.4$ mm, $Y=330$ MPa (in that code like spheres are flattened against the plane between them):
+*Check*: radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. Four of these rows,
+for $E=192$ GPa, $\nu=0.3$, $R=1.4$ mm, $Y=330$ MPa (equal spheres, flattened against the plane between them):
 
 | $E_t$ | interference (m) | contact radius (m) | force (N) |
 |---|---|---|---|

@@ -1,6 +1,6 @@
 r"""One elastic asperity without adhesion: Hertz 1882.
 
-*Assumes*: elastic, smooth, no adhesion, $a\ll R$. *Source*: [hertz_1882].
+*Assumes*: elastic, smooth bodies without adhesion; $a\ll R$. *Source*: [hertz_1882].
 
 $$
 P=w^{3/2},\qquad A=w
@@ -9,9 +9,9 @@ $$
 In SI $P=\tfrac43E^*R^{1/2}\omega^{3/2}$, $a^2=R\omega$, largest pressure
 $p_0=\tfrac32P/(\pi a^2)=(2E^*/\pi)\sqrt{\omega/R}$. *Coordinate*: $u=\sqrt w$, in which load and area are polynomials.
 
-**Where it first yields.** On the axis, by von Mises, if there is no shear ([johnson_1985], eq. 3.45 for the
-stresses). The exact value, `first_yield`, next to what the elastic-plastic laws take for it: Jackson and Green
-$1.295\,e^{0.736\nu}$, Brizmer et al. $1.234+1.256\nu$, Chang et al. $2.8\,(0.454+0.41\nu)$:
+**First yield.** Without shear, a Hertz contact first yields (von Mises) on its axis, below the surface ([johnson_1985], eq.
+3.45 for the stresses). The table compares the exact value, from `first_yield`, with the values in the elastic-plastic laws:
+Jackson and Green $1.295\,e^{0.736\nu}$, Brizmer et al. $1.234+1.256\nu$, Chang et al. $2.8\,(0.454+0.41\nu)$:
 
 | $\nu$ | depth $z/a$ | exact $p_0/Y$ | Jackson and Green | Brizmer et al. | Chang et al. |
 |---|---|---|---|---|---|
@@ -24,8 +24,8 @@ $1.295\,e^{0.736\nu}$, Brizmer et al. $1.234+1.256\nu$, Chang et al. $2.8\,(0.45
 | 0.45 | 0.5310 | 1.8061 | 1.8035 | 1.7992 | 1.7878 |
 | 0.499 | 0.5475 | 1.8758 | 1.8697 | 1.8607 | 1.8441 |
 
-The first fit is within 0.4 % throughout; the others are straight lines, which miss by up to 2.5 % outside of $\nu$ from
-0.2 to 0.4.
+The fit of Jackson and Green is within 0.4 % throughout. The others are straight lines, with errors up to 2.5 % for $\nu$
+outside 0.2 to 0.4.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

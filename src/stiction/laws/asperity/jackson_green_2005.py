@@ -1,8 +1,8 @@
 r"""One asperity without adhesion whose hardness falls as it is flattened: Jackson & Green 2005.
 
-*Assumes*: elastic, perfectly plastic hemisphere against a rigid flat, fitted to finite elements; the limit of the mean
-pressure, $H_G$, falls as the contact grows against $R$. There is no piece with the hardness $H$. *Source*:
-[jackson_green_2005]; constants from two independent codes.
+*Assumes*: an elastic, perfectly plastic hemisphere on a rigid flat, fitted to finite elements. The limit of the mean
+pressure, $H_G$, falls as the contact radius grows relative to $R$. There is no fully plastic piece with the hardness $H$.
+*Source*: [jackson_green_2005]; constants are taken from two independent codes.
 
 $$
 w_c=\left(\tfrac23C\eta/k\right)^2,\quad C=1.295\,e^{0.736\nu},\quad P_c=w_c^{3/2},\quad r=w/w_c;\qquad\text{Hertz to}\ r=1.9
@@ -19,13 +19,13 @@ $$
 
 The yield stress is $Y=H/k$. In SI $\omega_c=(\pi CY/(2E^*))^2R$ and $P_c=\tfrac43(R/E^*)^2(\tfrac12C\pi Y)^3$; the source's
 argument of $H_G$, $\tfrac\pi2C(Y/E^*)\sqrt{r(r/1.9)^B}$, is this $a/R$. *Jump* of the load at 1.9: 1.0047 at $\nu=0.3$ for
-blunt asperities, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; none of the area. The exponent $B$ is for metals: it explodes
-where $Y/E^*$ is not small, and stays here what it is at 0.1. *Coordinate*: $u=\sqrt w$.
+blunt asperities, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; the area is continuous. The exponent $B$ is fitted to metals and
+grows without limit if $Y/E^*$ is not small; here it is constant beyond $Y/E^*=0.1$. *Coordinate*: $u=\sqrt w$.
 
 *Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. An independent code of the later law for hardening materials
-([ghaednia_2019]), run without hardening on two like spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective
-radius 1.4 mm), prints what is below. It takes one of the spheres against a rigid plane, twice the radius and modulus of
-the pair and half the displacement, so that its $Y/E^*$ is half of the pair's:
+([ghaednia_2019]), run without hardening on two like spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm),
+gives the values below. It presses one sphere on a rigid plane, with twice the radius and modulus of the pair and half the
+displacement, so that its $Y/E^*$ is half of the pair's:
 
 | displacement [m] | contact radius [m] | load [N] | here |
 |---|---|---|---|
@@ -33,7 +33,7 @@ the pair and half the displacement, so that its $Y/E^*$ is half of the pair's:
 | 8.815764255743e-8 | 1.110948691796e-5 | 1.377598138669e-1 | elastic, the same |
 | 2.644729276723e-7 | 1.989065002445e-5 | 6.885474816181e-1 | radius the same; load to $3\cdot10^{-5}$ |
 
-and the last load to $10^{-11}$ with that code's $H_G/Y=2.84-0.92(1-\cos(\pi a/R))$.
+With the limiting hardness of this code, the last load agrees to $10^{-11}$: $H_G/Y=2.84-0.92(1-\cos(\pi a/R))$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,6 +1,6 @@
-r"""One elastic asperity, adhesion inside the contact: Johnson, Kendall & Roberts 1971.
+r"""One elastic asperity with adhesion that acts inside the contact: Johnson, Kendall & Roberts 1971.
 
-*Assumes*: elastic; adhesion acts inside the contact only, as the energy of its edge. *Source*:
+*Assumes*: elastic bodies; adhesion acts only inside the contact and is described by an energy balance at its edge. *Source*:
 [johnson_kendall_roberts_1971]. With $S=\sqrt{6\pi/\theta}$, the 4.34 $\theta^{-1/2}$ of eqs. (1) and (2) of the 2015 paper,
 and the coordinate $u=x^{1/4}$, $x=a^2/(R\sigma)$ being the apparent displacement:
 
@@ -8,11 +8,11 @@ $$
 w=u^4-\tfrac23S\,u,\qquad P=u^3(u^3-S),\qquad A=u^4
 $$
 
-In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. On loading contact is made at
-$w=0$, under the tension $\tfrac89P_c$; with `branch="unloading"` it is held down to where $dw/du=0$.
+In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. In loading, contact begins at $w=0$, under
+the tension $\tfrac89P_c$. With `branch="unloading"` it continues below $w=0$ down to the point where $dw/du=0$.
 
-In units of $\pi\gamma R$ for the load, $(\pi\gamma R^2/K)^{1/3}$ for $a$ and $(\pi^2\gamma^2R/K^2)^{1/3}$ for the
-displacement (Maugis's units) the landmarks are
+With $\pi\gamma R$ as unit of the load, $(\pi\gamma R^2/K)^{1/3}$ of $a$ and $(\pi^2\gamma^2R/K^2)^{1/3}$ of the displacement
+(Maugis's units), the characteristic states are
 
 | state | $a$ | displacement | load |
 |---|---|---|---|
@@ -21,8 +21,8 @@ displacement (Maugis's units) the landmarks are
 | largest tension: pull-off at given load | $(3/2)^{1/3}=1.144714$ | −0.436790 | −3/2 |
 | most stretched: pull-off at given displacement | $6^{-1/3}=0.550321$ | −0.908560 | −5/6 |
 
-*Valid* for Tabor parameters above about 5, and while nothing yields. *Limit*: `hertz` for $\theta\to\infty$.
-*Trap*: some codes write $6\pi\gamma R$ where $\gamma$ is the energy of one surface, half the work of adhesion.
+*Valid* for Tabor parameters above about 5, without yield. *Limit*: `hertz` for $\theta\to\infty$. *Trap*: some codes write
+$6\pi\gamma R$, where $\gamma$ is the surface energy of one surface, half the work of adhesion.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,8 +1,8 @@
-r"""One asperity without adhesion, elastic-plastic as finite elements have it: Kogut & Etsion 2002.
+r"""One elastic-plastic asperity without adhesion, fitted to finite elements: Kogut & Etsion 2002.
 
-*Assumes*: elastic, perfectly plastic sphere against a rigid flat, frictionless; power laws fitted to finite
-elements. *Source*: [kogut_etsion_2002]; constants from two independent codes. Over $P_c=w_c^{3/2}$ and $A_c=w_c$,
-with the critical interference of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
+*Assumes*: an elastic, perfectly plastic sphere on a rigid flat without friction. Power laws are fitted to finite elements.
+*Source*: [kogut_etsion_2002]; constants are taken from two independent codes. Load and area are given over $P_c=w_c^{3/2}$
+and $A_c=w_c$, with the critical interference of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
 
 $$
 w_c=\left(\tfrac23K_H\eta\right)^2,\quad K_H=0.454+0.41\nu,\quad r=w/w_c:
@@ -15,9 +15,9 @@ $$
 | 6 to 110 | $1.40\,r^{1.263}$ | $0.94\,r^{1.146}$ |
 | above 110 | $(3/K_H)\,r$: mean pressure $H$ | $2r$ |
 
-*Jumps*: load +3 %, area −7 % at 1; +1.7 % and +2.9 % at 6; at 110 the load changes by the factor
-$0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by
-1.071. *Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
+*Jumps*: load +3 % and area −7 % at $r=1$; +1.7 % and +2.9 % at 6. At 110 the load changes by the factor $0.647/K_H$ (+8 % at
+$\nu=0.3$, from 530.2 to 571.9; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by 1.071. *Trap*: a public
+implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

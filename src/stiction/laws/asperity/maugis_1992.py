@@ -1,9 +1,9 @@
-r"""One elastic asperity whose adhesion acts in a ring around the contact, with a constant stress: Maugis 1992.
+r"""One elastic asperity with adhesion of constant stress in a ring around the contact: Maugis 1992.
 
-*Assumes*: elastic; the surfaces attract with a constant stress $\sigma_0$ in a ring $a<r<c$ up to a gap $\gamma/\sigma_0$ (a
-Dugdale zone). It passes from DMT (stiff, small spheres) to JKR (soft, large ones) as the Tabor parameter grows. *Source*:
-[maugis_1992]. In Maugis's units - contact radius $\mathcal A$ over $(\pi\gamma R^2/K)^{1/3}$, displacement $D$ over
-$(\pi^2\gamma^2R/K^2)^{1/3}$, load over $\pi\gamma R$ - with $m=c/a$:
+*Assumes*: elastic bodies. In a ring $a<r<c$ around the contact the surfaces attract each other with the constant stress
+$\sigma_0$, up to a gap $\gamma/\sigma_0$ (a Dugdale zone). As the Tabor parameter grows, the law changes from DMT (stiff,
+small spheres) to JKR (soft, large spheres). *Source*: [maugis_1992]. In Maugis's units - contact radius $\mathcal A$ over
+$(\pi\gamma R^2/K)^{1/3}$, displacement $D$ over $(\pi^2\gamma^2R/K^2)^{1/3}$, load over $\pi\gamma R$ - with $m=c/a$:
 
 $$
 \tfrac12\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+(m^2-2)\arctan\sqrt{m^2-1}\right]
@@ -15,10 +15,10 @@ D=\mathcal A^2-\tfrac43\lambda_M\mathcal A\sqrt{m^2-1},\qquad
 \frac{\text{load}}{\pi\gamma R}=\mathcal A^3-\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+m^2\arctan\sqrt{m^2-1}\right]
 $$
 
-The first says that the gap at $c$ ends the attraction. With $g=(\pi/\theta)^{1/3}$: $w=g^2D$,
-$P=g^3\cdot\text{load}/(\pi\gamma R)$, $A=g^2\mathcal A^2$. The condition is quadratic in $\mathcal A$ for a given ring, so
-that everything is explicit in $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$, the coordinate here, which grows with the contact from 0
-where the surfaces only just touch. With $B=\mathcal A/s$, finite there, all is smooth:
+The first equation states that the attraction ends at the gap at $c$. With $g=(\pi/\theta)^{1/3}$: $w=g^2D$,
+$P=g^3\cdot\text{load}/(\pi\gamma R)$, $A=g^2\mathcal A^2$. For a given ring this equation is quadratic in $\mathcal A$, so
+that everything is explicit in $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$. This is the coordinate here; it is 0 where the surfaces
+only just touch and grows with the contact. With $B=\mathcal A/s$, which is finite there, all functions are smooth:
 
 $$
 \tfrac12\lambda_MF\,B^2+\tfrac43\lambda_M^2G\,B=1,\quad
@@ -37,9 +37,9 @@ Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
 | pull-off force over $\pi\gamma R$ | 1.9983 | 1.9506 | 1.8156 | 1.6007 | 1.5168 | 1.5016 | 1.5000 |
 | load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
 
-JKR is approached as $\mu_T^{-2}$, DMT only as $\mu_T^{1/2}$. *Departure*: here, as for JKR and DMT, an asperity
-attracts only while it touches, from $w=0$ on in loading; the source's ring attracts before. On unloading the
-contact is held until $dw/ds=0$ or, for small $\lambda_M$, until it has shrunk to a point.
+The difference to JKR falls as $\mu_T^{-2}$, that to DMT only as $\mu_T^{1/2}$. *Departure*: here, as for JKR and DMT, an
+asperity attracts only while it touches, in loading from $w=0$ on. In the source the ring attracts before contact. In
+unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until it has shrunk to a point.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,16 +1,16 @@
 r"""One adhesive asperity, elastic (JKR) until its mean pressure reaches the hardness, then plastic: Roy Chowdhury & Ghosh 1994.
 
-*Assumes*: JKR until the mean pressure is the hardness, then a fully plastic contact of twice the truncated area
-with adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
-2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] has it.
+*Assumes*: the contact follows JKR until its mean pressure reaches the hardness. Then it is fully plastic, with twice the
+truncated area and the adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
+2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] states it.
 
 $$
 P=2\eta w-\frac{2\pi}\theta,\qquad A=2w\qquad\text{from}\quad u_1^3-\eta u_1-S=0\ \text{on}
 $$
 
-*Jumps* there, at $w_1=u_1^4-\tfrac23Su_1$: load and area are multiplied by 1.276 and 1.399 at $\theta=10$,
-$\lambda=1$, by 2 and 2 without adhesion; under strong adhesion the load falls, and goes into tension where
-$\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of 1994; the law is taken from the 2015 paper.
+*Jumps* at this transition, $w_1=u_1^4-\tfrac23Su_1$: load and area are multiplied by 1.276 and 1.399 at $\theta=10$,
+$\lambda=1$, and by 2 and 2 without adhesion. Under strong adhesion the load falls; it becomes tensile if
+$\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of the 1994 paper; the law is taken from the 2015 paper.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

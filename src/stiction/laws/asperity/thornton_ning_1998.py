@@ -1,8 +1,8 @@
-r"""One adhesive asperity, elastic (JKR) until its pressure reaches a limit, which then spreads: Thornton & Ning 1998.
+r"""One adhesive asperity, elastic (JKR) until its central pressure reaches a limit: Thornton & Ning 1998.
 
-*Assumes*: JKR until the pressure in the centre of the contact reaches a limit $p_y$, which then spreads; contact
-radius and displacement stay related as in JKR. *Source*: [thornton_ning_1998], as implementations have it
-(stiffness after yield, and unloading); integrated here. With $\eta_y=\eta\,p_y/H$,
+*Assumes*: the contact follows JKR until the pressure in its centre reaches a limit $p_y$. The area under this limiting
+pressure then spreads. Contact radius and displacement stay related as in JKR. *Source*: [thornton_ning_1998], from
+implementations (stiffness after yield, and unloading); the stiffness is integrated here. With $\eta_y=\eta\,p_y/H$,
 
 $$
 3u_y^3-2\eta_yu_y-S=0,\qquad P=u_y^6-S\,u_y^2\,u+\eta_y\,(u^4-u_y^4)\quad(u\ge u_y),\qquad w,\ A\ \text{as JKR}
@@ -13,16 +13,17 @@ p_y=\frac{2E^*a_y}{\pi R}-\sqrt{\frac{2\gamma E^*}{\pi a_y}},\qquad
 \frac{dP}{d\omega}=\frac{3\pi Rp_y\sqrt{P_1}-2E^*a_y\sqrt{P_c}}{3\sqrt{P_1}-\sqrt{P_c}},\quad P_1=\frac{Ka^3}R
 $$
 
-the second line in SI. The load is that of the ring and of the yielded centre: JKR's pressure is $p_0q-p_1/q$,
-$q=\sqrt{1-r^2/a^2}$, $p_0=2E^*a/(\pi R)$, $p_1=\sqrt{2\gamma E^*/(\pi a)}$, largest in the centre; from $a_y$ on it is $p_y$
-in $r^2<a^2-a_y^2$ and JKR's around. JKR's pressure with $p_y$ as its upper bound would be another law: it falls below $p_y$ a
-little nearer to the centre, and $P$ would be a little smaller; without adhesion the two agree. Load and stiffness are
-continuous at $u_y$. Below $p_y=(2E^{*2}\gamma/(\pi^2R))^{1/3}$, JKR's central pressure at zero displacement, the asperity has
-yielded where it first touches; the same formulas hold from there on.
+The second line is in SI. The load is the sum of ring and yielded centre. JKR's pressure is $p_0q-p_1/q$,
+$q=\sqrt{1-r^2/a^2}$, $p_0=2E^*a/(\pi R)$, $p_1=\sqrt{2\gamma E^*/(\pi a)}$, largest in the centre. From $a_y$ on it is $p_y$
+for $r^2<a^2-a_y^2$ and JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below
+$p_y$ closer to the centre and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at
+$u_y$. Below $p_y=(2E^{*2}\gamma/(\pi^2R))^{1/3}$, JKR's central pressure at zero displacement, the asperity yields at first
+touch; the same formulas hold from there on.
 
-The source takes $p_y$ as given. `limiting_pressure="first_yield"`, the default, is the exact $p_0/Y$ of the table
-under [`hertz`](#hertz) times $H/k$; `"hardness"` is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$, $k=2.8$ it
-yields at $w=0.0776$ under the tension $P=-0.0741$ with the first, at $w=0.4116$, $P=0.1769$ with the second.
+The source does not say how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
+$p_0/Y$ of the table under [`hertz`](#hertz); with `"hardness"` it is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$,
+$k=2.8$ it yields at $w=0.0776$ under the tension $P=-0.0741$ with the first choice, and at $w=0.4116$, $P=0.1769$ with the
+second.
 
 Unloading from $u_m$, $P_m$ is JKR's with a larger radius around a residual displacement:
 
@@ -31,9 +32,8 @@ $$
 P_\text{pull-off}=\tfrac32\pi\gamma R_p
 $$
 
-(used where a whole surface is [drawn apart](#letting-go); summed over heights, an asperity is known by its largest contact
-radius, in $u$). *Limit*: `jkr` for $\lambda\to\infty$. The area stays JKR's: it does not spread as plastic flow would make
-it.
+(used when a whole surface is [unloaded](#letting-go); in the sum over heights, each asperity is identified by its largest
+contact radius, in $u$). *Limit*: `jkr` for $\lambda\to\infty$. The area stays that of JKR and does not grow by plastic flow.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

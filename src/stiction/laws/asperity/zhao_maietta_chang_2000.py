@@ -1,16 +1,17 @@
-r"""One asperity without adhesion that passes smoothly from Hertz to full plasticity: Zhao, Maietta & Chang 2000.
+r"""One asperity without adhesion with a smooth transition from Hertz to full plasticity: Zhao, Maietta & Chang 2000.
 
-*Assumes*: Hertz up to a mean pressure of $0.4H$, full plasticity (area $2\pi R\omega$, mean pressure $H$) from 54 times that
-displacement on; between, the area follows a cubic step and the mean pressure a logarithm. *Source*: [zhao_maietta_chang_2000],
-from independent code; the 0.4 as it is commonly quoted.
+*Assumes*: the contact is elastic (Hertz) up to a mean pressure of $0.4H$, and fully plastic (area $2\pi R\omega$, mean
+pressure $H$) from 54 times this displacement on. In between the area follows a cubic step and the mean pressure a logarithm.
+*Source*: [zhao_maietta_chang_2000], from an independent code; 0.4 is the commonly quoted value.
 
 $$
 w_1=(0.4\,\eta)^2,\quad w_2=54\,w_1,\quad\xi=\frac{w-w_1}{w_2-w_1}:\qquad
 A=w\left(1+3\xi^2-2\xi^3\right),\quad\frac P{\eta A}=0.4+0.6\,\frac{\ln(w/w_1)}{\ln54}
 $$
 
-and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(4E^*))^2R$. No jump, and the area has no kink. The
-authors give 54 as a lower bound of $\omega_2/\omega_1$; it is taken for the ratio, as usual. *Coordinate*: $u=\sqrt w$.
+and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(4E^*))^2R$. Load and area are continuous, and the area has no
+kink. The authors give 54 as a lower bound of $\omega_2/\omega_1$; as usual, it is used as the ratio itself. *Coordinate*:
+$u=\sqrt w$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

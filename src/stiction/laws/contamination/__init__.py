@@ -1,1 +1,1 @@
-"""junctions that differ; none: without"""
+"""scatter of the strength of junctions ("none" leaves it out)"""

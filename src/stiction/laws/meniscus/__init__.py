@@ -1,1 +1,1 @@
-"""menisci; none: without"""
+"""capillary menisci between asperities ("none" leaves them out)"""

@@ -1,1 +1,1 @@
-"""stiffness before sliding"""
+"""tangential stiffness before sliding"""
