@@ -9,7 +9,7 @@ from stiction.records.claims import Validity
 # Beyond these what is given is no rough surface; said where it is read.
 OUT_OF_PROPORTION = (
     Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),
-    Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap, or are lost", "impossible"),
+    Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap or are far apart", "impossible"),
     Validity("nominal_width", 10.0, inf, "the surface is rougher than it is wide", "impossible"),
 )
 

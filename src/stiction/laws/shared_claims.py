@@ -5,21 +5,23 @@ import math
 from stiction.records.claims import Limit, Validity
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-ELASTIC = Validity("plasticity_index", 0.0, 0.6, "asperities are taken as elastic", "effect")
-ELASTIC_CONTACT = Validity("plasticity_index", 0.0, 0.6, "contact is taken as elastic", "effect")
-SHORT_RANGE = Validity("tabor_parameter", 5.0, math.inf, "adhesion acts inside the contact only for soft, large asperities")
+ELASTIC = Validity("plasticity_index", 0.0, 0.6, "asperities are modelled as elastic, but some yield", "effect")
+ELASTIC_CONTACT = Validity("plasticity_index", 0.0, 0.6, "the contact is modelled as elastic, but it yields", "effect")
+SHORT_RANGE = Validity("tabor_parameter", 5.0, math.inf, "adhesion inside the contact is valid only for soft, large asperities")
 NEAR_YIELD = Validity(
     "asperity_area_over_yield",
     0.0,
     10.0,
-    "yielded asperities keep about the pressure of first yield, and their hardness is above it",
+    "the law keeps yielded asperities near the pressure of first yield, below their hardness",
 )  # fmt: skip
-SOFT_FILM = Validity("n_H", 0.0, 1.0, "the film is soft")
-PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is taken as plastic at any load", "effect")
-THIN_LAYER = Validity("load_share_beyond_film", 0.5, 1.0, "a thin layer: contact radius above thickness")
-DEEP_FILM = Validity("load_share_beyond_film", 0.0, 0.5, "the film is a half-space: contact radius below thickness")
+SOFT_FILM = Validity("n_H", 0.0, 1.0, "the law assumes a film that is softer than the substrate")
+PLASTIC_FILM = Validity("film_plasticity_index", 1.0, math.inf, "the film is modelled as plastic at any load", "effect")
+THIN_LAYER = Validity("load_share_beyond_film", 0.5, 1.0, "the law assumes a thin film: contact radius above film thickness")
+DEEP_FILM = Validity(
+    "load_share_beyond_film", 0.0, 0.5, "the law treats the film as a half-space: contact radius below film thickness"
+)
 ENOUGH_SUMMITS = Validity(
-    "roughness_parameter", LEAST_DENSITY, math.inf, "no isotropic Gaussian surface has fewer asperities N R sigma"
+    "roughness_parameter", LEAST_DENSITY, math.inf, "an isotropic Gaussian surface cannot have fewer asperities"
 )
 
 

@@ -66,6 +66,6 @@ RECORD = Ageing(
     aged=aged,
     verified="the creep law, inverted by quadrature at 20 digits; both parts of a law of the interface by hand",
     needs=("shear_strength", "waiting", "ageing_rate"),
-    validity=(Validity("waiting", 0.0, _MEASURED, "the logarithm was followed over some five decades of time", "fit"),),
+    validity=(Validity("waiting", 0.0, _MEASURED, "experiments followed the growth over about five decades of time", "fit"),),
     notes="Both coefficients are to be measured: nothing here predicts them. contact_area is that before waiting.",
 )

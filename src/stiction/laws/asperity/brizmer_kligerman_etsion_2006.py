@@ -137,7 +137,7 @@ RECORD = AsperityLaw(
     verified="load within 6 % and area within 10 % of Kogut and Etsion and of Jackson and Green for 1.5 to 110 critical "
     "interferences, which is the only check of the area's exponent; continuous by its closed form",
     needs=("hardness_group", "nu", "hardness_to_yield"),
-    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are held at their values for nu = 0.2"),),
+    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are kept constant below nu = 0.2"),),
     limits=(
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-9),
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load",), 0.045),

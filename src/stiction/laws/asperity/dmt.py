@@ -49,7 +49,7 @@ RECORD = AsperityLaw(
     verified="independent integrals at 30 digits; Hertz without adhesion",
     needs=("theta",),
     validity=(
-        Validity("tabor_parameter", 0.0, 0.1, "adhesion acts around the contact only for stiff, small asperities"),
+        Validity("tabor_parameter", 0.0, 0.1, "adhesion around the contact is valid only for stiff, small asperities"),
         ELASTIC,
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),

@@ -51,7 +51,7 @@ from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
 
 _MOST_STRAIN = 0.1  # S_y/E*; B is 1.4 there, and 240 at 0.33
-FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of asperities that yield is a fit to metals", "effect")
+FITTED_TO_METALS = Validity("yield_strain", 0.0, _MOST_STRAIN, "the area of yielding asperities is fitted to metals", "effect")
 ELASTIC_TO = 1.9  # omega over omega_c
 # Where the sum is split, omega over omega_c: beyond, the elastic part of the load has died out.
 _SPLITS = (1e3, 1e5)

@@ -78,6 +78,6 @@ RECORD = Composite(
     sources=(Source("gao_chiu_lee_1992", "I0, I1", "as restated by the documentation of the NIMS toolbox"),),
     verified="independent evaluation; film and substrate alone in the limits",
     needs=("n_E", "film_aspect", "nu", "film_nu"),
-    validity=(Validity("n_E", 0.5, 2.0, "beyond, it departs from numerical contact (Perriot & Barthel 2004)"),),
+    validity=(Validity("n_E", 0.5, 2.0, "the formula deviates from numerical solutions (Perriot & Barthel 2004)"),),
     notes="Derived for a flat punch. The restatement misprints 1 + [...] for the 1 - [...] of Poisson's ratio.",
 )

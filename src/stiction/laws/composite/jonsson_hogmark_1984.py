@@ -53,6 +53,6 @@ RECORD = Composite(
     sources=(Source("jonsson_hogmark_1984", "", "as restated by the documentation of the NIMS toolbox"),),
     verified="independent evaluation; film and substrate alone in the limits",
     needs=("n_H", "tau"),
-    validity=(Validity("n_H", 1.8, 12.9, "film and substrate of the experiments; from 2.3 to 6.3 there are none"),),
+    validity=(Validity("n_H", 1.8, 12.9, "outside the hardness ratios of the experiments, which omit 2.3 to 6.3"),),
     notes="For the Vickers pyramid: the depth of an asperity is taken for a seventh of the diagonal d.",
 )

@@ -44,6 +44,6 @@ RECORD = Composite(
     ),
     verified="independent evaluation; film and substrate alone in the limits",
     needs=("n_E", "film_aspect"),
-    validity=(Validity("n_E", 0.01, 100.0, "moduli for which the contact was computed"),),
+    validity=(Validity("n_E", 0.01, 100.0, "the contact was computed only for these moduli"),),
     notes="The exponent varies from 1.06 to 1.32 with the ratio of the moduli (from memory); 1.27 is taken for every ratio.",
 )

@@ -97,11 +97,9 @@ NO_ADHESION = {"no adhesion": "film and substrate share the contact area as if n
 
 # Where it is not what it has to be: as a film of no thickness, and where all of the film is not plastic.
 FLOWING = (
-    Validity("tau", 0.1, math.inf, "a film of no thickness still makes a rim around the contacts of the substrate"),
-    Validity("film_plasticity_index", 8.0, math.inf, "the film is taken as plastic from first touch"),
-    Validity(
-        "load_share_substrate", 0.75, 1.0, "what the film carries is at its full hardness, whatever the law of asperities"
-    ),
+    Validity("tau", 0.1, math.inf, "the law keeps a rim of film around the contact, however thin the film"),
+    Validity("film_plasticity_index", 8.0, math.inf, "the film is modelled as plastic from first touch"),
+    Validity("load_share_substrate", 0.75, 1.0, "the load on the film is computed with its full hardness"),
 )
 
 DEPARTURES = (

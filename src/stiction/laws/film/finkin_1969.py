@@ -113,9 +113,12 @@ RECORD = FilmLaw(
     needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
         THIN_LAYER,
-        Validity("n_E", 0.0, 0.1, "a rigid substrate and indenter: the film is much less stiff"),
+        Validity("n_E", 0.0, 0.1, "the law assumes a rigid substrate and indenter"),
         Validity(
-            "film_stiffness", 0.0, 0.1, "a rigid substrate: under a layer as thin as this it gives more than a tenth as much"
+            "film_stiffness",
+            0.0,
+            0.1,
+            "the law assumes a rigid substrate, but it deforms more than a tenth as much as the film",
         ),
     ),
     notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "

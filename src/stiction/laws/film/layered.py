@@ -126,7 +126,7 @@ RECORD = FilmLaw(
     verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
     "in the limits of no film and of nothing but film",
     needs=("nu", "n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
-    validity=(Validity("n_E", 0.01, 100.0, "moduli for which the elastic solution was compared"),),
+    validity=(Validity("n_E", 0.01, 100.0, "the elastic solution was checked only for these moduli"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
     load_falls=False,
     accuracy=1e-7,

@@ -42,7 +42,7 @@ RECORD = FilmLaw(
     ),
     verified="friction over load of plastic asperities: shear strength over hardness",
     needs=("shear_strength",),
-    validity=(Validity("tau", 0.0, 1.0, "the film is thin against the roughness"),),
+    validity=(Validity("tau", 0.0, 1.0, "the law assumes a film that is thinner than the roughness"),),
     notes="Modulus, hardness and thickness of the film have no effect. shear_strength is the film's, over the hardness of the "
     "substrate. Ogilvy solved the contact of given rough surfaces numerically; asperity laws stand in for that here.",
 )

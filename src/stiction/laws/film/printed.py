@@ -115,10 +115,8 @@ RECORD = FilmLaw(
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity(
-            "load_share_substrate", 0.0, 0.1, "the substrate's terms of the print are not those of what lies under a film"
-        ),
-        Validity("n_E", 0.9, 1.1, "loads in units of the film are added to loads in units of the substrate"),
+        Validity("load_share_substrate", 0.0, 0.1, "the printed substrate terms do not describe a substrate below a film"),
+        Validity("n_E", 0.9, 1.1, "the printed equations add loads in different units"),
     ),
     wants={"2015": "it is written for that asperity alone"},
     own_asperity=True,

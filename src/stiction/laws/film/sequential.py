@@ -100,7 +100,7 @@ RECORD = FilmLaw(
     needs=("n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity("load_share_substrate", 0.0, 0.1, "a film that is pressed through keeps its area, and its shear adds to all"),
+        Validity("load_share_substrate", 0.0, 0.1, "the law keeps area and shear force of a film that is pressed through"),
     ),
     load_falls=False,
     own_options={"film_shear": ("added", "in_series")},

@@ -67,18 +67,17 @@ KELVIN = Validity(
     "kelvin_radius_over_confirmed",
     1.0,
     math.inf,
-    f"no experiment says that a meniscus below {CONFIRMED * 1e9:g} nm, of water {CONFIRMED_OF_WATER * 1e9:g} nm, follows "
-    "Kelvin's equation",
+    f"Kelvin's equation is not confirmed for menisci below {CONFIRMED * 1e9:g} nm ({CONFIRMED_OF_WATER * 1e9:g} nm for water)",
     "fit",
 )
 VALIDITY = (
     KELVIN,
-    Validity("meniscus_over_radius", 0.0, 0.01, "menisci are not small beside asperities: their pull is off by a twentieth"),
-    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci draw so soft asperities out of shape"),
-    Validity("meniscus_coverage", 0.0, 0.2, "menisci of neighbours meet: they pull less than is counted, by a tenth and more"),
+    Validity("meniscus_over_radius", 0.0, 0.01, "menisci are not small against asperities: their pull is wrong by about 5 %"),
+    Validity("meniscus_tabor_parameter", 0.0, 0.1, "menisci deform asperities that are this soft"),
+    Validity("meniscus_coverage", 0.0, 0.2, "neighbouring menisci merge: they pull less than computed, by a tenth or more"),
 )
 PULL_ON_MAPS = Validity(
-    "meniscus_share", 0.0, 0.005, "on solved maps menisci pulled 0.9 to 4 times as hard as by this law", "assumption"
+    "meniscus_share", 0.0, 0.005, "solved maps gave 0.9 to 4 times the meniscus force of this law", "assumption"
 )
 
 
@@ -123,7 +122,7 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "elastic asperities pressed in so far are pulled less, down to half, and have wider areas than is counted",
+            "menisci pull such elastic asperities less, down to half, and widen their contact",
         ),
     ),
     notes="Of plastic asperities, which are "

@@ -113,9 +113,9 @@ RECORD = Meniscus(
     needs=("meniscus_index", "meniscus_height"),
     validity=(
         *equilibrium_meniscus.VALIDITY,
-        replace(equilibrium_meniscus.PULL_ON_MAPS, why="on solved maps menisci pulled up to 3.8 times as hard as by this law"),
+        replace(equilibrium_meniscus.PULL_ON_MAPS, why="solved maps gave up to 3.8 times the meniscus force of this law"),
         ELASTIC,
-        Validity("penetration_over_meniscus", 0.0, 0.1, "areas are wider than is counted, and with them the friction"),
+        Validity("penetration_over_meniscus", 0.0, 0.1, "contact area and friction are larger than computed"),
     ),
     limits=(Limit("equilibrium_meniscus", {"meniscus_index": 1.0, "meniscus_height": 1e8}, ("load",), 0.002),),
 )

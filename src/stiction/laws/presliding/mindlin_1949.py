@@ -142,6 +142,6 @@ RECORD = Presliding(
     tangential_resistance=tangential_resistance,
     verified="closed forms; ratio of tangential to normal stiffness 2 (1 - nu)/(2 - nu) for bodies alike",
     needs=("K_beta",),
-    validity=(Validity("plasticity_index", 0.0, 0.6, "the contact is taken as elastic, plastic ones as if they were"),),
+    validity=(Validity("plasticity_index", 0.0, 0.6, "plastic contacts are treated as elastic"),),
     notes="Asperities act alone; the nominal contact adds no compliance.",
 )

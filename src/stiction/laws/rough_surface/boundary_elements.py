@@ -151,18 +151,27 @@ RECORD = RoughSurface(
         "adhesion": ("left_out", "atomic_range", "shortest_range"),
     },
     validity=(
-        Validity("points_in_shortest_wave", limits.LEAST_PIXELS, inf, "the area is not converged in points", "fit"),
-        Validity("points_in_contact", limits.LEAST_CONTACT, inf, "so few points give a rough area only"),
-        Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
-        Validity("points_in_film", 1.0, inf, "the film is thinner than a point of the map is wide"),
         Validity(
-            "points_in_weakening", limits.LEAST_WEAKENING, inf, "the map does not resolve the loss of strength: F is too large"
+            "points_in_shortest_wave",
+            limits.LEAST_PIXELS,
+            inf,
+            "the map has too few points: its contact area is inaccurate",
+            "fit",
+        ),
+        Validity("points_in_contact", limits.LEAST_CONTACT, inf, "the contact area is inaccurate with so few points"),
+        Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
+        Validity("points_in_film", 1.0, inf, "the film is thinner than the point spacing of the map"),
+        Validity(
+            "points_in_weakening",
+            limits.LEAST_WEAKENING,
+            inf,
+            "the map does not resolve the loss of strength: the friction force is too large",
         ),
         Validity("points_at_edge", limits.LEAST_POINTS, inf, "the map does not resolve the edge of adhesive contact", "effect"),
-        Validity("range_tabor", limits.LEAST_TABOR, inf, "the range that the map resolves is not short"),
+        Validity("range_tabor", limits.LEAST_TABOR, inf, "the map resolves only an adhesion range that is too long"),
         Validity("attraction_residual", 0.0, limits.MOST_ATTRACTION_LEFT, "the solution did not converge", "effect"),
         Validity("solution_residual", 0.0, limits.TOLERANCE, "the solution did not converge", "effect"),
-        Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the pressures do not carry the load", "effect"),
+        Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the computed pressures do not add up to the load", "effect"),
     ),
     notes=(
         "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "

@@ -27,7 +27,7 @@ RECORD = RoughSurface(
     tangential="chang_etsion_bogy_1988",
     verified="independent integrals at 30 digits; friction of single asperities tabulated independently",
     validity=(
-        Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law: mu is too low", "effect"),
     ),
     limits=(elastic_limit("greenwood_williamson_1966"),),
     notes="Adhesion of the 1988 papers is left out.",

@@ -66,8 +66,10 @@ RECORD = RoughSurface(
     verified="energy of waves of one length, in SI units; the nominal area",
     needs=("theta", "roughness_parameter"),
     validity=(
-        Validity("elastic_over_adhesion", 0.0, 1.0, "the contact stays partial", "impossible"),
-        Validity("elastic_over_adhesion", 0.0, 0.49, "faces may need a load to come into full contact: mu may be less"),
+        Validity(
+            "elastic_over_adhesion", 0.0, 1.0, "the contact stays partial, but the model assumes full contact", "impossible"
+        ),
+        Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load: mu may be lower"),
         ELASTIC_CONTACT,
     ),
     notes="mu is the strength of the interface over the nominal pressure. Refused where flattening the roughness takes more "

@@ -101,7 +101,7 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             float(density_of_bandwidth(WIDEST_BAND)),
-            "no such surfaces were solved",
+            "the formula was not fitted to such surfaces",
             "fit",
         ),
     ),

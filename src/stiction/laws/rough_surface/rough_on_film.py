@@ -343,8 +343,8 @@ RECORD = RoughSurface(
     ),
     validity=(
         RESOLVED,
-        Validity("n_E", 0.1, 10.0, "films with which it was compared with solved maps", "fit"),
-        Validity("stiff_film_over_wave", 0.15, math.inf, "under a thin film five times as stiff as the bodies its area is off"),
+        Validity("n_E", 0.1, 10.0, "the law was compared with solved maps only for these films", "fit"),
+        Validity("stiff_film_over_wave", 0.15, math.inf, "the contact area is inaccurate under such a thin, stiff film"),
     ),
     notes="The hardness is the film's, or what the body below carries through a harder film, whichever is less; that a soft "
     "film bears more which a hard body confines is not counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst "

@@ -69,7 +69,9 @@ RECORD = RoughSurface(
     regimes=regimes,
     verified="independent evaluation at 30 digits, both readings, bare and coated; limits below. The paper prints no numbers",
     validity=(
-        Validity("mean_separation", -4.0, np.inf, "closer, asperities are no longer independent (section 4 of the paper)"),
+        Validity(
+            "mean_separation", -4.0, np.inf, "surfaces this close have no independent asperities (section 4 of the paper)"
+        ),
     ),
     limits=(
         Limit("greenwood_williamson_1966", _adhesion_without_plasticity(1e14, 1e4), ("load", "contact_area"), 1e-6),

@@ -81,7 +81,7 @@ RECORD = TangentialLaw(
     wants={"no adhesion": "the sphere is pressed by its load alone"},
     verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),
-    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are held at their values for nu = 0.2"),),
+    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are kept constant below nu = 0.2"),),
     notes="The junction is taken to be as strong as the bulk: an upper bound for clean metals. Plastic asperities resist too, "
     "so that mu stays above 0.27 at any plasticity index. The yield stress is H/k.",
 )

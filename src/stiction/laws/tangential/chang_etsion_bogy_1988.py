@@ -154,7 +154,7 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "nu"),
     junctions=LAWS,
     validity=(
-        Validity("plasticity_index", 0.0, 0.6, "plastic asperities are given no friction: mu falls to nothing above", "effect"),
+        Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law: mu is too low", "effect"),
     ),
     notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
     "asperity resists nothing, or as the law named by plastic_junctions says. Only two places are asked whether they yield: "

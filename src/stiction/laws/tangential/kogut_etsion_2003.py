@@ -78,7 +78,13 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "nu"),
     junctions=LAWS,
     validity=(
-        Validity("plasticity_index", 0.0, 2.0, "asperities beyond six critical interferences are given no friction", "effect"),
+        Validity(
+            "plasticity_index",
+            0.0,
+            2.0,
+            "asperities beyond six critical interferences have no friction in this law: mu is too low",
+            "effect",
+        ),
     ),
     notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
     "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. plastic_junctions names "

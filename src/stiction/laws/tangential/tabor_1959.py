@@ -92,7 +92,11 @@ RECORD = TangentialLaw(
     like="bowden_tabor_1943",
     verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
-    validity=(Validity("grown_area_ratio", 1.0, 3.0, "hardening, left out, ends the growth: mu is too high", "effect"),),
+    validity=(
+        Validity(
+            "grown_area_ratio", 1.0, 3.0, "hardening, which is not modelled, would limit the growth: mu is too high", "effect"
+        ),
+    ),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),
     own_options={"alpha": tuple(ALPHA)},
     notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments. Refused where the interface is as strong as the "
