@@ -85,7 +85,7 @@ def test_the_area_of_a_plastic_film_without_thickness_is_twice_that_of_the_elast
     elastic = np.trapezoid((z - 1.0) * np.exp(-(z**2) / 2) / np.sqrt(2 * np.pi), z)
     assert float(coated["contact_area"]) == pytest.approx(2 * elastic, rel=1e-3)
     assert float(coated["load_share_substrate"]) == pytest.approx(1.0, abs=1e-3)
-    assert "share of the load that the substrate carries" in coated.attrs["outside_validity"]
+    assert "load fraction that the substrate carries" in coated.attrs["outside_validity"]
 
 
 def test_what_the_new_quantities_are():

@@ -122,7 +122,7 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "menisci pull such elastic asperities less, down to half, and widen their contact",
+            "menisci pull such elastic asperities less, down to half, and widen their contact area",
         ),
     ),
     notes="Of plastic asperities, which are "

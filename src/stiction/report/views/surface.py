@@ -206,7 +206,7 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
     lines = [
         *data.attrs["scans"].splitlines(),
         f"solved: {'every point' if every == 1 else f'every {every}th point along rows and columns'}, "
-        f"{float(last['points_in_shortest_wave']):.3g} points of the map in its shortest waves, "
+        f"{float(last['points_in_shortest_wave']):.3g} points of the map per shortest wavelength, "
         f"{float(last['longest_waves_on_a_side']):.3g} of its longest on a side, gradient {float(last['map_gradient']):.3g}",
         f"at {shown(float(last['load']), 'load', 3)}: area {shown(float(last['contact_area']), 'contact_area', 3)}, "
         f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
