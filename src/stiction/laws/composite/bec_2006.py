@@ -1,6 +1,7 @@
 r"""Modulus of a film and its substrate as two springs in series under a flat punch: Bec, Tonck & Loubet 2006.
 
-*Assumes*: two springs in series under a flat punch of radius $a$. *Source*: [bec_2006], as restated. With $\xi=t/a$,
+*Assumes*: film and substrate act as two springs in series under a flat punch of radius $a$. *Source*: [bec_2006], as restated
+by the documentation of the NIMS toolbox. With $\xi=t/a$,
 
 $$
 \frac{E'_s}{E'}=f\,\frac{E'_s}{E'_f}+1-f,\qquad f=\frac{2\xi}{\pi+2\xi}

@@ -1,14 +1,14 @@
 r"""Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
 
-*Assumes*: fitted to conical indentation in finite elements; the yield stresses are taken to be as the hardnesses, $n_Y=n_H$.
-*Source*: [bhattacharya_nix_1988], as restated. With $v=\omega/t$,
+*Assumes*: a fit to conical indentation in finite elements. The ratio of the yield stresses is taken as the ratio of the
+hardnesses, $n_Y=n_H$. *Source*: [bhattacharya_nix_1988], as restated in later works. With $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\,e^{-c\,v^m},\qquad c=\frac{n_Y}{n_E}\ (n_H<1),\quad c=\frac{n_H}{n_Y\sqrt{n_E}}\ (n_H>1)
 $$
 
-*Unknown*: secondary sources disagree on whether $m$ is 2 for soft and 1 for hard films (the default here) or the other way
-(`soft_film_exponent="1"` of [`halling_1979`](#halling_1979)). *Check*, $H/H_s$ for either:
+*Unknown*: secondary sources disagree whether $m$ is 2 for soft and 1 for hard films (the default here) or the reverse
+(`soft_film_exponent="1"` of [`halling_1979`](#halling_1979)). *Check*: $H/H_s$ for both exponents:
 
 | $n_E$, $n_H$ | $m$ | $v=0$ | 0.25 | 0.5 | 1 | 2 | 4 |
 |---|---|---|---|---|---|---|---|

@@ -1,7 +1,8 @@
 r"""Modulus of a film and its substrate together, by perturbation of the homogeneous half-space: Gao, Chiu & Lee 1992.
 
-*Assumes*: perturbation of the half-space under a flat punch. *Source*: [gao_chiu_lee_1992], as restated. With $\xi=t/a$,
-$I_0$ weighs the moduli and $I_1$ Poisson's ratios:
+*Assumes*: a perturbation of the homogeneous half-space under a flat punch. *Source*: [gao_chiu_lee_1992], as restated by the
+documentation of the NIMS toolbox. With $\xi=t/a$, $I_0$ is the weight of the film in the modulus and $I_1$ in Poisson's
+ratio:
 
 $$
 \frac{E'}{E'_s}=1+\left(\frac{E'_f}{E'_s}-1\right)I_0,\qquad
@@ -12,8 +13,8 @@ $$
 1-\nu=\frac{(1-\nu_s)(1-\nu_f)}{1-(1-I_1)\nu_f-I_1\nu_s},\qquad I_1=\frac2\pi\arctan\xi+\frac\xi\pi\ln\frac{1+\xi^2}{\xi^2}
 $$
 
-*Trap*: the restatement prints $1+[\ldots]$ for $\nu$, and $a/t$ for $\xi$. The graded film takes the mean of the two
-Poisson's ratios instead. Departs from numerical contact beyond a factor two of moduli.
+*Trap*: the restatement prints $1+[\ldots]$ for $\nu$, and $a/t$ for $\xi$. The graded film uses the mean of both Poisson's
+ratios instead. If the moduli differ by more than a factor of two, the formula deviates from numerical solutions.
 """
 
 import math

@@ -1,12 +1,13 @@
-r"""Hardness of a film on a substrate by the areas on which each is felt: Joensson & Hogmark 1984.
+r"""Hardness of a film on a substrate, weighted by their areas under the indenter: Joensson & Hogmark 1984.
 
-*Assumes*: weights by the areas under a Vickers pyramid of diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated.
+*Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid with diagonal $d$.
+*Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox.
 
 $$
 \frac H{H_s}=1+(n_H-1)\left[\frac{2Ct}d-\left(\frac{Ct}d\right)^2\right],\qquad C=1,\ \text{or}\ \tfrac12\ \text{for}\ n_H>6.3
 $$
 
-with $Ct/d$ at most 1. *Reconstructed*: an asperity's depth is taken for a seventh of $d$, this project's choice.
+with $Ct/d$ at most 1. *Reconstructed*: the depth of an asperity is taken as a seventh of $d$, which is this project's choice.
 """
 
 import numpy as np

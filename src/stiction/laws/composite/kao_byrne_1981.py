@@ -1,12 +1,13 @@
 r"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981.
 
-*Assumes*: deep impressions. *Source*: [kao_byrne_1981], as restated. With $v=\omega/t$,
+*Assumes*: impressions are deep. *Source*: [kao_byrne_1981], as restated by the documentation of the NIMS toolbox. With
+$v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\min\left(\frac{0.18}v,\,1\right)
 $$
 
-*Reconstructed*: that it is held at the film's hardness nearer the surface is this project's.
+*Reconstructed*: the limit to the film's hardness near the surface is this project's own.
 """
 
 import numpy as np

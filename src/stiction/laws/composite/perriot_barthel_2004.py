@@ -1,6 +1,7 @@
 r"""Modulus of a film and its substrate, fitted to the numerical contact of a coated half-space: Perriot & Barthel 2004.
 
-*Assumes*: a fit to numerical contact. *Source*: [perriot_barthel_2004], as restated. With $\xi=t/a$,
+*Assumes*: a fit to numerical contact. *Source*: [perriot_barthel_2004], as restated by the documentation of the NIMS toolbox.
+With $\xi=t/a$,
 
 $$
 \frac{E'}{E'_s}=\frac{E'_f}{E'_s}+\frac{1-E'_f/E'_s}{1+(k_0\xi)^{n}},\qquad

@@ -1,21 +1,21 @@
-r"""Junctions whose strength differs, as on contaminated surfaces, each independent of the others: the spread of friction.
+r"""Scatter of friction by junctions of different, independent strength, as on contaminated surfaces.
 
-*Assumes*: the strength of the interface is one number for each junction, drawn anew for each, with the mean $\tau_0$ and the
-standard deviation $c_\tau\tau_0$, whatever its size and load; the junctions let go together. *Source*: none but the theorem
-that variances of independent numbers add up; the force of a junction is that of [bowden_tabor_1943].
+*Assumes*: each junction has its own interface strength, drawn independently with mean $\tau_0$ and standard deviation
+$c_\tau\tau_0$, whatever its size and load. All junctions slide at the same time. *Source*: none is needed: variances of
+independent numbers add up. The force of a junction follows [bowden_tabor_1943].
 
 $$
 s_\mu=\frac{c_\tau\tau_0}P\sqrt{\sum_iA_i^2},\qquad
 \frac{s_\mu}\mu=c_\tau\sqrt{\frac{\langle A^2\rangle}{n\langle A\rangle^2}}
 $$
 
-over the $n$ junctions that touch; the second for a law that is $\tau_0A$ alone. It is the standard deviation from one contact
-to the next of the same load, by the strength only: that other asperities touch is not counted (the validity warning about few
-asperities is of that). The mean of $\mu$ stays. Theories without single junctions refuse it, and so do films, whose junctions
-are shared by two bodies.
+The sum is over the $n$ junctions that touch; the second formula holds if the force is $\tau_0A$ alone. The result is the
+standard deviation between contacts under the same load that follows from the strength only. It leaves out that other
+asperities touch in each contact, of which another validity warning tells. The mean of $\mu$ does not change. Theories without
+single junctions do not support this law, nor do films, whose junctions belong to two bodies.
 
-*Limit*: many junctions, or $c_\tau=0$: no spread. *Check*: Hertz's asperities with exponential heights,
-$\langle A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
+*Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, $\langle
+A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
 
 *Units*: $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,19 +1,18 @@
-r"""Will a rough surface stick? A number, not a curve: Pastewka & Robbins 2014.
+r"""Criterion for a rough surface to stick without a load, a single number: Pastewka & Robbins 2014.
 
-*Assumes*: attraction acts around the spots that touch, on a rim as wide as the gap there stays within the range $\varrho$ of
-the attraction. A surface sticks where the attraction on the rims outweighs the repulsion in the spots. *Source*:
-[pastewka_robbins_2014], eq. (10), as restated by the authors' group with $\kappa=2$ and spots $4h'/h''$ wide.
-`stiction compare` prints it.
+*Assumes*: attraction acts on a rim around each contact spot, as far as the gap is within the range $\varrho$ of the
+attraction. A surface sticks if the attraction on the rims is larger than the repulsion in the spots. *Source*:
+[pastewka_robbins_2014], eq. (10), as restated by the authors' group with $\kappa=2$ and spots $4h'/h''$ wide. `stiction
+compare` prints it.
 
 $$
 \frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
 $$
 
-$\varrho$ is taken as the equilibrium distance $\varepsilon$; $h''$ is the root mean square of half
-the Laplacian. In groups, $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$, $h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$,
-$\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and $\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$: $\varsigma$ drops out.
-*Check*: 14.666 at $\theta=228.041$, $\rho=0.0408$, $\mu_T=5.19282$. The range has to be short against
-$\tfrac{16}3h'^2/h''$.
+$\varrho$ is taken as the equilibrium distance $\varepsilon$; $h''$ is the root mean square of half the Laplacian of the
+heights. In groups, $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$, $h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$,
+$\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and $\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$: $\varsigma$ cancels.
+*Check*: 14.666 at $\theta=228.041$, $\rho=0.0408$, $\mu_T=5.19282$. The range must be short against $\tfrac{16}3h'^2/h''$.
 """
 
 import math

@@ -1,19 +1,18 @@
 r"""A plastic film on an elastic-plastic substrate: after Chang 1997.
 
 *Assumes* (abstract of [chang_1997]): asperities that reach the substrate follow a modified law of Chang, Etsion and Bogy;
-those that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any asperity law
-of the substrate without adhesion: up to $\omega=t$ the film is cut; beyond, the substrate answers to $\omega-t$ by its own
-law, and the film carries its hardness on the rest of $2\pi R\omega$,
+asperities that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any
+asperity law without adhesion for the substrate: up to $\omega=t$ only the film deforms. Beyond, the substrate deforms by
+$\omega-t$ according to its own law, and the film carries its hardness on the rest of the area $2\pi R\omega$,
 
 $$
 A=2w,\qquad P=\begin{cases}2\eta n_Hw&w<\tau\\P_s(w-\tau)+\eta n_H\left[2w-A_s(w-\tau)\right]&w\ge\tau\end{cases}
 $$
 
-(the bracket not below 0). Continuous at $w=\tau$. Only the substrate resists shear, unless the tangential law is of the
-interface.
-*Check*, against the abstract: area and load are less changed by the film at high plasticity index; a thin film
-stiffens a lightly loaded contact. *Unknown*: every equation. A film of no thickness still makes a rim around elastic
-contacts.
+where the bracket is 0 or more. Load and area are continuous at $w=\tau$. Only the substrate resists shear, unless the
+tangential law describes the interface. *Check*, as the abstract says: at high plasticity index the film changes area and load
+less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. However thin the film, a rim of
+it remains around elastic contacts.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,32 +1,32 @@
 r"""A plastic film that roughness penetrates, with two shear strengths: after Dayson 1971.
 
-*Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because more of it is
-penetrated, and more so on rougher surfaces; the contact is plastic (the 2015 paper says so of it). *Source*: [dayson_1971],
-its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate both plastic. An asperity
-pressed by $\omega$ touches on $2\pi R\omega$; what is deeper than the film is thick touches the substrate, at its hardness,
-and the rest is film,
+*Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because asperities penetrate
+more of it; this is stronger on rougher surfaces. According to the 2015 paper, the contact is plastic. *Source*:
+[dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate both
+plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film is
+thick, it touches the substrate at its hardness; the rest of the area is film,
 
 $$
 A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad
 T=\eta\left(\frac{\tau_0}HA_f+\frac{A_s}{\sqrt3\,k}\right)
 $$
 
-$\tau_0$ is the film's shear strength, of a tangential law of the interface; the bared substrate shears at its yield stress in
-shear, $Y/\sqrt3$, as the junctions of [bowden_tabor_1950] do. `rim_pressure` says at what pressure the film is pressed: at its
-own hardness, $p=n_H$, as in `chang_1997`; or, for a film so thin that the substrate carries the load through it, at that of
-the substrate, $p=1$ ([bowden_tabor_1943]).
+$\tau_0$ is the shear strength of the film, from a tangential law of the interface. The exposed substrate shears at its shear
+yield stress $Y/\sqrt3$, like the junctions of [bowden_tabor_1950]. `rim_pressure` chooses the pressure on the film: its own
+hardness, $p=n_H$, as in `chang_1997`; or the hardness of the substrate, $p=1$, for a film so thin that the substrate carries
+the load through it ([bowden_tabor_1943]).
 
-*Limit*: a thick film has $\mu=\tau_0/(pH)$, one of no thickness $\mu=1/(\sqrt3\,k)$; in between, $\mu$ is between them. So
-friction rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$ that is any film which is weaker in shear
-than its substrate; with $p=n_H$ a soft metal that shears at its own $Y_f/\sqrt3$ leaves $\mu$ as it is, and only films of lower
-strength (layered solids, polymers) show what the abstract says. *Check*: for Gaussian heights, with
+*Limit*: $\mu=\tau_0/(pH)$ for a thick film, $\mu=1/(\sqrt3\,k)$ for zero thickness, and a value in between otherwise.
+Friction therefore rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$ this holds for every film that is
+weaker in shear than its substrate. With $p=n_H$ a soft metal that shears at its own $Y_f/\sqrt3$ does not change $\mu$; only
+weaker films (layered solids, polymers) behave as the abstract says. *Check*: for Gaussian heights, with
 $F(h)=\varphi(h)-h\,[1-\Phi(h)]$ the mean depth, the penetrated share of the area is $F(h+\tau)/F(h)$, and with $p=1$
 
 $$
 \mu=\frac{\tau_0}H+\left(\frac1{\sqrt3\,k}-\frac{\tau_0}H\right)\frac{F(h+\tau)}{F(h)},\qquad P=2\eta F(h)
 $$
 
-*Unknown*: every equation of the source, how it counts what is penetrated, and its strengths.
+*Unknown*: all equations of the source, how it computes the penetrated share, and its strengths.
 
 *Units*: $w=\omega/\sigma$, $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,10 +1,10 @@
-r"""A thin elastic layer between a rigid ball and a rigid substrate: after Finkin 1969, both bounds.
+r"""A thin elastic layer between a rigid ball and a rigid substrate, as two bounds: after Finkin 1969.
 
-*Assumes* (abstract of [finkin_1969]): an elastic layer much softer than substrate and indenter gives friction as powers
-of thickness and load. *Source*: [finkin_1969], its abstract; the foundation as in [johnson_1985]. *Unknown*: which powers.
-*Reconstruction*: both bounds were derived here, for a layer thin against the contact, ball and substrate rigid (in the
-units here $a^2=xR\sigma$ and $t$ is `film_aspect` times $\sqrt{R\sigma}$);
-$M=2G(1-\nu)/(1-2\nu)$ is the layer's confined modulus:
+*Assumes* (abstract of [finkin_1969]): for an elastic layer much softer than substrate and indenter, friction is a product of
+powers of thickness and load. *Source*: [finkin_1969], its abstract; the elastic foundation as in [johnson_1985]. *Unknown*:
+the powers. *Reconstruction*: both bounds are derived here, for a layer that is thin against the contact and for rigid ball
+and substrate (in the units here $a^2=xR\sigma$ and $t$ is `film_aspect` times $\sqrt{R\sigma}$); $M=2G(1-\nu)/(1-2\nu)$ is
+the layer's confined modulus:
 
 | `bound` | pressure | load | area | $\mu=sA/P$ goes as |
 |---|---|---|---|---|
@@ -12,18 +12,19 @@ $M=2G(1-\nu)/(1-2\nu)$ is the layer's confined modulus:
 | `incompressible`, $q=12$ | $qG(a^2-r^2)^2/(32Rt^3)$ | $\pi qGa^6/(96Rt^3)$ | $4\pi R\omega$ | $t\,P^{-2/3}R^{1/3}$ |
 | `incompressible_frictionless`, $q=3$ | the same | the same | the same | the same |
 
-$M$ and $G$ are of the layer itself, and with both bodies coated $t$ is the sum of both layers: they are squeezed by the same
-pressure, and by symmetry no shear stress acts where they meet, so that $q=12$ then, whether they slip there or not.
+$M$ and $G$ are the moduli of the layer itself. If both bodies are coated, $t$ is the sum of both layers: the same pressure
+squeezes both, and by symmetry no shear stress acts between them. Then $q=12$, whether they slip on each other or not.
 
 The layer is bonded to the substrate; with $q=12$ it does not slip on the ball either, with $q=3$ the ball slips. The
-incompressible bounds are the squeezed layer's balance of volume, as in lubrication: what is squeezed out flows as
+incompressible bounds follow from the volume balance of the squeezed layer, as in lubrication. The flow to the outside is
 
 $$
 -\frac{t^3}{qG}\frac{dp}{dr}
 $$
 
-and none of it passes the edge. Only laws of the interface go with it. The substrate is never felt: it is for $n_E$ below
-about 0.1. Results count what is borne by asperities narrower than the film is thick, which are outside it.
+and it is zero at the edge. Only tangential laws of the interface can be combined with it. The substrate has no effect, so
+that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities narrower than the film
+thickness, for which the law is not valid.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

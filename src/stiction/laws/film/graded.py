@@ -1,17 +1,17 @@
 r"""The graded film: one asperity law whose modulus and hardness depend on depth.
 
 *Assumes*: the asperity of the 2015 paper, with the modulus of [`gao_chiu_lee_1992`](#gao_chiu_lee_1992) and the hardness of
-[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) at its depth; it turns plastic by the step of
+[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) at its depth. It becomes plastic gradually, by the step of
 [`zhao_maietta_chang_2000`](#zhao_maietta_chang_2000), taken in the elastic mean pressure $p$:
 
 $$
 f=3\xi^2-2\xi^3,\qquad\xi=\frac{(p/H)^2-1}{54\cdot0.4^2-1}\ \text{within 0 and 1}
 $$
 
-*Source*: this project's own, composed of published pieces: [theory, section 5.3](theory.md#5-coated-surface); formulas in
-`graded_law.py`, their kinks in `graded_kinks.py`. The same law without a film is the bare asperity without the jump at yield.
-*Reconstructed*: all of the composition. *Check*: it is bare at $n_E=n_H=1$, the substrate for $\tau\to0$, the film for
-$\tau\to\infty$.
+*Source*: this project's own, composed of published parts: [theory, section 5.3](theory.md#5-coated-surface); formulas are in
+`graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same law describes the bare asperity without a jump at
+yield. *Reconstructed*: the whole composition. *Check*: it equals the bare surface at $n_E=n_H=1$, the substrate for
+$\tau\to0$, and the film for $\tau\to\infty$.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

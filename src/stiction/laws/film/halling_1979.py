@@ -1,26 +1,26 @@
 r"""Film and substrate as one half-space whose modulus and hardness depend on depth: after Halling 1979.
 
-*Assumes*: Halling and co-workers took film and substrate as one half-space, with an equivalent modulus and an effective
-hardness, friction being the film's shear strength over that. *Source*: [el_sherbiney_halling_1976] for the modulus,
-[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: modulus and hardness are chosen among the six
-of [film and substrate as one body](#5-film-and-substrate-as-one-body) ($\kappa$ and $\chi$ over the substrate's), with the
-plastic area of a truncated sphere of conserved volume:
+*Assumes*: Halling and co-workers treated film and substrate as one half-space with an equivalent modulus and an effective
+hardness. Friction is the film's shear strength over this hardness. *Source*: [el_sherbiney_halling_1976] for the modulus,
+[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: modulus and hardness ($\kappa$ and $\chi$
+over the substrate's) are chosen among the six laws of [film and substrate as one body](#5-film-and-substrate-as-one-body). A
+plastic asperity is a truncated sphere of constant volume:
 
 $$
 P=\kappa\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
 P=\eta\,\chi(w/\tau)\,A,\ A=2w-w_c\quad\text{beyond}
 $$
 
-The composite's $\kappa$ is of one half-space with its film, and two half-spaces are in series (Hertz's contact has the sum of
-their compliances): with one body coated, of a share $s$ of the bare contact's compliance, the other stays as it is; with both
-each has half of the thickness,
+The $\kappa$ of the composite describes one half-space with its film. Two half-spaces act in series, because their compliances
+add in Hertz's contact. If one body is coated, and $s$ is its share of the bare compliance, the other body stays unchanged; if
+both are coated, each has half of the thickness,
 
 $$
 \frac1\kappa=\frac s{\kappa_1(t/a)}+1-s,\qquad\frac1\kappa=\frac s{\kappa_1(t/2a)}+\frac{1-s}{\kappa_2(t/2a)}
 $$
 
-Load and area are continuous at $w_c$. Under a soft film on a hard substrate friction rises with the film's thickness
-and falls with load towards $\tau_0$ over the substrate's hardness; it has no minimum over thickness.
+Load and area are continuous at $w_c$. With a soft film on a hard substrate, friction rises with the film thickness and falls
+with load towards $\tau_0$ over the substrate's hardness. It has no minimum over thickness.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,19 +1,19 @@
 r"""A plastic film squeezed out between a rigid ball and a hard substrate: after Kato, Yamaguchi, Marui & Tachi 1981, 1982.
 
 *Assumes* (abstracts of [kato_1981] and [kato_1982]): a soft metal film flows plastically out of the gap between a hard
-protuberance and the hard surface under it; the pressure of that flow, from the theory of plasticity, becomes extremely high,
-and friction falls with load because of it. *Source*: [kato_1982], its abstract; the layer between rough plates is
-[prandtl_1923]'s. *Reconstruction*: ball and substrate rigid, the film sticks to both (shear stress $k_f=Y_f/\sqrt3$,
-$Y_f=H_f/k$), and at the edge it has its own hardness. In the gap $s(r)$ a ring is in balance, if its radial and its hoop stress
-are alike, with
+protuberance and the hard surface below it. By the theory of plasticity, the pressure of this flow becomes extremely high, and
+friction therefore falls with load. *Source*: [kato_1982], its abstract; the layer between rough plates is due to
+[prandtl_1923]. *Reconstruction*: ball and substrate are rigid, the film sticks to both (shear stress $k_f=Y_f/\sqrt3$,
+$Y_f=H_f/k$), and the pressure at the edge is the film's hardness. If radial and hoop stress are equal, the equilibrium of a
+ring in the gap $s(r)$ gives
 
 $$
 s=t-\omega+\frac{r^2}{2R},\qquad\frac{dp}{dr}=-\frac{2k_f}s,\qquad p(a)=H_f,\qquad a^2=2R\omega
 $$
 
-A rigid substrate would carry any load once the film is pressed through ($p$ grows without bound); so it bounds the pressure
-with its hardness: $p=H$ within the radius $c$ where $p$ comes to that, and the substrate yields there.
-With $b^2=2R(t-\omega)$ and $m=(H-H_f)/(4k_fR)$,
+With a rigid substrate $p$ would grow without bound as the film is pressed through. The pressure is therefore limited to the
+substrate's hardness: $p=H$ within the radius $c$, where the substrate yields. With $b^2=2R(t-\omega)$ and
+$m=(H-H_f)/(4k_fR)$,
 
 $$
 \arctan\frac cb=\max\left(0,\ \arctan\frac ab-mb\right)
@@ -23,17 +23,17 @@ $$
 P=\pi a^2H_f+4\pi k_fR\begin{cases}a-b\arctan(a/b)&c=0\\a-c-mb^2&c>0\end{cases}
 $$
 
-and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force is that of a law
-of the interface, $\tau_0$ on all of $2\pi R\omega$; $\tau_0$ above $k_f$ has no meaning, below it the film sticks less than is
-taken here, and the hill is up to half as high. $n_H$ above 1 counts as 1: all at $H$.
+and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force comes from a
+law of the interface, $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no meaning; below $k_f$
+the film sticks less than assumed here, and the pressure hill is lower, down to half. $n_H$ above 1 counts as 1, so that the
+pressure is $H$ everywhere.
 
-*Limit*: a thick film is at its own hardness, $\mu=\tau_0/H_f$; one of no thickness leaves the plastic substrate,
-$\mu=\tau_0/H$. In a shallow contact the gap is that of a disc, and the mean pressure $H_f+2k_fa/(3t)$. *Check*, as the
-abstracts say: $\mu$ falls with load, and the pressure at the middle is many times that at the edge; thickness, hardness and
-radius count: at one load $\mu$ rises with thickness and, as the gap gets wider, with the radius, and falls as the film gets
-harder.
-*Unknown*: the empirical expression of part 1; of part 2 the pressure at the edge, the shear on both faces, and whether the ball
-ploughs (so says a later paper of the same group, J. Tribology 109 (1987) 545; left out here).
+*Limit*: a thick film has the pressure of its own hardness, $\mu=\tau_0/H_f$; with zero thickness the plastic substrate
+remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and the mean pressure is $H_f+2k_fa/(3t)$. *Check*,
+as the abstracts say: $\mu$ falls with load, and the pressure in the centre is many times the pressure at the edge. At
+constant load $\mu$ rises with thickness and with radius, and falls with the hardness of the film. *Unknown*: the empirical
+expression of part 1; of part 2, the pressure at the edge, the shear on both faces, and whether the ball ploughs, as a later
+paper of the group says (J. Tribology 109 (1987) 545; not included here).
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units). Lengths along the
 surface are over $\sqrt{R\sigma}$, so that $a^2=2w$ and $b^2=2(\tau-w)$, and $\sqrt{R/\sigma}$ is $\tau$ over `film_aspect`.

@@ -1,10 +1,10 @@
-r"""A sphere on a bonded film: the exact elastic solution, with adhesion by energy and yield by mean pressure.
+r"""A sphere on a bonded film: exact elastic solution, adhesion by an energy balance, yield by mean pressure.
 
-*Assumes*: film bonded to its body, smooth sphere, $a\ll R$, no friction while it is pressed. *Source*:
-[perriot_barthel_2004] for the elastic solution, as an integral equation, derived and solved anew in `solvers/layered`;
-[johnson_kendall_roberts_1971] for the energy of an adhesive edge, taken to layered bodies as [barthel_perriot_2007] do.
-With $a=\sqrt{xR\sigma}$ and the moduli $E_P$, $E_S$, $B$ (over that of the bodies without a film) and the approach $D$,
-functions of $a/t$ and the elastic constants of film and bodies,
+*Assumes*: the film is bonded to its body, the sphere is smooth, $a\ll R$, and there is no friction during loading. *Source*:
+[perriot_barthel_2004] for the elastic solution, an integral equation that is derived and solved anew in `solvers/layered`;
+[johnson_kendall_roberts_1971] for the energy of an adhesive edge, extended to layered bodies as in [barthel_perriot_2007].
+Let $a=\sqrt{xR\sigma}$. The moduli $E_P$, $E_S$, $B$ (over the modulus of the bodies without film) and the approach $D$ are
+functions of $a/t$ and of the elastic constants of film and bodies,
 
 $$
 \begin{aligned}
@@ -16,20 +16,20 @@ $$
 $S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI $\delta=\delta_H-\sqrt{4\pi a\gamma/S'}$ and
 $P=P_H-S\sqrt{4\pi a\gamma/S'}$ with the stiffness $S=2aE_S$ and $S'=dS/da=2B$.
 
-*Bodies*: both feel one pressure, so that their compliances add: exact for a film on one body against any other, for films on
-two like bodies (each half against a rigid plane between) and on two unlike ones, half of the thickness on each. Of `Indices`,
-a film is on one body against a rigid one, unless `films` and the groups after it say otherwise.
+*Bodies*: both bodies carry the same pressure, so that their compliances add. This is exact for a film on one body against any
+other body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one
+body against a rigid body, unless `films` and the groups after it say otherwise.
 
-*Yield*: where the mean pressure reaches that at which the chosen asperity law yields on a half-space of modulus $E_P$ and
-hardness $\chi H$, $\chi$ by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the composite chosen. From there the law's
-own plastic pieces follow with the modulus and Poisson's ratio felt there, on displacement, load and area of the layered
-contact; their load (but not the pull of adhesion) is as the hardness at their depth. *Reconstructed*: this continuation; it is
-the asperity law itself for thin and for thick films, and where film and body are alike. Where the substrate lets a hard film
-down, the load may fall with depth.
+*Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
+of modulus $E_P$ and hardness $\chi H$, with $\chi$ from [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the chosen
+composite. Beyond, the plastic pieces of the law follow, with the modulus and Poisson's ratio at yield, shifted to
+displacement, load and area of the layered contact. Their load, without the adhesion, scales with the hardness at their depth.
+*Reconstructed*: this continuation. It equals the asperity law for thin and for thick films, and if film and body are equal.
+Below a hard film on a soft substrate the load may fall with depth.
 
-*Limit*: the asperity law on the substrate for $t\to0$ (with the film's work of adhesion) and without mismatch, on the film for
-$t\to\infty$; no jump but those of the asperity law. *Check*, $\nu=0.3$, $E_f/E_s=0.1$, rigid sphere, $a=t$: $E_P=0.1219$,
-$D=0.693$, $E_S=0.2135$ over the substrate's modulus.
+*Limit*: the asperity law on the substrate (with the film's work of adhesion) for $t\to0$ or for equal materials, and on the
+film for $t\to\infty$. The only jumps are those of the asperity law. *Check*, $\nu=0.3$, $E_f/E_s=0.1$, rigid sphere, $a=t$:
+$E_P=0.1219$, $D=0.693$, $E_S=0.2135$ over the substrate's modulus.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

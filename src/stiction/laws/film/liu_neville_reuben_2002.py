@@ -1,17 +1,17 @@
 r"""A plastic film on an elastic-plastic substrate, with adhesion: after Liu, Neville & Reuben 2002.
 
-*Assumes* (abstract of [liu_neville_reuben_2002]): adhesion after Derjaguin, Muller and Toporov, together with an
-elastic-plastic soft coating. *Source*: [liu_neville_reuben_2002], its abstract. *Reconstruction*:
-[`chang_1997`](#chang_1997), and every touching asperity is pulled by the film's work of adhesion,
+*Assumes* (abstract of [liu_neville_reuben_2002]): the adhesion of Derjaguin, Muller and Toporov acts on an elastic-plastic
+soft coating. *Source*: [liu_neville_reuben_2002], its abstract. *Reconstruction*: [`chang_1997`](#chang_1997), and the film's
+work of adhesion attracts every touching asperity,
 
 $$
 P=P_\text{Chang}-\frac{2\pi n_g}\theta
 $$
 
-(in SI $2\pi R\gamma_f$). *Check*, against the abstract: with a shear strength of the interface, friction rises with thickness
-at plasticity indices above 0.5, and at 0.25 and light load it rises as a very thin film gets thinner; with
-`chang_etsion_bogy_1988`, where only the substrate resists, only the latter. *Unknown*: every equation. *Limit*: `chang_1997`
-without adhesion.
+(in SI $2\pi R\gamma_f$). *Check*, as the abstract says: with a shear strength of the interface, friction rises with thickness
+at plasticity indices above 0.5; at 0.25 and light load it rises as a very thin film gets thinner. With
+`chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*: all equations of the
+source. *Limit*: `chang_1997` without adhesion.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

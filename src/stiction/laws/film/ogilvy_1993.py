@@ -1,13 +1,14 @@
-r"""A film that is felt in friction alone: Ogilvy 1993.
+r"""A film that affects friction but not the normal contact: Ogilvy 1993.
 
-*Assumes* (known of it from the 2015 paper): the film is left out of the normal contact. *Source*: [ogilvy_1993]. So load and
-area are the substrate's, whatever its asperity law, and the film shears over all of that area, with the film's strength:
+*Assumes* (as the 2015 paper reports): the normal contact does not include the film. *Source*: [ogilvy_1993]. So load and area
+are those of the substrate, with any asperity law, and the film shears over the whole area with its own strength:
 
 $$
 P=P_s(w),\qquad A=A_s(w),\qquad T=\tau_0A
 $$
 
-Bowden and Tabor's soft film, $\mu=\tau_0/H_s$ when plastic. *Unknown*: the text, which solved given surfaces numerically.
+If the contact is plastic, this is Bowden and Tabor's soft film, $\mu=\tau_0/H_s$. *Unknown*: the text of the source, which
+solved given surfaces numerically.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

@@ -1,16 +1,17 @@
-r"""The 2015 paper to the letter: bare, and with the soft film of eqs. (6) and (15). Kept to reproduce the print.
+r"""The equations of the 2015 paper exactly as printed, bare and with the soft film of eqs. (6) and (15).
 
-*Assumes*: what the print says; the film law of the published variant only. *Source*: [soft_coating_2015], eqs. (1) to (15);
-[theory, section 5](theory.md#5-coated-surface). Bare, heights are weighed at the apparent displacement $x$ (D2),
+*Assumes*: the printed equations. This film law belongs to the published variant only and serves to reproduce the paper.
+*Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). Without a film, heights are
+weighted at the apparent displacement $x$ (D2),
 
 $$
 \bar P(h)=\int\left(x^{3/2}-S\,x^{3/4}\right)\varphi(h+x)\,dx\quad\text{(elastic asperities)}
 $$
 
-the slip resistance is eq. (10) (D6), and the resistance lacks the $1/\sqrt{2\pi}$ of the density (D3). With a film: film
-terms in the film's own units (D4), the substrate's elastic term from $\tau+x_0$ with its law unshifted, its plastic term from
-$w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected variant (D12), and the contact area, which the
-paper does not define as a sum over heights.
+the slip resistance is eq. (10) (D6), and the resistance lacks the $1/\sqrt{2\pi}$ of the density (D3). With a film, the film
+terms are in the film's own units (D4); the elastic term of the substrate starts at $\tau+x_0$ with its law unshifted, and its
+plastic term at $w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected variant (D12), and the contact
+area, which the paper does not define as a sum over heights.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

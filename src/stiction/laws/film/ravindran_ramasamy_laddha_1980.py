@@ -1,18 +1,19 @@
-r"""A soft metal film whose friction goes as the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
+r"""A soft metal film, friction as the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
 
-*Assumes* (abstract of [ravindran_ramasamy_laddha_1980]): in spherical contact the friction of a thin soft metal film goes as
-the cube root of thickness over load where Amontons's law fails, which it does because the substrate takes part, with plastic
-deformation. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. On one asperity
+*Assumes* (abstract of [ravindran_ramasamy_laddha_1980]): in spherical contact, the friction coefficient of a thin soft metal
+film is proportional to the cube root of thickness over load where Amontons's law fails. It fails because the substrate takes
+part by plastic deformation. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. For
+one asperity
 
 $$
 \mu=c\left(\frac tW\right)^{1/3}=\left(\frac{Ct}W\right)^{1/3},\qquad C=c^3\ \text{in N/m}
 $$
 
-*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$, so that the cube root is a
-pressure that rises as $W^{1/3}$; on the area $2\pi R\omega$ of a plastic contact that is $p\propto\sqrt{\omega/t}$. The film's
-own hardness bounds it below, where the film carries the load, the substrate's above, where that does ([bowden_tabor_1943]).
-At the bounds Amontons's law holds: the abstract wants the cube root only where it fails. That friction is higher where the film
-carries the load is in the abstract of [rabinowicz_1967],
+*Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$. The cube root then requires a
+pressure proportional to $W^{1/3}$, which on the area $2\pi R\omega$ of a plastic contact is $p\propto\sqrt{\omega/t}$. The
+pressure lies between the film's hardness, where the film carries the load, and the substrate's hardness, where the substrate
+does ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. The abstract of
+[rabinowicz_1967] says that friction is higher where the film carries the load,
 
 $$
 A=2w,\qquad P=pA,\qquad p=\eta\,\min\left[1,\ n_H\max\left(1,\ q\sqrt{w/\tau}\right)\right]
@@ -23,14 +24,14 @@ $$
 C=\frac{2\pi R\,\tau_0^3}{q^2H_f^2}
 $$
 
-$C$ is given as `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$), which with
-$\tau_0$ says what $q$ is; left out, it is calibrated: $q=1$, so that the substrate takes part from where the film is pressed by
-its own thickness. $\tau_0$ is that of a tangential law of the interface. $n_H$ above 1 counts as 1: $p=\eta$.
+$C$ is given as `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$), which
+together with $\tau_0$ gives $q$. If it is not given, $q=1$, so that the substrate takes part from the displacement that
+equals the film thickness. $\tau_0$ comes from a tangential law of the interface. $n_H$ above 1 counts as 1: $p=\eta$.
 
 *Check*: one sphere, $W=8\pi RH_ft$, $q=1$: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$; the powers of $t$ and $W$ are exact
-between the bounds, over a factor $n_H^{-3}$ in load. *Limit*: a thick film has $\mu=\tau_0/H_f$, one of no thickness
-$\tau_0/H$. *Unknown*: $c$, and what of hardness, strength and radius it holds. The sum over asperities is this project's: at a
-load that is given, $\mu$ of a rough surface is a mean of that of its asperities.
+between the bounds, over a factor $n_H^{-3}$ in load. *Limit*: $\mu=\tau_0/H_f$ for a thick film, $\tau_0/H$ for zero
+thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is this project's own:
+at a given load, $\mu$ of a rough surface is an average over its asperities.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

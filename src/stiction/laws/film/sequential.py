@@ -1,25 +1,24 @@
-r"""A soft film that deforms alone until it is pressed by its own thickness: the corrected variant of the 2015 paper.
+r"""A soft film that deforms alone up to its own thickness, then the substrate: corrected variant of the 2015 paper.
 
-*Assumes*: the film deforms alone, as a half-space, until it is pressed by its own thickness; beyond, it keeps the load and
-resistance it had then, and the substrate answers the rest. *Source*: [soft_coating_2015], eqs. (6) and (15), corrected:
-[theory, section 5](theory.md#5-coated-surface), departures D4, D5 and D10. With any asperity law, $P_c(w)$ of the film and
-$P_s(w)$ of the substrate,
+*Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond, it keeps its load and
+resistance, and the substrate deforms by the rest of the displacement. *Source*: [soft_coating_2015], eqs. (6) and (15),
+corrected: [theory, section 5](theory.md#5-coated-surface), departures D4, D5 and D10. With any asperity law, $P_c(w)$ of the
+film and $P_s(w)$ of the substrate,
 
 $$
 P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
 $$
 
-and the tangential force alike; a law of the interface counts the whole load and the outer area instead. Forces that pass
-through a film and its substrate one after the other do not add: what the paper adds is too much by what the film holds, and the
-record says by how much for a film of no thickness. With `film_shear="in_series"` the weaker governs, of the film at all of the
-displacement, which its area has too, and the substrate at what is left of it,
+and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. Forces that pass
+through a film and its substrate in series do not add up. The paper's sum is therefore too large by the force of the film; the
+record states the excess for zero film thickness. With `film_shear="in_series"` the smaller force applies: either the film's
+at the whole displacement, or the substrate's at the rest,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)
 $$
 
-which is not the paper's. *Reconstructed*: the
-departures named, in place of what is printed, which [`printed`](#printed) keeps.
+which is not in the paper. *Reconstructed*: the departures named above; [`printed`](#printed) has the printed equations.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
 """

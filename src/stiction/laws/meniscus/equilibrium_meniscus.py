@@ -1,13 +1,13 @@
-r"""Menisci in equilibrium with their vapour, by Kelvin's radius and the circle approximation: Orr, Scriven & Rivas 1975.
+r"""Menisci in equilibrium with their vapour, by Kelvin's equation and circular arcs: Orr, Scriven & Rivas 1975.
 
-*Assumes*: the meniscus neither grows nor dries up: its total curvature is $1/r$, Kelvin's, at every distance (slow approach
-and parting, seconds in humid air); it is small beside the asperity, $r\ll R$; the pull leaves the shape of the solids as it
-is (as in DMT's law), and the sphere, where it is pressed in, as one that is cut off. Menisci of neighbours do not meet.
-*Sources*: [thomson_1871] for the radius; [orr_scriven_rivas_1975] for the circle approximation and the exact meniscus; force
-of a sphere and a flat as [israelachvili_2011] and [butt_kappl_2009] review it, written down from memory and derived again:
-Laplace's pressure $\gamma_\mathrm L/r$ on the ring $2\pi R(2rc-D)$. Menisci between rough surfaces, each in equilibrium:
-[de_boer_de_boer_2007], of which the abstract was seen: its result for a sphere and a flat is met, below. Radii at which
-Kelvin's equation was found to hold: [fisher_gamble_middlehurst_1981]; surface tension of water: [iapws_2014].
+*Assumes*: the meniscus neither grows nor dries up. Its total curvature is $1/r$ by Kelvin's equation at every distance;
+approach and separation are slow (seconds in humid air). The meniscus is small compared with the asperity, $r\ll R$. Its force
+does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated. Neighbouring menisci do
+not merge. *Sources*: [thomson_1871] for the radius; [orr_scriven_rivas_1975] for the circle approximation and the exact
+meniscus; force between a sphere and a flat as reviewed by [israelachvili_2011] and [butt_kappl_2009], written from memory and
+derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring $2\pi R(2rc-D)$. Menisci between rough surfaces, each in
+equilibrium: [de_boer_de_boer_2007], abstract; its result for a sphere and a flat agrees, see below. Radii at which Kelvin's
+equation was found to hold: [fisher_gamble_middlehurst_1981]; surface tension of water: [iapws_2014].
 
 $$
 r=\frac{\gamma_\mathrm LV_\mathrm L}{R_\mathrm gT\ln(p_\mathrm s/p)},\quad c=\frac{\cos\theta_1+\cos\theta_2}2,\qquad
@@ -19,28 +19,27 @@ P=-\frac{2\pi}{\theta_\mathrm m}\min\left(1,\;1+\frac w{w_\mathrm m}\right)\quad
 \theta_\mathrm m=\frac{K\sigma^{3/2}}{2\gamma_\mathrm Lc\sqrt R},\quad w_\mathrm m=\frac{2rc}\sigma
 $$
 
-It is added to what the asperity law carries. An asperity that does not touch is bridged, and pulls, from a gap of $2rc$ on.
-All of them together pull at most with Laplace's pressure where the solids do not touch, $\gamma_\mathrm L(A_n-A)/r$.
-No area and no resistance to sliding are the meniscus's own: it presses the solids together, and the tangential law sees the
-load that they carry. A work of adhesion, if the contact states one, is what the solids have inside the liquid. With a film
-the liquid is on its surface.
+This force is added to the load of the asperity law. An asperity that does not touch is bridged by liquid and attracted if its
+gap is below $2rc$. The force of all menisci is at most Laplace's pressure on the area where the solids do not touch,
+$\gamma_\mathrm L(A_n-A)/r$. The meniscus has no contact area and no resistance to sliding. It presses the solids together,
+and the tangential law uses the load that they carry. If the contact states a work of adhesion, it applies to the solids
+inside the liquid. With a film, the liquid is on the film.
 
-*Limit*: no humidity, $w_\mathrm m\to0$: still the whole pull of those that touch, as the force in contact does not depend on
-$r$. Where $r$ is a few molecules there is no such meniscus; results say so below the radii at which Kelvin's equation was
-confirmed, 4 nm, of water 9 nm: below 94 % relative humidity.
+*Limit*: for zero humidity, $w_\mathrm m\to0$, touching asperities still have the full force, because the force in contact
+does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results warn below the radii at which
+Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which is 94 % relative humidity.
 
-*Trap*: with elastic asperities that are pressed in farther than $2rc$ the pull at a displacement falls to half of this:
-[`hertzian_meniscus`](#hertzian_meniscus). Their areas grow instead, so that the friction of an interface is nearer to this
-law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest waves of a half to a sixteenth of the side,
-$P/(E^*h')$ 0.002 to 0.05, 30 to 97 % humidity), solved with Laplace's pressure on every point
-([`boundary_elements`](#boundary_elements)): where menisci pull with more than a tenth of the load, this law gives 0.40 to 0.91
-of their pull (mean 0.58), and 1.00 to 1.03 where the map is flooded; where they pull by less, 0.24 to 1.08. *Unknown*: menisci
-of constant volume, which do not dry up as fast as surfaces part: what they hold depends on how they came to be.
+*Trap*: for elastic asperities at displacements above $2rc$ the force falls to half of this value:
+[`hertzian_meniscus`](#hertzian_meniscus). Their contact area grows instead, so that friction with a law of the interface is
+closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest waves of a half to a
+sixteenth of the side, $P/(E^*h')$ 0.002 to 0.05, 30 to 97 % humidity), solved with Laplace's pressure on every point
+([`boundary_elements`](#boundary_elements)). If the menisci pull with more than a tenth of the load, this law gives 0.40 to
+0.91 of their force (mean 0.58), and 1.00 to 1.03 of it on flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*:
+menisci of constant volume, which do not dry up while surfaces separate; their volume depends on their history.
 
-*Check*: parted in equilibrium, a sphere and a flat take $4\pi R\gamma_\mathrm Lrc^2$, half of the surface energy
-$2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). Water at 20 °C: $r$ is 0.777 nm at 50 %
-and 5.112 nm at 90 %. The exact meniscus of the same
-curvature pulls less, by
+*Check*: separation of a sphere and a flat in equilibrium needs the work $4\pi R\gamma_\mathrm Lrc^2$, half of the surface
+energy $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). Water at 20 °C: $r$ is 0.777 nm
+at 50 % and 5.112 nm at 90 %. The exact meniscus of the same curvature pulls less, by
 
 | $2rc/R$ | touching, $\theta_1=\theta_2=0$ | gap $rc$ | touching, 30° and 60° | gap $rc$ |
 |---|---|---|---|---|

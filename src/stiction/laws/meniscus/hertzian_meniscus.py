@@ -1,18 +1,18 @@
-r"""Menisci around elastic asperities, which pull less the farther those are pressed in: Maugis's ring on Hertz's shape.
+r"""Menisci around elastic asperities, whose force falls with displacement: Maugis's ring on Hertz's shape.
 
-*Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but that the gap beside the contact is Hertz's, so that the
-ring of liquid is the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range
-$2rc$, at small Tabor parameters, where it does not draw the solids out of shape. *Source*: that a meniscus is such a ring:
-[maugis_gauthier_manuel_1994], as [intersurface_adhesion_2018] reports it, JKR's law in dry air, DMT's in moist; the equations
-are those of [maugis_1992] to first order in $\lambda_M$. Derived here from both. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$ being
-the inner and the outer radius of the ring,
+*Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but the gap around the contact is Hertz's. The ring of liquid
+then acts like the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range $2rc$,
+at small Tabor parameters, where it does not deform the solids. *Source*: [maugis_gauthier_manuel_1994], as
+[intersurface_adhesion_2018] reports it, treats a meniscus as such a ring: JKR's law in dry air, DMT's in moist air. The
+equations follow [maugis_1992] to first order in $\lambda_M$ and are derived here. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$
+being the inner and the outer radius of the ring,
 
 $$
 F=s+(1-s^2)\arctan\tfrac1s,\qquad w=\frac{\pi w_\mathrm ms^2}F,\qquad
 P=-\frac{2\pi}{\theta_\mathrm m}\left(\frac{2\arctan(1/s)}F-1\right)\quad(w\ge0)
 $$
 
-and, where the asperity does not touch, the straight line of `equilibrium_meniscus`, to which it joins.
+If the asperity does not touch, the straight line of `equilibrium_meniscus` applies, which joins continuously.
 
 *Limit*: `equilibrium_meniscus` for $w\ll w_\mathrm m$, half of its pull for $w\gg w_\mathrm m$: DMT's force as the derivative
 of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*:
@@ -21,19 +21,19 @@ of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*
 |---|---|---|---|---|---|
 | pull over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
 
-*Trap*: that is the pull at a given displacement. What is missing of it has widened the contact, and the area here is that of
-Hertz's contact at this displacement, without that. At a given area the pull grows instead, to first order in $\lambda_M$,
+*Trap*: this is the force at a given displacement. The missing part of the force has widened the contact, but the area here is
+still Hertz's area at this displacement. At a given area the force grows instead, to first order in $\lambda_M$,
 
 $$
 \frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\
 w/w_\mathrm m=0.1,\ 1,\ 10
 $$
 
-so that where the interface is what is sheared the friction is understated here, by more than after `equilibrium_meniscus`: this
-law is for loads and pull-off forces. Results say so from $w=0.1\,w_\mathrm m$ on.
+so that with a law of the interface friction is too low here, more than with `equilibrium_meniscus`. Use this law for loads
+and pull-off forces. Results warn from $w=0.1\,w_\mathrm m$ on.
 
-*Measured*, as with `equilibrium_meniscus`: 0.27 to 0.79 of the pull of menisci on solved maps, mean 0.48; 1.00 to 1.03
-where these are flooded.
+*Measured*, as with `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force on solved maps, mean 0.48, and
+1.00 to 1.03 of it on flooded maps.
 
 *Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
 """

@@ -1,41 +1,42 @@
 r"""Presliding of one elastic contact under a tangential force: Mindlin 1949 (and, before him, Cattaneo 1938).
 
-*Assumes*: elastic contacts that act alone. How stiff they are before they slide, with `presliding="mindlin_1949"`: *Source*:
-[mindlin_1949], the stiffness at no force of each contact, summed to `tangential_stiffness`,
+*Assumes*: contacts are elastic and independent. With `presliding="mindlin_1949"` their tangential stiffness before sliding is
+computed. *Source*: [mindlin_1949], the stiffness of each contact at zero force, summed to `tangential_stiffness`,
 
 $$
 k_t=\frac{8a}\beta\ \text{(SI)},\qquad\frac{8\sqrt A}{K\beta}\ \text{in the units here}
 $$
 
-For bodies alike $k_t/k_n=2(1-\nu)/(2-\nu)$. The module also has the partial slip of one Hertz contact under Coulomb friction
-$f$,
+For equal bodies $k_t/k_n=2(1-\nu)/(2-\nu)$. The module also describes partial slip of one Hertz contact with the friction
+coefficient $f$,
 
 $$
 T=fP\left[1-(1-s)^{3/2}\right],\qquad s=\frac{\delta_t}{\delta_f},\quad\delta_f=\frac{3fP\beta}{16a}
 $$
 
-Plastic contacts are counted as if they were elastic; the body behind the asperities adds no compliance.
+Plastic contacts are treated as elastic; the bulk behind the asperities adds no compliance.
 
-**Up to sliding** (`st.slide`): the asperities are moved together by $\delta$, and each carries, with the strength $T_m$ that
-its tangential law gives it in the place of $fP$,
+**Up to sliding** (`st.slide`): all asperities are displaced by $\delta$. Each carries the force below, with the strength
+$T_m$ from its tangential law in place of $fP$,
 
 $$
 F=\int T_m\left[1-(1-s)^{3/2}\right]\varphi(h+w)\,dw,\qquad s=\frac\delta{\delta_f},\quad\delta_f=\frac{3T_m\beta}{16a};
 \qquad r\,T_m\text{ where }s\ge1
 $$
 
-*Sources*: [bjorklund_1997] (the sum, whose text was not available) and [eriten_2011]; $r$, the share that an asperity keeps
-once it slides, is this project's: 1 is Coulomb's law. Then $F$ tends to the static friction, which takes all asperities at
-their strength together, from below; with less, the asperities do not peak together and the largest force is below it. That
-$T_m$ stands for $fP$ where it is not proportional to the load is this project's, too. In a cycle between $\pm\delta$ unloading
-follows the same curve at twice the scale ([masing_1926]), and is lost
+*Sources*: [bjorklund_1997] (the sum, whose text was not available) and [eriten_2011]; $r$, the fraction of its strength that
+an asperity keeps once it slides, is this project's own; $r=1$ is Coulomb's law. With $r=1$, $F$ tends from below to the
+static friction, for which all asperities have their full strength at once. With $r<1$ the asperities do not reach their peaks
+together, and the largest force is lower. The use of $T_m$ for $fP$, even if it is not proportional to the load, is also this
+project's own. In a cycle between $\pm\delta$ unloading follows the same curve at twice the scale ([masing_1926]). The energy
+loss is
 
 $$
 \Delta W=8\int_0^\delta F\,d\delta'-4\,\delta F,\qquad
 \frac{\Delta W}{T_m\delta_f}=4s-\tfrac{16}5+(1-s)^{3/2}\left(\tfrac{16}5+\tfrac45s\right)\ (s\le1)
 $$
 
-of one asperity, which is [mindlin_deresiewicz_1953]'s. *Check*, one asperity:
+for one asperity, in agreement with [mindlin_deresiewicz_1953]. *Check*, one asperity:
 
 | $s$ | 0.1 | 0.5 | 0.9 | 1 |
 |---|---|---|---|---|
