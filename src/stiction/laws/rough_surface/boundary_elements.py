@@ -1,32 +1,34 @@
 r"""The contact of the measured map itself, solved point by point by boundary elements.
 
-*Assumes*: half-spaces without friction, small slopes; no asperities and no statistics. *Sources*: [polonsky_keer_1999] for the
-minimum, [stanley_kato_1997] for displacements by Fourier transforms of one period, or by cosine transforms of a window, which
-its mirror images continue ([love_1929], without a neighbour, is what single spheres are checked with),
-[almqvist_2007] for pressures that do not rise above the hardness, [nogi_kato_1997] for a film, [yastrebov_2017] for what pixels
-add to the area. With the pressure $p$ and the heights $h$ of the points, $C$ the compliance of both bodies:
+*Assumes*: half-spaces without friction and with small slopes. There are no asperities and no statistics. *Sources*:
+[polonsky_keer_1999] for the minimum; [stanley_kato_1997] for displacements by Fourier transforms of one period, or by cosine
+transforms of a window that is continued by its mirror images; [love_1929] for a lone map, with which single spheres are
+checked; [almqvist_2007] for pressures limited to the hardness; [nogi_kato_1997] for a film; [yastrebov_2017] for the area
+that pixels add. With the pressure $p$ and the heights $h$ of the points, $C$ the compliance of both bodies:
 
 $$
 \min_p\ \tfrac12\langle p\,Cp\rangle-\langle p\,h\rangle,\qquad 0\le p\le H,\quad \langle p\rangle=P/A_n,\qquad
 \hat C(k)=\frac2{E^*k}\ \text{(bare)}
 $$
 
-The map bears the nominal pressure: its areas, stiffness and friction are multiplied by the nominal area over its own.
-The hardness is that of the softer body, where there is a film that of the film or of what it meets. Where both carry a film
-each has half of the thickness. The substrate does not yield.
+The map carries the nominal pressure; its area, stiffness and friction are multiplied by the nominal area over the area of the
+map. The hardness is the softer body's; with a film it is the smaller hardness of film and other body. If both bodies are
+coated, each has half of the thickness. The substrate does not yield.
 
-*Adhesion*, if asked for, of elastic bodies and one period: faces a gap $g$ apart have the energy $-w\,e^{-g/\rho}$
-([pastewka_robbins_2014] for the way), $\rho$ 0.3 nm, or the shortest that the map resolves: then $E^*\rho^2/w$ is two points.
+*Adhesion* (optional) of elastic bodies and one period: surfaces at the gap $g$ have the energy $-w\,e^{-g/\rho}$ (method of
+[pastewka_robbins_2014]). The range $\rho$ is 0.3 nm, or the shortest range that the map resolves, for which $E^*\rho^2/w$ is
+two points.
 
-*Menisci* of a liquid: its suction $\gamma_\mathrm L/r$ on every point whose gap is below $2rc$, as the attraction of
-[maugis_1992]; found in turns with the points that are wetted, from the dry contact on. Adhesion leaves the liquid out.
+*Menisci* of a liquid: the suction $\gamma_\mathrm L/r$ acts on every point with a gap below $2rc$, like the attraction of
+[maugis_1992]. Contact and wetted points are computed in turn, starting with the dry contact. With adhesion the liquid is left
+out.
 
-*Friction*: a law of the interface, of the pressure of every point. Where $\tau=\tau_0+\alpha p$ the sum is exact,
-$T=\tau_0A+\alpha P$. With `shear` the strength of a point is the lesser of $\alpha p$ and $\tau_0$ ([orowan_1943]), or points
-that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$
-over the points. *Area*: $A=A_\text{px}-.100\,S\,\Delta x$, $S$ the length of the edges of points in contact: as
-[yastrebov_2017], with the constant that this solver was found to need. *Check*: Hertz, Westergaard, Johnson, Greenwood &
-Higginson, and the library ContactMechanics (tests).
+*Friction*: a law of the interface is applied to the pressure of every point. For $\tau=\tau_0+\alpha p$ the sum is exact,
+$T=\tau_0A+\alpha P$. With the option `shear` the strength of a point is the smaller of $\alpha p$ and $\tau_0$
+([orowan_1943]), or points that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]):
+$T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: $A=A_\text{px}-.100\,S\,\Delta x$, where $S$ is the
+length of the edges of points in contact; the form follows [yastrebov_2017], the constant was fitted to this solver. *Check*:
+Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
 """
 
 from collections.abc import Sequence

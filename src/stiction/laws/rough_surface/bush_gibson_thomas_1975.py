@@ -1,18 +1,18 @@
 r"""The summits of an isotropic Gaussian surface as elastic paraboloids of two curvatures: Bush, Gibson & Thomas 1975.
 
-*Assumes*: the asperities are the summits of an isotropic Gaussian surface, each an elastic paraboloid of two curvatures,
-pressed as Hertz's ellipse. *Source*: [bush_gibson_thomas_1975], and [nayak_1971] for the density of summits by height $z$,
-mean curvature $\kappa_m$ and half-difference $r$ of the curvatures, which is summed here ($\phi$ is the joint Gaussian
-density of $z$ and $\kappa_m$, variances $m_0$ and $2s^2$, covariance $m_2$, $s^2=m_4/3$):
+*Assumes*: the asperities are the summits of an isotropic Gaussian surface. Each is an elastic paraboloid with two curvatures
+and has a Hertzian elliptic contact. *Source*: [bush_gibson_thomas_1975], and [nayak_1971] for the density of summits by
+height $z$, mean curvature $\kappa_m$ and half-difference $r$ of the curvatures. This density is integrated here ($\phi$ is
+the joint Gaussian density of $z$ and $\kappa_m$, variances $m_0$ and $2s^2$, covariance $m_2$, $s^2=m_4/3$):
 
 $$
 \frac1{2\pi m_2}\,\phi(z,\kappa_m)\,\frac r{s^2}e^{-r^2/(2s^2)}\,(\kappa_m^2-r^2),\qquad0<r<\kappa_m
 $$
 
-The surface is that with the same $\sigma$, $N$ and mean curvature $1/R$; below $\rho=0.01581$ there is none, and the model
-refuses. The paper's own result is that area and load become proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to
-$\sqrt{2\pi}=2.5066$ at light load, from below and slowly, so that they are proportional only at separations that no contact
-has. *Check*, $\kappa$ of it and of the simplified model [`greenwood_2006`](#greenwood_2006):
+The surface has the given $\sigma$, $N$ and mean curvature $1/R$. Below $\rho=0.01581$ no such surface exists, and an error is
+raised. The paper's own result is that area and load become proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to
+$\sqrt{2\pi}=2.5066$ at light load, from below and slowly, so that they are proportional only at separations beyond those of
+any real contact. *Check*: $\kappa$ of this and of the simplified model [`greenwood_2006`](#greenwood_2006):
 
 | $\alpha$ ($\rho$) | $\kappa$ at $h=0$ | 1 | 2 | 3 | 4 |
 |---|---|---|---|---|---|

@@ -1,13 +1,13 @@
-r"""Elastic-plastic asperities (1987) and the static friction of those still elastic (1988): Chang, Etsion & Bogy.
+r"""Elastic-plastic asperities (1987) with static friction of the elastic ones (1988): Chang, Etsion & Bogy.
 
-*Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) that act alone and fail at
-[first yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988].
+*Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) are independent and fail at [first
+yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988].
 
 $$
 \mu(h)=\frac{\int_0^{w_c}Q(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Left out*: the adhesion of 1988. *Check*: [the three models of static friction side by
+*Not included*: the adhesion of 1988. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 

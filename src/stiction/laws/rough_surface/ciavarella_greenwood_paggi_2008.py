@@ -1,17 +1,17 @@
-r"""Asperities that share the load also push each other down, all by the same: Ciavarella, Greenwood & Paggi 2008.
+r"""Asperities that push each other down, all by the same displacement: Ciavarella, Greenwood & Paggi 2008.
 
-*Assumes*: Greenwood and Williamson's asperities push each other down, to first order all alike, by the displacement
-that the mean pressure gives the nominal area. *Source*: [ciavarella_greenwood_paggi_2008]; *unknown*: its text.
-*Reconstruction*: the nominal area is a square of side $L$ on a half-space and sinks by its mean displacement under
-uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
+*Assumes*: Greenwood and Williamson's asperities push each other down. To first order all have the same displacement, which
+the mean pressure gives the nominal area. *Source*: [ciavarella_greenwood_paggi_2008]; *unknown*: its text. *Reconstruction*:
+the nominal area is a square of side $L$ on a half-space and sinks by its mean displacement under uniform pressure (Love's
+solution, [johnson_1985]), $0.9464\,pL/E^*$:
 
 $$
 \bar P=F_{3/2}(h^*),\quad\bar A=F_1(h^*),\quad h^*=h+c\,F_{3/2}(h^*),\quad
 c=\frac4\pi\left[\ln(1+\sqrt2)-\frac{\sqrt2-1}3\right]\tfrac43\,\rho\,\varsigma\,\frac L\sigma
 $$
 
-Area against load is Greenwood and Williamson's; only the separation differs, by more the larger the surface. *Check*,
-$\rho=0.04$, $\varsigma=0.03$, $L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705,
+The relation of area and load is Greenwood and Williamson's. Only the separation differs, and more for a larger surface.
+*Check*, $\rho=0.04$, $\varsigma=0.03$, $L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705,
 0.00584984 at $h=2$. *Limit*: Greenwood and Williamson for $L\to0$.
 """
 

@@ -1,14 +1,14 @@
-r"""Asperities in full stick under a Gaussian of heights: Cohen, Kligerman & Etsion 2008.
+r"""Asperities in full stick with Gaussian heights: Cohen, Kligerman & Etsion 2008.
 
-*Assumes*: asperities of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006) that act alone and slide in full
+*Assumes*: asperities of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006) are independent and slide in full
 stick, [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). *Source*: [cohen_kligerman_etsion_2008].
 
 $$
 \mu(h)=\frac{\int_0^\infty\mu(P)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Unknown*: the empirical formulas that the authors give of their sums; the sums themselves are made. *Left out*: the
-adhesion. *Check*: [the three models of static friction side by
+*Unknown*: the empirical formulas that the authors fitted to their sums; the sums themselves are computed here. *Not
+included*: adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 

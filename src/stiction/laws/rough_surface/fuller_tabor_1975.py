@@ -1,13 +1,13 @@
-r"""JKR asperities under Greenwood & Williamson's sum, elastic throughout: Fuller & Tabor 1975.
+r"""JKR asperities in Greenwood & Williamson's sum, elastic at any load: Fuller & Tabor 1975.
 
-*Assumes*: [`jkr`](#jkr) asperities of one radius that act alone. *Source*: [fuller_tabor_1975].
+*Assumes*: [`jkr`](#jkr) asperities of one radius are independent. *Source*: [fuller_tabor_1975].
 
 $$
 \bar P(h)=\int P_\text{JKR}(w)\,\varphi(h+w)\,dw
 $$
 
-*Check*: the pull-off force on the unloading branch, over $NA_nP_c$, against $1/\Delta_c=\theta^{2/3}/1.94889$, $\Delta_c$
-being the stretch over $\sigma$ at which one asperity comes off, and $h$ where it occurs:
+*Check*: the pull-off force on the unloading branch, over $NA_nP_c$, against $1/\Delta_c=\theta^{2/3}/1.94889$, where
+$\Delta_c$ is the stretch over $\sigma$ at which one asperity loses contact, and the separation $h$ at the pull-off force:
 
 | $1/\Delta_c$ | 0.1 | 0.2 | 0.3 | 0.5 | 0.75 | 1 | 1.5 | 2 | 2.5 | 3 | 4 |
 |---|---|---|---|---|---|---|---|---|---|---|---|

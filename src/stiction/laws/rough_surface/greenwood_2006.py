@@ -1,15 +1,15 @@
-r"""The simplified elliptic model, summits of a Gaussian surface as spheres of their geometric mean curvature: Greenwood 2006.
+r"""Summits of a Gaussian surface as spheres of their geometric mean curvature: Greenwood 2006.
 
-*Assumes*: as [`bush_gibson_thomas_1975`](#bush_gibson_thomas_1975), with the same density of summits, but one with the
-principal curvatures $\kappa_1$ and $\kappa_2$ is pressed as a sphere with the geometric mean of both,
+*Assumes*: as [`bush_gibson_thomas_1975`](#bush_gibson_thomas_1975), with the same density of summits. A summit with the
+principal curvatures $\kappa_1$ and $\kappa_2$ is replaced by a sphere with the geometric mean of both,
 
 $$
 \sqrt{\kappa_1\kappa_2}=\sqrt{\kappa_m^2-r^2}
 $$
 
-of which Greenwood found that Hertz's ellipse differs little. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and
-areas are within 3 % of those of Bush et al. for $\rho$ from 0.017 to 0.3; $\kappa\to\sqrt{2\pi}$ as there, with its values in
-the table there.
+Greenwood found that Hertz's ellipse differs little from this. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and
+areas agree with Bush et al. within 3 % for $\rho$ from 0.017 to 0.3. $\kappa$ tends to $\sqrt{2\pi}$ as there; its values are
+in the table there.
 """
 
 from functools import cache

@@ -1,14 +1,14 @@
 r"""Elastic asperities of one radius, heights distributed, no adhesion: Greenwood & Williamson 1966.
 
-*Assumes*: asperities of one radius that act alone, each in [Hertz's](#hertz) contact. *Source*: [greenwood_williamson_1966],
-load, area and number of contacts:
+*Assumes*: asperities of one radius are independent, each with a [Hertz](#hertz) contact. *Source*:
+[greenwood_williamson_1966], load, area and number of contacts:
 
 $$
 \bar P=F_{3/2}(h),\qquad\bar A=F_1(h),\qquad F_n(h)=\int_h^\infty(z-h)^n\varphi(z)\,dz
 $$
 
-and $F_0$ of them touch. In SI, per nominal area, $p=\tfrac43NE^*R^{1/2}\sigma^{3/2}F_{3/2}$
-and $A/A_n=\pi NR\sigma F_1$. *Check*, Gaussian:
+The fraction $F_0$ of them touches. In SI, per nominal area, $p=\tfrac43NE^*R^{1/2}\sigma^{3/2}F_{3/2}$ and $A/A_n=\pi
+NR\sigma F_1$. *Check*, Gaussian heights:
 
 | $h$ | $F_0$ | $F_{1/2}$ | $F_1$ | $F_{3/2}$ | $F_2$ | $F_{5/2}$ |
 |---|---|---|---|---|---|---|

@@ -1,30 +1,32 @@
 r"""Asperities of n neighbouring sampled points, n growing as the surfaces come closer: Hariri, Zu & Ben Mrad 2006.
 
-*Assumes* (abstract of [hariri_zu_ben_mrad_2006]): an asperity is $n$ neighbouring sampled points of a profile whose $n-2$
-middle ones are above a level; as the separation falls larger $n$ appear; exponential autocorrelation is the example.
-*Source*: [hariri_zu_ben_mrad_2006], its abstract; what was made of it is in `stiction.surfaces.theory.n_point`.
-*Unknown*: every formula. *Reconstruction*: with the level $d$, the height $t$ of the highest point above it and the chord
-$L=(n-1)\ell$ between the outer neighbours, an asperity is a Hertz contact pressed by $t$ with the radius of the parabola,
+*Assumes* (abstract of [hariri_zu_ben_mrad_2006]): an asperity consists of $n$ neighbouring sampled points of a profile, with
+its $n-2$ middle points above a level. Larger $n$ appear as the separation falls. The example has exponential autocorrelation.
+*Source*: [hariri_zu_ben_mrad_2006], its abstract; the reconstruction is in `stiction.surfaces.theory.n_point`. *Unknown*: all
+formulas of the source. *Reconstruction*: with the level $d$, the height $t$ of the highest point above it and the chord
+$L=(n-1)\ell$ between the outer neighbours, an asperity is a Hertz contact at the displacement $t$, with the radius of the
+parabola,
 
 $$
 R_n=\frac{L^2}{8t},\qquad\text{area}=\frac\pi8L^2,\qquad\text{load}=\frac{\sqrt2}3E^*L\,t
 $$
 
-and a line meets the asperities of width $L$ within $L/2$ of their middles, so that there are per area as many as per length,
-over $L$ (with asperities per area as the square of those per length the area at a large separation would be as the square of
-the share of points above $d$). Summed over all $n$, for a Gaussian profile whose neighbouring points have the correlation
-$r$:
+A line meets an asperity of width $L$ if it passes within $L/2$ of its centre. The number per area is therefore the number per
+length divided by $L$. (If it were the square of the number per length, the area at a large separation would be proportional
+to the square of the share of points above $d$.) Summed over all $n$, for a Gaussian profile whose neighbouring points have
+the correlation $r$:
 
 $$
 \frac A{A_n}=\frac\pi8\left[Q(D)+\nu_r\right],\qquad\frac p{E^*}=\frac{\sqrt2}3\,\frac{\nu_r\,\bar t}\ell,\qquad
 \nu_r=2\,T_O\!\left(D,\sqrt{\tfrac{1-r}{1+r}}\right)
 $$
 
-$D$ is the level over the profile's standard deviation, $Q$ the share of points above it, $\nu_r$ the rows of points per point
-($T_O$ is Owen's function) and $\bar t(D,r)$ their mean height, from an integral equation, tabulated; the number of points $n$
-drops out of the load, and its square out of the area. $\ell$ and $r$ are such that the peaks of three sampled points are as
-many and as curved as those of a profile of the surface with the same $\sigma$, $N$ and $1/R$; that exists for $\rho$ from
-0.0396 to 1.01. *Check*: from simulated profiles of $2\cdot10^7$ points, $\nu_r$ and $\bar t$ over the profile's deviation:
+$D$ is the level over the profile's standard deviation, $Q$ the share of points above it, $\nu_r$ the number of rows of points
+per point ($T_O$ is Owen's function) and $\bar t(D,r)$ their mean height, tabulated from an integral equation. The number of
+points $n$ cancels in the load, and its square in the area. $\ell$ and $r$ are chosen so that peaks of three sampled points
+have the same number and curvature as the peaks of a profile of the surface with the given $\sigma$, $N$ and $1/R$. This is
+possible for $\rho$ from 0.0396 to 1.01. *Check*: $\nu_r$ and $\bar t$ over the profile's standard deviation, from simulated
+profiles of $2\cdot10^7$ points:
 
 | $r$ | $D=-1$ | 0 | 1 | 2 |
 |---|---|---|---|---|
@@ -33,10 +35,10 @@ many and as curved as those of a profile of the surface with the same $\sigma$, 
 | 0.7 | 0.0747, 1.721 | 0.1266, 0.940 | 0.0747, 0.578 | 0.0154, 0.394 |
 | 0.95 | 0.0305, 1.087 | 0.0504, 0.656 | 0.0306, 0.451 | 0.0068, 0.337 |
 
-The load has a maximum at about half a deviation below the mean plane, where rows merge: there the model ends. It has more
-area at the same load than any other elastic model here: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, of simulated profiles too, is
-4.3, 5.6 and 7.2 at $h$ = 0, 1 and 2 for $\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$. Whether that is the paper's or
-the reconstruction's cannot be said.
+The load has a maximum at about half a standard deviation below the mean plane, where rows merge; the model ends there. At the
+same load it has more area than any other elastic model here: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, of simulated profiles
+too, is 4.3, 5.6 and 7.2 at $h$ = 0, 1 and 2 for $\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$. It is unknown whether
+this comes from the paper or from the reconstruction.
 """
 
 import math

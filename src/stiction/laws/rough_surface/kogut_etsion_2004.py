@@ -1,14 +1,14 @@
-r"""Elastic-plastic asperities (2002) that slide by yielding (2003), summed over a rough surface: Kogut & Etsion 2004.
+r"""Elastic-plastic asperities (2002) that slide by yield (2003), summed over a rough surface: Kogut & Etsion 2004.
 
-*Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) that act alone and fail by loss of strength,
+*Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) are independent and fail by loss of strength,
 [`kogut_etsion_2003`](#kogut_etsion_2003). *Source*: [kogut_etsion_2004].
 
 $$
 \mu(h)=\frac{\int_0^{6w_c}\mu(w)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Reconstructed*: the fits of 2003, as there; the sums themselves are made, not the authors' empirical formulas of them. *Left
-out*: the adhesion. *Check*: [the three models of static friction side by
+*Reconstructed*: the fits of 2003, as there. The sums themselves are computed, not the authors' empirical formulas for them.
+*Not included*: adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 

@@ -8,12 +8,13 @@ N=\frac{m_4/m_2}{6\pi\sqrt3},\quad R=\frac38\sqrt{\frac\pi{m_4}},\quad\sigma^2=\
 \alpha=\frac{m_0m_4}{m_2^2},\quad\text{mean summit height}\ 4\sqrt{\frac{m_0}{\pi\alpha}}
 $$
 
-0.8968 is $1+16/\pi-3\sqrt3$. The same printed elsewhere with $NR$: $\sigma^2=m_0-3.717\cdot10^{-4}/(NR)^2$, mean summit
+0.8968 is $1+16/\pi-3\sqrt3$. Other sources print the same with $NR$: $\sigma^2=m_0-3.717\cdot10^{-4}/(NR)^2$, mean summit
 height $0.045944/(NR)$; then $\alpha=768\pi\,\rho^2+0.8968$ and $h'=\sqrt{2m_2}$ is $\varsigma\,(\sqrt3/(64\rho))^{1/2}$.
-*Traps*: $m_2$ and $m_4$ are of a line, the surface's gradient has $2m_2$; the mean curvature of summits has no $m_2$ in it;
-separations from the mean plane and from the mean of the summits differ by $1/(\sqrt{48}\pi\rho)$ in units of $\sigma$.
+*Traps*: $m_2$ and $m_4$ belong to a profile, and the mean square gradient of the surface is $2m_2$; the mean curvature of
+summits does not depend on $m_2$; separations from the mean plane and from the mean of the summits differ by
+$1/(\sqrt{48}\pi\rho)$ in units of $\sigma$.
 
-The measure of all theories at light load is $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$. *Check*: here it is not constant:
+At light load, theories are compared by $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$. *Check*: here $\kappa$ is not constant:
 
 | $\alpha$ | $h=1$ | 2 | 3 | 4 |
 |---|---|---|---|---|
@@ -22,7 +23,7 @@ The measure of all theories at light load is $\kappa$ in $A/A_n=\kappa\,p/(E^*h'
 | 10 | 1.722 | 1.997 | 2.264 | 2.517 |
 | 50 | 1.130 | 1.311 | 1.486 | 1.652 |
 
-Numerical contact has about 2, so the model is off by 0.5 to 2 times, and which way depends on $\alpha$.
+Numerical solutions give about 2, so that the model is wrong by factors from 0.5 to 2, depending on $\alpha$.
 """
 
 from stiction.laws.shared_claims import ELASTIC

@@ -1,10 +1,10 @@
 r"""Area against load of a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
 
-*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014): attraction acts on rims around the
-contact spots, repulsion in the spots, both in proportion to their area, which is in proportion to the load. *Source*:
-[pastewka_robbins_2014]: the abstract (area in proportion to the load; the factor rises in proportion to weak attraction, and
-changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10) says where the two
-pressures cancel, $Q=1$; here they are subtracted also where they do not:
+*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014): attraction acts on rims around the contact
+spots and repulsion in the spots. Both are proportional to their areas, and these are proportional to the load. *Source*:
+[pastewka_robbins_2014]: the abstract (the area is proportional to the load; the factor rises linearly with weak attraction
+and changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10) states where the
+two pressures cancel, $Q=1$. Here they are also subtracted where they do not cancel:
 
 $$
 p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad
@@ -12,11 +12,11 @@ Q=\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3},\qquad\
 $$
 
 *Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and $Q=14.666$. *Unknown*: the
-area law in the authors' form, and whether the border is $Q=1$, as restated, or $Q=\pi(3/16)^{2/3}=1.03$.
+area law in the authors' form, and whether the threshold is $Q=1$, as restated, or $Q=\pi(3/16)^{2/3}=1.03$.
 
-A surface that sticks ($Q\le1$) is in contact without a load, has no area here, and is refused. The area is in
-proportion to the load up to a tenth of the nominal area; the range of the attraction has to be short against
-$\tfrac{16}3h'^2/h''$ ([monti_sanner_pastewka_2021]). It knows no separation: results have none.
+A surface that sticks ($Q\le1$) is in contact without a load; the model then raises an error. The area is proportional to the
+load up to a tenth of the nominal area. The range of the attraction must be short against $\tfrac{16}3h'^2/h''$
+([monti_sanner_pastewka_2021]). The theory has no separation, and neither have its results.
 """
 
 import math

@@ -1,8 +1,8 @@
-r"""The distribution of pressure diffuses as finer roughness comes in, elastic contact: Persson 2001.
+r"""Elastic contact by diffusion of the pressure distribution towards finer roughness: Persson 2001.
 
-*Assumes*: no asperities. Pressure spreads by diffusion as finer roughness comes in; contact is lost where it comes
-to zero. *Source*: [persson_2001]. The time of the diffusion is $G=(E^*h')^2/8$ for the whole surface, $h'$ the root mean square
-gradient:
+*Assumes*: there are no asperities. As finer roughness is included, the distribution of pressure broadens by diffusion.
+Contact is lost where the pressure reaches zero. *Source*: [persson_2001]. The time of the diffusion is $G=(E^*h')^2/8$ for
+the whole surface, $h'$ the root mean square gradient:
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{2\sqrt G}=\operatorname{erf}\left(\sqrt2\,\frac p{E^*h'}\right),\qquad
@@ -15,8 +15,8 @@ $$
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.01596 | 0.07966 | 0.15852 | 0.31084 | 0.68269 | 0.95450 |
 
-$h'$ is that of the Gaussian surface with these summits, $h'^2=\sqrt3/(64NR^2)$. It knows no separation: results have
-none.
+$h'$ belongs to the Gaussian surface with these summits, $h'^2=\sqrt3/(64NR^2)$. The theory has no separation, and neither
+have its results.
 """
 
 import math

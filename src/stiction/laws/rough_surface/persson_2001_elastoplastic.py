@@ -1,16 +1,16 @@
-r"""As persson_2001, but the pressure nowhere exceeds the hardness: Persson 2001, elastic and plastic.
+r"""As persson_2001, with pressures limited to the hardness: Persson 2001, elastic and plastic.
 
-*Assumes*: as [`persson_2001`](#persson_2001), with a boundary at the hardness, where contact turns plastic and stays in
-contact; one hardness at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The distribution of pressures
-obeys $\partial P/\partial G=\partial^2P/\partial p^2$ from a spike at the nominal pressure $p_0$, with $P=0$ at $p=0$ and at
-$p=H$; in sines of $n\pi p/H$ that is
+*Assumes*: as [`persson_2001`](#persson_2001), with a second boundary at the hardness, where the contact turns plastic and
+stays in contact. The hardness is the same at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The
+distribution of pressures obeys $\partial P/\partial G=\partial^2P/\partial p^2$ from a spike at the nominal pressure $p_0$,
+with $P=0$ at $p=0$ and at $p=H$; the solution as a series of sines of $n\pi p/H$ is
 
 $$
 \frac{A_\text{el}}{A_n}=\sum_{n\ \text{odd}}\frac4{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2},\qquad
 \frac{A_\text{pl}}{A_n}=\frac{p_0}H+\sum_n(-1)^n\frac2{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2}
 $$
 
-the second from what flows out at $H$; both carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check*:
+The second follows from the flux out at $H$. Both areas carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check*:
 
 | $H/(E^*h')$ | $p_0/H$ | elastic | plastic |
 |---|---|---|---|
@@ -19,7 +19,7 @@ the second from what flows out at $H$; both carry the load, $\int pP\,dp+HA_\tex
 | 2 | 0.25 | 0.67999 | 0.00270 |
 | 2 | 0.75 | 0.67999 | 0.31731 |
 
-*Limits*: `persson_2001` for great hardness; $A/A_n=p_0/H$ for much roughness.
+*Limits*: `persson_2001` for large hardness; $A/A_n=p_0/H$ for large roughness.
 """
 
 import math

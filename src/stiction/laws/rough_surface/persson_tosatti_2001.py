@@ -1,19 +1,20 @@
-r"""A soft smooth surface that adhesion presses flat: full contact, after Persson & Tosatti 2001.
+r"""Full contact of a soft smooth surface that adhesion presses flat: after Persson & Tosatti 2001.
 
-*Assumes*: elastic half-spaces; the faces are in full contact where the elastic energy of flattening the roughness is less than
-the work of adhesion. *Source*: [persson_tosatti_2001], the balance as commonly quoted and derived again here: a wave of the
-wavevector $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area, so that
+*Assumes*: elastic half-spaces. The surfaces are in full contact if flattening the roughness needs less elastic energy than
+the work of adhesion. *Source*: [persson_tosatti_2001], the energy balance as commonly quoted, derived again here. A wave of
+the wavevector $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area, so that
 
 $$
 \frac U\gamma=\frac{E^*}{4\gamma}\int q\,C(q)\,d^2q\ \le\ \frac{E^*h_\mathrm{rms}h'}{4\gamma}<1,\qquad A=A_n,\qquad
 \mu=\frac{\tau_0A_n}P
 $$
 
-The bound (Cauchy and Schwarz) stands for the integral: of sigma, R and N only the moments are known. It is exact for waves of
-one length, and three times the energy for self-affine ones over three decades. *Limit*: waves of one length jump into full
-contact by themselves where $U/\gamma<0.49$ (Johnson 1995, $\alpha>0.57$); between that and 1 they may need to be pressed. Where
-the bound is above 1 the model is refused: partial contact under adhesion is not in it. *Check*: $E^*=2$ MPa,
-$h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2: $U/\gamma=0.1$. It knows no separation: results have none.
+The bound (Cauchy and Schwarz) replaces the integral, because sigma, R and N give only the moments. It is exact for waves of
+one length, and three times the energy for self-affine surfaces over three decades. *Limit*: waves of one length jump into
+full contact by themselves if $U/\gamma<0.49$ (Johnson 1995, $\alpha>0.57$); from there to 1 they may need a load. If the
+bound is above 1 the model raises an error, because it does not describe partial contact with adhesion. *Check*: $E^*=2$ MPa,
+$h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2: $U/\gamma=0.1$. The theory has no separation, and neither have its
+results.
 """
 
 import math

@@ -1,8 +1,8 @@
-r"""Persson's area of contact, widened to what solved maps show; of a scan, the solution of its own contact: this project's own.
+r"""Persson's contact area, widened by a fit to solved maps; for scans, the solution of their own contact.
 
-*Assumes*: half-spaces without adhesion and friction; one hardness. *Source*: this project: a fit to maps of rough surfaces
-whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971] for the moments. With
-$p$ over $E^*h'$, $h'$ the root mean square gradient, and $\alpha=m_0m_4/m_2^2$,
+*Assumes*: half-spaces without adhesion and friction, with one hardness. *Source*: this project's own, a fit to maps of rough
+surfaces whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971] for the
+moments. With $p$ over $E^*h'$, $h'$ the root mean square gradient, and $\alpha=m_0m_4/m_2^2$,
 
 $$
 \frac{A_\text{el}}{A_n}=
@@ -10,13 +10,13 @@ $$
 c=.617-.041\ln\alpha
 $$
 
-and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. So it is where the contact is given by numbers,
-$\sigma$, $R$ and $N$: what is then left out, skewness, wear, a lay and the chance in a small map, is the larger part of its
-error. Where the contact names scans, it solves the contact of their map at every pressure with the fewest points that are
-enough (four in the shortest wave, eight across a lay, 3000 in contact), elastic or up to the hardness; a map with more points
-than can be done for takes one of the formulas of `area_estimates`. `area_by` of the result says which it was.
+and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. This formula is used if the surface is given
+by $\sigma$, $R$ and $N$. Most of its error comes from what these leave out: skewness, wear, a lay, and the scatter of a small
+map. If the contact names scans, the contact of their map is solved at every pressure, elastic or up to the hardness. The
+solution uses the fewest points that are sufficient (four in the shortest wave, eight across a lay, 3000 in contact). A map
+with too many points uses one of the formulas of `area_estimates`. `area_by` of the result names the method.
 
-*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ would be [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
+*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ gives [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
 from typing import TYPE_CHECKING

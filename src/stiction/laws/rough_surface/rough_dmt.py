@@ -1,7 +1,7 @@
-r"""DMT asperities under Greenwood & Williamson's sum: weak adhesion of hard, sharp, not too adhesive asperities.
+r"""DMT asperities in Greenwood & Williamson's sum, for weak adhesion of hard, sharp asperities.
 
-*Assumes*: [`dmt`](#dmt) asperities of one radius that act alone. *Source*: the sum of [greenwood_williamson_1966] over them,
-with $F_n$ as there,
+*Assumes*: [`dmt`](#dmt) asperities of one radius are independent. *Source*: the sum of [greenwood_williamson_1966] over these
+asperities, with the same $F_n$,
 
 $$
 \bar P=F_{3/2}(h)-\frac{2\pi}\theta F_0(h),\qquad\bar A=F_1(h)

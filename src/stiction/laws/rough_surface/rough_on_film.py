@@ -1,9 +1,9 @@
-r"""The area law of a rough surface with the modulus that a sphere as wide as its spots feels on the film: this project's own.
+r"""Contact area of a rough surface on a film, with the modulus that a sphere as wide as the contact spots feels.
 
-*Assumes*: a Gaussian isotropic surface, frictionless and without adhesion; a film bonded to its body; pressure nowhere above
-the film's hardness, or what the body below carries through a harder film, without hardening. *Source*: this project's own
-(grade B: its evidence are solved maps; the body below is grade C and was not compared with any). The bare area law
-$F$ is that of moments in `solvers/boundary_elements/area_estimates.py`, $p$ the mean pressure,
+*Assumes*: a Gaussian isotropic surface without friction and adhesion, and a film bonded to its body. Pressures are limited to
+the film's hardness, or to what the body below carries through a harder film. Nothing hardens. *Source*: this project's own.
+It is grade B, because it was compared with solved maps; the limit by the body below is grade C and was not compared with any.
+The bare area law $F$ is the formula from moments in `solvers/boundary_elements/area_estimates.py`, $p$ the mean pressure,
 
 $$
 \frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
@@ -11,24 +11,24 @@ E_\mathrm{eff}^2=\frac{\sum k^2S(k)\,E_P^2(a/t)}{\sum k^2S(k)},\qquad
 a=\frac{2.06}k\left(\frac{A_\mathrm{el}}{A_n}\right)^{0.086}\left(\frac{E_f}{E_s}\right)^{-0.047}
 $$
 
-solved for $A_\mathrm{el}$. $E_P(a/t)$ is the modulus that carries a sphere on the film at the contact radius $a$, exact, as in
-[`layered`](#layered): a wave of the spectrum $S$ meets the film with spots of its own size. Weighting the film's compliance at
-the wave itself does not do: pressures vary over shorter waves than heights. With the film's hardness $H_f$, or what
-the body below carries where that is less,
+solved for $A_\mathrm{el}$. $E_P(a/t)$ is the modulus that carries a sphere on the film at the contact radius $a$, exact, as
+in [`layered`](#layered): a wave of the spectrum $S$ touches the film with spots of its own size. Weighting the film's
+compliance at the wavelength itself is not sufficient, because pressures vary over shorter lengths than heights. With the
+film's hardness $H_f$, or the pressure that the body below carries if this is less,
 
 $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
 $$
 
-*Spectrum*: of sigma, R and N only the moments are known; their surface is taken as self-affine, $S\propto k^{-2-2H}$ with
-$H=0.8$ between two waves that give it these moments. Where the contact names a scan, the map is solved with its film, elastic,
-at up to five loads; between and beyond them the area follows the law with the spectrum of the map, and with the bare area of
-its slopes as in [`persson_widened`](#persson_widened). A map too large to be solved has the law alone. `area_by` of the result
-says which it was.
+*Spectrum*: sigma, R and N give only the moments. The surface is taken as self-affine, $S\propto k^{-2-2H}$ with $H=0.8$,
+between two wavelengths that give these moments. If the contact names a scan, the elastic contact of the map with its film is
+solved at up to five loads. Between and beyond them the area follows the law with the spectrum of the map, and with the bare
+area from its slopes as in [`persson_widened`](#persson_widened). A map too large to be solved uses the law alone. `area_by`
+of the result names the method.
 
-*Limit*: the bare area law, for a film of no thickness with the modulus of the bodies, for one without end with the film's own.
-*Check*: where film and bodies are alike, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$ ($NR\sigma=0.05$) as `of_moments`
-has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
+*Limit*: the bare area law, with the modulus of the bodies for zero film thickness and with the film's own for infinite
+thickness. *Check*: if film and bodies have the same modulus, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$
+($NR\sigma=0.05$) as `of_moments` has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
 """
 
 import math

@@ -1,15 +1,15 @@
-r"""The model this project exists for: static friction of adhesive rough surfaces, bare or with a thin soft film (2015).
+r"""Static friction of adhesive rough surfaces, bare or with a thin soft film: the 2015 paper.
 
-*Assumes*: asperities of [`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994) that act alone and hold as [the tangential
-law of 2015](#soft_coating_2015-tangential-law) says; a film deforms alone until it is pressed by its own thickness,
-[`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). Bare,
+*Assumes*: asperities of [`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994) are independent, and their friction follows
+[the tangential law of 2015](#soft_coating_2015-tangential-law). A film deforms alone until the displacement equals its
+thickness, [`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). For a bare surface
 
 $$
 \mu(h)=\frac{\int T(w)\,\varphi(h+w)\,dw}{\int P(w)\,\varphi(h+w)\,dw}
 $$
 
-Every equation, and every departure from the print, is in [theory](theory.md). With `variant="published"` it is what the print
-says, [`printed`](#printed); with `transition="gradual"` an asperity turns plastic by degrees, as in [`graded`](#graded).
+All equations, and all departures from the print, are in [theory](theory.md). With `variant="published"` the printed equations
+are used, [`printed`](#printed); with `transition="gradual"` an asperity becomes plastic gradually, as in [`graded`](#graded).
 *Reconstructed*: the coefficients of eq. (11), departure D12.
 """
 

@@ -1,4 +1,4 @@
-r"""Persson's diffusion with a rate fitted to solutions up to full contact, elastic: Wang & Müser 2017.
+r"""Persson's diffusion with a rate fitted to elastic solutions up to full contact: Wang & Müser 2017.
 
 *Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with another factor. *Source*: [wang_muser_2017], as the program
 published with [xu_zhu_xiao_zhou_2024] restates it (the text was not available):
@@ -14,9 +14,9 @@ $$
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.02142 | 0.10706 | 0.21174 | 0.39748 | 0.73837 | 0.95703 |
 
-The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) it meets
-within -10 to +5 %. The source is about surfaces that attract each other; here is its correction for those that do not. It
-knows no separation: results have none.
+The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) agree with this
+formula within -10 to +5 %. The source treats surfaces that attract each other; its correction for surfaces without attraction
+is used here. The theory has no separation, and neither have its results.
 """
 
 import numpy as np

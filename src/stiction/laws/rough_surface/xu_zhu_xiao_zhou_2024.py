@@ -1,23 +1,23 @@
-r"""Persson's diffusion with a correction of the whole variance, elastic: Xu, Zhu, Xiao & Zhou 2024.
+r"""Persson's diffusion for elastic contact with a corrected variance: Xu, Zhu, Xiao & Zhou 2024.
 
-*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the factor is on the variance reached, not on its growth, so that
-the area depends on the present scale only. *Source*: [xu_zhu_xiao_zhou_2024], the program published with it (of the text the
-abstract was seen):
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the factor applies to the variance itself, not to its growth, so
+that the area depends only on the present scale. *Source*: [xu_zhu_xiao_zhou_2024], the program published with it (only the
+abstract of the text was available):
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad
 V=\left[\gamma+(1-\gamma)\frac A{A_n}\right]\frac{(E^*h')^2}4,\qquad\gamma=0.45
 $$
 
-an equation for $A$, with one root. *Limit*: $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact at high load.
-*Unknown*: which $\gamma$ the text recommends; 0.45 is that of the figures, the default of the program is 0.42. *Check*:
+This is an equation for $A$ with one root. *Limit*: $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact at high
+load. *Unknown*: which $\gamma$ the text recommends. The figures use 0.45; the default of the program is 0.42. *Check*:
 
 | $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.02345 | 0.11123 | 0.20975 | 0.37808 | 0.72264 | 0.95704 |
 
-The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) it meets
-within -3 to +5 %. It knows no separation: results have none.
+The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) agree with this
+formula within -3 to +5 %. The theory has no separation, and neither have its results.
 """
 
 import math

@@ -1,26 +1,26 @@
-r"""Persson's diffusion, slowed where contact is partial, elastic: Yang & Persson 2008.
+r"""Persson's diffusion for elastic contact, slowed in partial contact: Yang & Persson 2008.
 
-*Assumes*: as [`persson_2001`](#persson_2001); but where the area $A$ is in contact, finer roughness adds less to the variance
-$V$ of the pressure than in full contact, by a factor fitted to numerical solutions. *Source*: [yang_persson_2008], as the
-program published with [xu_zhu_xiao_zhou_2024] restates it (the text was not available). With $V_c$ the variance in full
-contact, $(E^*h')^2/4$ for the whole surface:
+*Assumes*: as [`persson_2001`](#persson_2001); but in partial contact, finer roughness adds less to the variance $V$ of the
+pressure than in full contact, by a factor fitted to numerical solutions. *Source*: [yang_persson_2008], as the program
+published with [xu_zhu_xiao_zhou_2024] restates it (the text was not available). With $V_c$ the variance in full contact,
+$(E^*h')^2/4$ for the whole surface:
 
 $$
 \frac{dV}{dV_c}=\gamma+(1-\gamma)\left(\frac A{A_n}\right)^2,\qquad
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad\gamma=0.45
 $$
 
-In print the factor stands under an integral over the scales of the spectrum; since it depends on $A$ only, $V_c$ can take the
-place of the scale, and $h'$ is all that is left of the spectrum. *Limit*: $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load,
-full contact at high load. *Unknown*: $\gamma$ is quoted between 0.4 and 0.5; 0.45 is taken, with which the figures of that
-program are drawn, whose own default is 0.42. *Check*:
+In print the factor is inside an integral over the scales of the spectrum. Because it depends only on $A$, $V_c$ can replace
+the scale, and of the spectrum only $h'$ remains. *Limit*: $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact
+at high load. *Unknown*: $\gamma$ is quoted between 0.4 and 0.5. The value 0.45 is used, as in the figures of the program,
+whose own default is 0.42. *Check*:
 
 | $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.02373 | 0.11488 | 0.21687 | 0.38493 | 0.71787 | 0.95582 |
 
-The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) it meets
-within -4 to +8 %. It knows no separation: results have none.
+The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) agree with this
+formula within -4 to +8 %. The theory has no separation, and neither have its results.
 """
 
 import numpy as np

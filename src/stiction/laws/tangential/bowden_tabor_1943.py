@@ -1,14 +1,14 @@
 r"""A constant shear strength of the interface: Bowden & Tabor 1943.
 
-*Assumes*: the interface has a shear strength $\tau_0$, whatever the pressure and whatever carries the load. *Sources*:
-[bowden_tabor_1943], [bowden_tabor_1950].
+*Assumes*: the interface has a shear strength $\tau_0$ that does not depend on the pressure or on the state of the contact.
+*Sources*: [bowden_tabor_1943], [bowden_tabor_1950].
 
 $$
 T=\frac{\tau_0}H\,\eta\,A\qquad(\text{SI:}\ T=\tau_0\,\pi a^2)
 $$
 
-on every piece, elastic or not. Where all contacts are plastic, $\mu=\tau_0/H$, Bowden and Tabor's $s/p$. It needs
-`interfacial_shear_strength`.
+for every piece, elastic or plastic. If all contacts are plastic, $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law
+needs `interfacial_shear_strength`.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

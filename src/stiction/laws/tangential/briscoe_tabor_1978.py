@@ -7,7 +7,7 @@ $$
 T=\frac{\tau_0}H\,\eta\,A+\alpha\max(P,0)
 $$
 
-That a tension lowers nothing is this project's. For heavy loads $\mu\to\alpha$ plus $\tau_0$ over the mean pressure.
+Ignoring tension is this project's choice. For heavy loads $\mu$ tends to $\alpha$ plus $\tau_0$ over the mean pressure.
 *Limit*: `bowden_tabor_1943` for $\alpha=0$.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).

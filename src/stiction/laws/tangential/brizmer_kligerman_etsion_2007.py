@@ -1,6 +1,6 @@
 r"""Static friction of an elastic-plastic sphere in full stick: Brizmer, Kligerman & Etsion 2007, fitted to finite elements.
 
-*Assumes*: full stick; sliding begins when the junction has lost its tangential stiffness (finite elements). An
+*Assumes*: full stick; sliding begins when the junction has lost its tangential stiffness (finite elements). The law is an
 upper bound for clean metals. *Source*: [brizmer_kligerman_etsion_2007], the fit as commonly quoted.
 
 $$
@@ -13,8 +13,9 @@ with $P_c$ of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006).
 |---|---|---|---|---|---|---|---|
 | $\mu$ | 2.2496 | 1.0242 | 0.6114 | 0.4998 | 0.3434 | 0.3086 | 0.2747 |
 
-Plastic asperities hold too: that is why rough surfaces keep $\mu\ge0.27$ at any plasticity index, against nearly
-nothing after Kogut and Etsion or Chang, Etsion and Bogy. *Unknown*: junction growth is not printed in what we saw.
+Plastic asperities resist too. Rough surfaces therefore keep $\mu\ge0.27$ at any plasticity index, while the laws of Kogut and
+Etsion and of Chang, Etsion and Bogy give almost no friction. *Unknown*: the growth of the junction, which the available texts
+do not print.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

@@ -1,9 +1,8 @@
 r"""Tangential force at which a Hertz contact first yields, on its axis or at its trailing edge: Chang, Etsion & Bogy 1988.
 
-*Assumes*: a Hertz contact fails when it first yields under both forces (von Mises); it is looked at in two places, on the axis
-at one depth and at the trailing edge. From $\omega_c$ on it resists nothing. *Source*: [chang_etsion_bogy_1988],
-with the stresses of [hamilton_1983], as restated by [eriten_2010]. With $r=w/w_c$ (`w_ratio`) of Chang, Etsion and
-Bogy 1987, $Q=\mu P$:
+*Assumes*: a Hertz contact fails when it first yields (von Mises) under both forces, at one of two places: on the axis at one
+depth, or at the trailing edge. From $\omega_c$ on it resists nothing. *Source*: [chang_etsion_bogy_1988], with the stresses
+of [hamilton_1983], as restated by [eriten_2010]. With $r=w/w_c$ (`w_ratio`) of Chang, Etsion and Bogy 1987, $Q=\mu P$:
 
 $$
 \mu=\min\left\{\frac{0.2045}{K_H|c_1|}\sqrt{\frac1r-1},\ \frac{-c_4+\sqrt{c_4^2-4c_3c_5}}{2c_3}\right\}\ (r<1),\qquad0\ (r\ge1)
@@ -18,16 +17,17 @@ $$
 c_4=\tfrac{9\pi}4(1-2\nu)\left(1-\tfrac\nu2\right),\qquad c_5=\tfrac32(1-2\nu)^2-\frac{0.56}{K_H^2\,r}
 $$
 
-0.2045 and 0.56 are $0.354/\sqrt3$ and $\tfrac92\cdot0.354^2$, rounded in print: the law has $Y=0.354H$ built in, whatever
-$k$ the contact states. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
+0.2045 and 0.56 are $0.354/\sqrt3$ and $\tfrac92\cdot0.354^2$, rounded in print. The law therefore contains $Y=0.354H$,
+whatever $k$ the contact states. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284869$, $c_3=10.707750$, $c_4=2.403318$.
 
 | $\omega/\omega_c$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | 0.6 | 0.7 | 0.8 | 0.9 | 0.95 | 0.99 |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 | $\mu$ | 3.8499 | 1.6575 | 1.1372 | .7685 | .6046 | .5066 | .4395 | .3898 | .3510 | .3197 | .2936 | .2822 | .1250 |
 | $Q/P_c$ | .00385 | .01853 | .03596 | .06873 | .09934 | .12815 | .15537 | .18115 | .20558 | .22874 | .25071 | .26126 | .12317 |
 
-The axis takes over at 0.9512. The adhesion of the 1988 papers is left out. With `plastic_junctions` asperities beyond
-$\omega_c$ resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
+The axis yields first above 0.9512. The adhesion of the 1988 papers is not included. With `plastic_junctions`, asperities
+beyond $\omega_c$ resist according to another law, and results state by how much mu differs from that of the paper; the paper
+itself has `none`.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

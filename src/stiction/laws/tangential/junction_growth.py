@@ -1,12 +1,12 @@
-r"""From a weak interface to full stick: junctions that grow as Tabor has it, to where Brizmer et al. 2007 have them slide.
+r"""Junction growth from a weak interface (Tabor 1959) to full stick (Brizmer et al. 2007).
 
-*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; the growth
-ends, instead of nowhere, where a junction in full stick slides, at the force $T_s$ of
-[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007), its mean shear stress then being the strength $\tau_b$ of the
-bulk: $A_s=T_s/\tau_b$. *Sources*: [tabor_1959] for the growth, [brizmer_kligerman_etsion_2007] for the force in full stick, and
-[brizmer_kligerman_etsion_2007_junction] for it that areas grow until the junction has lost its tangential stiffness.
+*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; The growth
+ends where a junction in full stick slides, at the force $T_s$ of
+[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007), where its mean shear stress is the strength $\tau_b$ of the
+bulk: $A_s=T_s/\tau_b$. *Sources*: [tabor_1959] for the growth, [brizmer_kligerman_etsion_2007] for the force in full stick,
+and [brizmer_kligerman_etsion_2007_junction] for the growth of the area until the junction has lost its tangential stiffness.
 
-An interface of the strength $\tau_0=c\,\tau_b$ gives way where $T=\tau_0A(T)$:
+An interface with the strength $\tau_0=c\,\tau_b$ slides where $T=\tau_0A(T)$:
 
 $$
 \frac1{T^2}=\frac{1-c^2}{(\tau_0A_0)^2}+\frac1{T_s^2}\quad(c\le1);\qquad T=T_s\quad(c\ge1)\quad\text{(SI)}
@@ -16,13 +16,12 @@ $$
 \frac{A^2}{A_0^2}=1+\left(\frac{A_s^2}{A_0^2}-1\right)\frac{T^2}{T_s^2}
 $$
 
-*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk shears;
-[`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. It rises from one to the other without a step.
-*Reconstructed*: that the area follows Tabor's form between the two ends, and the area at the second; the growth that Brizmer,
-Kligerman and Etsion computed, and the fit they give for it, were not available. Where the bulk, by
-its $\alpha$, is stronger than full stick needs ($A_s<A_0$), the area shrinks in form only. *Check*: with $\alpha=3(H/Y)^2$,
-$\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$,
-$A_s=1.805A_0$):
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk
+shears; [`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. The force rises continuously between these
+limits. *Reconstructed*: Tabor's form of the area between both ends, and the area at full stick; the growth that Brizmer,
+Kligerman and Etsion computed, and their fit, were not available. If $\alpha$ makes the bulk stronger than full stick needs
+($A_s<A_0$), the area shrinks only formally. *Check*: with $\alpha=3(H/Y)^2$, $\tau_b=Y/\sqrt3$; Hertz's asperity at the load
+$P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
 
 | $c$ | 0.01 | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 1 |
 |---|---|---|---|---|---|---|---|

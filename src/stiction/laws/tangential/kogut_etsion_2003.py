@@ -1,19 +1,19 @@
 r"""Sliding inception of an elastic-plastic sphere on a rigid flat: Kogut & Etsion 2003, fitted to finite elements.
 
-*Assumes*: sliding begins when a sphere, pressed and sheared, loses its strength by yield that reaches its surface
-(finite elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004] with the same fits times the load. With
-$r=w/w_c$ (`w_ratio`) of [`kogut_etsion_2002`](#kogut_etsion_2002):
+*Assumes*: sliding begins when a sphere under load and shear loses its strength, because yield reaches its surface (finite
+elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004], which prints the same fits times the load. With $r=w/w_c$
+(`w_ratio`) of [`kogut_etsion_2002`](#kogut_etsion_2002):
 
 $$
 \mu=\begin{cases}0.52\,r^{-0.518}&r\le1\\0.822-0.389\,r+0.085\,r^2-0.007\,r^3&1<r<6\\0&r\ge6\end{cases}
 $$
 
-*Reconstructed*: the texts were not available; three quotations agree: $Q/P_c=0.52\,r^{0.982}$ is
-$\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03 is the two-digit print of 2004. *Trap*: that print
-is negative above $r=4.3$; three digits are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the
-authors' load $Q$ rises by 1.2 %) and from 0.036 to 0 at 6. The friction coefficient is taken over, so that on
-another asperity law $Q$ is that coefficient times its load. With `plastic_junctions` asperities from $6\,\omega_c$ on resist as
-another law says; the paper's is `none`, and results then say by how much mu differs from it.
+*Reconstructed*: the texts were not available, but three quotations agree: $Q/P_c=0.52\,r^{0.982}$ is
+$\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03 is the two-digit print of 2004. *Trap*: that print is
+negative above $r=4.3$; three digits are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the authors' load $Q$
+rises by 1.2 %) and from 0.036 to 0 at 6. With another asperity law, the friction coefficient is kept and $Q$ is this
+coefficient times the load of that law. With `plastic_junctions`, asperities from $6\,\omega_c$ on resist according to another
+law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

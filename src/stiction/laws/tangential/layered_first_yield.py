@@ -1,26 +1,27 @@
 r"""Tangential force at which a coated asperity first yields anywhere: film, interface or body; von Mises.
 
-*Assumes*: a sphere on a bonded film fails when film or body first yields, looked at everywhere; the pressure is that of the
-frictionless contact, and the traction in proportion to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
-[osullivan_king_1988] have such stresses, under a sphere dragged over a layer, by least squares; solved anew here, wave by wave
-(`solvers/layered`). With the mean pressure $s$, the mean traction $q$ and the von Mises stresses $N$ that both together make
-at the worst place,
+*Assumes*: a sphere on a bonded film fails when film or body first yields anywhere. The pressure is the frictionless one, and
+the traction is proportional to it, as in [`hamilton_1983`](#hamilton_1983). *Source*: [osullivan_king_1988] compute such
+stresses, below a sphere dragged over a layer, by least squares. Here they are solved anew, wave by wave (`solvers/layered`).
+With the mean pressure $s$, the mean traction $q$ and the largest von Mises stresses $N$ that both cause in film and body,
 
 $$
 N_f(s,q)=Y_f\quad\text{or}\quad N_s(s,q)=Y_s,\qquad T=q\,\pi a^2,\qquad Y_f=n_HY_s,\quad Y_s=H/k
 $$
 
-whichever comes first. $N$ is a norm in $(s,q)$ that depends on $a/t$ and the elastic constants; it is tabulated once for each
-pair of materials, over 61 directions and 27 radii, to 0.2 % in the mean and 3 % at worst, where another place becomes the
-first. Its largest over all directions around the axis is exact: the worst place may lie beside the plane of symmetry.
+whichever comes first. $N$ is a norm in $(s,q)$ that depends on $a/t$ and the elastic constants. It is tabulated once for each
+pair of materials, over 61 ratios $q/s$ and 27 radii, accurate to 0.2 % on average and 3 % at worst, where the place of first
+yield changes. The maximum over all directions around the axis is exact, because the worst place may lie outside the plane of
+symmetry.
 
-What it says of films: a soft film yields in the middle of the surface that is dragged; a stiff one is bent by its load, and
-yields where it meets the body below the axis ($a\approx t$), or, on wider contacts, where it is stretched over the body as a
-skin, so that little load is left before it cracks.
+*Results for films*: a soft film yields in the middle of the sheared surface. A stiff film is bent by the load. It yields at
+its interface below the axis ($a\approx t$) or, for wider contacts, where it is stretched over the body like a skin, so that
+it bears little load before it cracks.
 
-*Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film like its body, and in the film's groups for $t\to\infty$.
-A thin film yields as what is bonded to the body and stretched with it. *Check*, $\nu=0.3$, $Y_f=Y_s$, rigid sphere: mean
-pressure over the yield stress at first yield (1.075 and 0.697 on a half-space), and where: f film, i interface, b body,
+*Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film of the same material as its body, and with the film's
+groups for $t\to\infty$. A thin film is stretched with the body to which it is bonded, and yields accordingly. *Check*,
+$\nu=0.3$, $Y_f=Y_s$, rigid sphere: mean pressure over the yield stress at first yield (1.075 and 0.697 on a half-space), and
+its place: f film, i interface, b body,
 
 | $E_f/E_s$ | | $a/t=0.5$ | 1 | 2 | 5 |
 |---|---|---|---|---|---|

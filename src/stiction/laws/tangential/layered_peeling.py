@@ -1,21 +1,22 @@
 r"""Tangential force at which an adhesive contact on a film peels: the energy balance of Savkoor & Briggs with its stiffness.
 
-*Assumes*: the edge of an adhesive contact is a crack in mixed mode, which peels where $G_N+\zeta\,G_T=\gamma$, as in
+*Assumes*: the edge of an adhesive contact is a mixed-mode crack, which peels where $G_N+\zeta\,G_T=\gamma$, as in
 [`savkoor_briggs_1977`](#savkoor_briggs_1977); the contact stays round. *Source*: [savkoor_briggs_1977] for the balance;
-[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, in place of which the layered contact's own is
-solved (`solvers/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
+[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, which the solved stiffness of the layered contact
+replaces (`solvers/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
 
 $$
 G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),
 \qquad e=\frac{d\ln\beta}{d\ln a}
 $$
 
-and $T$ is the largest at which a radius fulfils the balance under the load before shearing. $\beta$ goes from the film's for
-small contacts to that of the bodies for large ones; its ends are `film_K_beta` and `K_beta`. The curve of a contact is a
-spline, to 0.1 % where it was compared.
+and $T$ is the largest force for which a radius satisfies the balance at constant load. $\beta$ changes from the film's value
+for small contacts to the bodies' value for large ones; these limits are `film_K_beta` and `K_beta`. The curve of a contact is
+a spline, accurate to 0.1 % where it was compared.
 
-*Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film like its body, and in the film's groups for
-$t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\beta$ (6.4762 without a film)
+*Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film of the same material as its body, and with
+the film's groups for $t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\beta$ (6.4762 without a
+film)
 
 | $E_f/E_s$ | $a/t=0.1$ | 0.5 | 1 | 2 | 5 | 20 |
 |---|---|---|---|---|---|---|

@@ -1,24 +1,24 @@
-r"""Tangential force at which an adhesive contact peels: Savkoor & Briggs 1977, and with a weaker coupling of the modes.
+r"""Tangential force at which an adhesive contact peels: Savkoor & Briggs 1977, with optional weaker mode coupling.
 
-*Assumes*: the edge of a JKR contact is a crack in mixed mode; the contact peels where $G_N+\zeta\,G_T=\gamma$.
-*Source*: [savkoor_briggs_1977] for $\zeta=1$, derived again from the load before shearing; that measured contacts
-couple the modes more weakly is after [johnson_1996], the simple form with $\zeta$ is not a formula read there.
+*Assumes*: the edge of a JKR contact is a mixed-mode crack; the contact peels where $G_N+\zeta\,G_T=\gamma$. *Source*:
+[savkoor_briggs_1977] for $\zeta=1$, derived again from the load before shearing. [johnson_1996] states that measured contacts
+couple the modes more weakly; the simple form with $\zeta$ is not from there.
 
 $$
 G_N=\frac{(P_1-P)^2}{6\pi Ka^3},\quad G_T=\frac{\beta T^2}{32\pi a^3},\quad P_1=\frac{Ka^3}R\ \text{(SI)};\qquad
 T=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$\zeta$ is `peeling` of the contact, 1 if left out; 0 (never peels) is refused: the law would have no force. Only
-elastic pieces hold. *Check*, at $\nu=0.3$, bodies alike or one rigid:
+$\zeta$ is `peeling` of the contact, by default 1. The value 0 (no peeling) raises an error, because the force would be
+infinite. Only elastic pieces resist. *Check*, at $\nu=0.3$, for equal bodies or one rigid body:
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
 | $T/P_c$ | 1.28338 | 1.81497 | 3.14362 | 6.01958 |
-| area when it peels, over that before | 0.6423 | 0.6300 | 0.6598 | 0.7458 |
+| area when it peels over initial area | 0.6423 | 0.6300 | 0.6598 | 0.7458 |
 
-*Caution*: real contacts shrink under shear much less than the last line says, and a uniform interfacial shear
-stress would leave JKR's contact as it is ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]).
+*Caution*: real contacts shrink much less under shear than the last line states, and a uniform interfacial shear stress would
+not change JKR's contact ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]).
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

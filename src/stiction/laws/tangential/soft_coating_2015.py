@@ -1,7 +1,7 @@
 r"""The tangential law of the 2015 paper: an adhesive elastic asperity resists until it peels or yields at its edge.
 
 *Assumes*: peeling ([`savkoor_briggs_1977`](#savkoor_briggs_1977)), or yield at the trailing edge (Hamilton's stresses, von
-Mises), whichever comes first; plastic asperities hold nothing. *Source*: [soft_coating_2015], eqs. (10) to (15); [theory,
+Mises), whichever comes first; plastic asperities resist nothing. *Source*: [soft_coating_2015], eqs. (10) to (15); [theory,
 section 3](theory.md#3-one-asperity-under-tangential-load), equations (S3.1) to (S3.11).
 
 $$
@@ -9,24 +9,22 @@ T=\min(T_\text{slip},\,T_\text{yield}),\qquad
 T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$T_\text{yield}$ is (S3.7). On a film that is solved with its body as one the energy balance has the layered contact's
-stiffness ([`layered_peeling`](#layered_peeling)), and yield at the trailing edge its stresses there, elastic, of the
-frictionless pressure of a sphere, at the mean pressure and on the area of the adhesive contact:
+$T_\text{yield}$ is (S3.7). If a film is solved together with its body, the energy balance uses the stiffness of the layered
+contact ([`layered_peeling`](#layered_peeling)). Yield at the trailing edge then uses the elastic stresses there under the
+frictionless pressure of a sphere, with the mean pressure and area of the adhesive contact:
 
 $$
 D\left(AP^2+2BPT+T^2\right)=(Y_f\,\pi a^2)^2
 $$
 
-with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`solvers/layered/edge`), to 0.5 % in $T$ up to $a/t=300$,
-but next to where $T$ vanishes, there to some per cent of it.
-That a film may yield inside or at its interface before is not asked:
-[`layered_first_yield`](#layered_first_yield) does, without adhesion. *Limit*: the law itself without a film, for a film like
-its body, and in the film's groups for $t\to\infty$.
+with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`solvers/layered/edge`), accurate to 0.5 % in $T$ up to
+$a/t=300$, and to some per cent near the point where $T$ vanishes. Earlier yield inside the film or at its interface is not
+checked; [`layered_first_yield`](#layered_first_yield) does this, without adhesion. *Limit*: the law without a film, for zero
+mismatch of film and body, and with the film's groups for $t\to\infty$.
 
-$\zeta$ is `peeling` of the contact, $\zeta=0$ being yield alone. With `plastic_junctions` asperities
-that have yielded resist as another law says; the paper's is `none`, and results then say by how much mu differs from it.
-*Reconstructed*: the seven
-coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
+$\zeta$ is `peeling` of the contact; with $\zeta=0$ only yield limits the force. With `plastic_junctions`, yielded asperities
+resist according to another law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
+*Reconstructed*: the seven coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

@@ -1,24 +1,23 @@
-r"""Junctions that grow under shear until their interface gives way: McFarlane & Tabor 1950, Tabor 1959.
+r"""Junctions that grow under shear until their interface slides: McFarlane & Tabor 1950, Tabor 1959.
 
-*Assumes*: a junction is fully plastic where its mean pressure and shear stress obey $p^2+\alpha\tau^2=H^2$; one that is
-plastic grows under shear, its load unchanged, so that the pressure falls and the shear stress may rise; its interface gives way
-at $\tau_0=c\,\tau_b$, a share $c$ of the strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and
-[tabor_1959]; the texts were not available, the criterion and what follows are as they are commonly quoted, and derived again
-here.
+*Assumes*: a junction is fully plastic if its mean pressure and shear stress satisfy $p^2+\alpha\tau^2=H^2$. A plastic
+junction grows under shear at constant load, so that the pressure falls and the shear stress may rise. Its interface slides at
+$\tau_0=c\,\tau_b$, a share $c$ of the strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and
+[tabor_1959]; the texts were not available. The criterion and its consequences are as commonly quoted, and derived again here.
 
-With the pressure $p=H\sqrt{1-c^2}$ at which the interface gives way, an asperity below that does not grow, and any other grows
-until it is there:
+The interface slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow; any other grows until
+its pressure has fallen to this value:
 
 $$
 T=\tau_0\max\left(A,\ \frac P{H\sqrt{1-c^2}}\right)\quad\text{(SI)};\qquad
 \frac TP=\frac c{\sqrt{\alpha\,(1-c^2)}}\ \text{of a junction that was plastic}
 $$
 
-A mean pressure above $H$, which some asperity laws have, counts as $H$. `alpha`: `von_mises`, $3(H/Y)^2$, for a bulk that
-shears at $Y/\sqrt3$; or 9, quoted from Tabor's experiments.
+A mean pressure above $H$, which some asperity laws give, counts as $H$. `alpha` is `von_mises`, $3(H/Y)^2$, for a bulk that
+shears at $Y/\sqrt3$, or 9, quoted from Tabor's experiments.
 
-*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for a weak interface. For $c\to1$, clean metal, $T$ has no bound: from $c=1$
-on the law is refused. What ends the growth (hardening, the shape of the junction) is not in it;
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for a weak interface. For $c\to1$, clean metal, $T$ has no bound; from
+$c=1$ on the law raises an error. It does not include what limits the growth (hardening, the shape of the junction);
 [`junction_growth`](#junction_growth) ends it where full stick slides. *Check*, plastic junctions, $\alpha=9$ and
 $3\cdot2.8^2=23.52$:
 
@@ -26,7 +25,7 @@ $3\cdot2.8^2=23.52$:
 |---|---|---|---|---|---|---|
 | $\mu$, $\alpha=9$ | 0.0335 | 0.1048 | 0.1925 | 0.4444 | 1.0141 | 2.3393 |
 | $\mu$, $\alpha=23.52$ | 0.0207 | 0.0648 | 0.1190 | 0.2749 | 0.6273 | 1.4471 |
-| area over that before | 1.0050 | 1.0483 | 1.1547 | 1.6667 | 3.2026 | 7.0888 |
+| area over initial area | 1.0050 | 1.0483 | 1.1547 | 1.6667 | 3.2026 | 7.0888 |
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

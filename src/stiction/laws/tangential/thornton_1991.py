@@ -1,14 +1,14 @@
 r"""Tangential force at which an adhesive contact peels, in terms of the pull-off force: Thornton 1991.
 
-*Assumes*: as [`savkoor_briggs_1977`](#savkoor_briggs_1977) at $\zeta=1$, which it equals: the same force written with the
-pull-off force. *Source*: [thornton_1991], as it is commonly quoted.
+*Assumes*: as [`savkoor_briggs_1977`](#savkoor_briggs_1977) at $\zeta=1$. Both give the same force; here it is written with
+the pull-off force. *Source*: [thornton_1991], as it is commonly quoted.
 
 $$
 T=4\sqrt{\left(PP_c+P_c^2\right)G^*/E^*},\qquad\frac1{G^*}=\beta=\frac{2-\nu_1}{G_1}+\frac{2-\nu_2}{G_2},\qquad
 \frac{G^*}{E^*}=\frac4{3K\beta}
 $$
 
-*Unknown*: what the 1991 criterion lets a contact carry after it has peeled; not included.
+*Unknown*: the force that a contact carries after peeling by the 1991 criterion; it is not included.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
 """

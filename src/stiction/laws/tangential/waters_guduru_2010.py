@@ -1,12 +1,12 @@
-r"""Peeling by shear of a contact that is tougher the more it is sheared: Waters & Guduru 2010, Hutchinson & Suo 1992.
+r"""Peeling by shear with a work of adhesion that grows with mode mixity: Waters & Guduru 2010, Hutchinson & Suo 1992.
 
-*Assumes*: the edge of a JKR contact is a crack in mixed mode, as for [`savkoor_briggs_1977`](#savkoor_briggs_1977), whose
-work of adhesion grows with the share of shear in it; it peels where no radius of contact is in balance any more, or comes
-down to Hertz's contact, where nothing opens it. *Source*: [waters_guduru_2010], abstract: a work of adhesion that rises with
-the degree of mode mixity, measured and modelled; [papangelo_ciavarella_2018], abstract: of models compared some end in a jump
-to the Hertzian area, some in a limit that is never left. The function is that of [hutchinson_suo_1992]. *Reconstructed*:
-neither paper's equations were seen. The function is written down from memory as what both build on; what follows from it here
-is derived.
+*Assumes*: the edge of a JKR contact is a mixed-mode crack, as in [`savkoor_briggs_1977`](#savkoor_briggs_1977), with a work
+of adhesion that grows with the share of shear. The contact slides when no radius satisfies the balance any more, or when it
+has shrunk to Hertz's contact, where nothing opens the crack. *Source*: [waters_guduru_2010], abstract: a work of adhesion
+that rises with the degree of mode mixity, measured and modelled; [papangelo_ciavarella_2018], abstract: some of the compared
+models end in a jump to the Hertzian area, others in a limit that is never left. The function is due to [hutchinson_suo_1992].
+*Reconstructed*: the equations of both papers were not available. The function on which both build is written from memory, and
+its consequences are derived here.
 
 $$
 G_N+G_T=\gamma\left[1+\tan^2\left((1-\zeta)\psi\right)\right],\qquad\tan^2\psi=\frac{G_T}{G_N}
@@ -19,14 +19,14 @@ T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\max_\psi\left(\sqrt g+\sqrt{g+p}\righ
 g=\frac{\cos^2\psi}{\cos^2\kappa\psi},\quad q=\frac{\sin^2\psi}{\cos^2\kappa\psi}
 $$
 
-over $0\le\psi\le\pi/2$ with $g+p\ge0$: the radius on the way is as of a JKR contact of the work of adhesion $g\gamma$. The
-largest is at $\psi=\pi/2$, Hertz's contact, for all loads above $P_c/(\kappa\sin\frac{\kappa\pi}2)^2$:
-$T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
+over $0\le\psi\le\pi/2$ with $g+p\ge0$. The radius during shearing equals the radius of a JKR contact with the work of
+adhesion $g\gamma$. The maximum is at $\psi=\pi/2$, Hertz's contact, for all loads above
+$P_c/(\kappa\sin\frac{\kappa\pi}2)^2$: $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
 
-$\zeta$ is `peeling` of the contact, 1 if left out; 0, with which nothing peels, is refused. The rule of `savkoor_briggs_1977`
-is $G_N+\zeta G_T=\gamma$, which is the other function of [hutchinson_suo_1992], $[1+(\zeta-1)\sin^2\psi]^{-1}$. *Limit*: that
-law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, would have no largest force at all: it is left out.
-*Check*: $T$ over that for $\zeta=1$,
+$\zeta$ is `peeling` of the contact, by default 1; the value 0, without peeling, raises an error. The rule of
+`savkoor_briggs_1977` is $G_N+\zeta G_T=\gamma$, which corresponds to another function of [hutchinson_suo_1992],
+$[1+(\zeta-1)\sin^2\psi]^{-1}$. *Limit*: that law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no
+largest force and is not included. *Check*: $T$ over its value for $\zeta=1$,
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
