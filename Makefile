@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 TOOLS := build/release-tools
 
-.PHONY: demo test bench docs truth check packages try-install release-check lock clean
+.PHONY: demo test bench fuzz docs truth check packages try-install release-check lock clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.ready
@@ -15,6 +15,12 @@ test: $(VENV)/.ready
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/run.py
+
+# Commands on generated cases, until one ends in a traceback: make fuzz FIRST=1000 MINUTES=30
+FIRST := 0
+MINUTES := 5
+fuzz: $(VENV)/.ready
+	$(BIN)/python fuzz/run.py --first $(FIRST) --minutes $(MINUTES)
 
 # The site, build/docs/html/index.html: to be opened in a browser, without a network.
 docs: $(VENV)/.ready

@@ -10,7 +10,7 @@ from stiction.case.several import Points, numbers_schema
 from stiction.case.study_tables import study_tables
 from stiction.case.uncertain import FORMS, Uncertainty
 from stiction.contact.contact import Body, Contact, Indices
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
 from stiction.quantities.inputs import Input
 from stiction.records.additions import names_of_additions
 from stiction.records.registry import all_options
@@ -43,10 +43,13 @@ class _Solve(Input):
         """
         if not isinstance(table, Mapping):
             return table
-        table = dict(table)
+        table, known = dict(table), all_options()
+        own = table.get("options", {})
+        for name in own if isinstance(own, Mapping) else ():
+            if name not in known:
+                raise InputError(f"options.{name}", own[name], f"{nearest(name, known)}; {name} is no option")
         if not table.keys() - cls.model_fields.keys():
             return table
-        known = all_options()
         named = {name: table.pop(name) for name in known if name in table}
         for name, value in named.items():
             if value not in known[name]:

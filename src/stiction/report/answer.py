@@ -33,6 +33,8 @@ _NAMES = {
     "sliding": "size of the contact spots",
 }
 
+_NO_WIDTH = 1e-9  # of an interval, over its end: round-off
+
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the prediction at its working load."""
@@ -76,15 +78,20 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def model_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer of one model for JSON: at the middle point of its curve, with the band over uncertain inputs."""
+    """Return the answer of one model for JSON: at the middle point of its curve, with the band over uncertain inputs.
+
+    `interval` is None where no number is uncertain; where no sample has a result; and where the samples leave mu as it is.
+    """
     here = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(here[_MU]) if _MU in here else None
     answer = {"load": float(here["load"]), "friction_coefficient": mu, "interval": None, "level": None}
     if f"{_MU}_quantile" not in here:
         return answer
     ends = here[f"{_MU}_quantile"]
-    level = float(ends["quantile"][-1] - ends["quantile"][0])
-    return answer | {"interval": [float(ends[0]), float(ends[-1])], "level": round(level, 12)}
+    low, high = float(ends[0]), float(ends[-1])
+    if not high - low > _NO_WIDTH * high:
+        return answer
+    return answer | {"interval": [low, high], "level": round(float(ends["quantile"][-1] - ends["quantile"][0]), 12)}
 
 
 def number(value: float) -> str:

@@ -131,10 +131,25 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     if not case.is_several:
         answer = model_record(data)
         mu, ends = answer["friction_coefficient"], answer["interval"]
-        band = "" if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
+        band = (
+            _without_band(data) if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
+        )
         rows.insert(0, ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined here"))
     unused = data.attrs.get("inputs_not_used", "")
     yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
+
+
+def _without_band(data: "xarray.Dataset") -> str:
+    """Return why mu has no interval; "" where no number of the case is uncertain."""
+    quantiles = data.get("friction_coefficient_quantile")
+    if quantiles is None:
+        return ""
+    known = np.isfinite(quantiles.values).any()
+    return (
+        "; the uncertain numbers do not change it"
+        if known
+        else "; no interval: no sample of the uncertain numbers has a result"
+    )
 
 
 # Of a contact whose materials are told, what is of these alone.

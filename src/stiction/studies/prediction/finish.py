@@ -8,6 +8,7 @@ from stiction.case.distribution import of_samples
 from stiction.case.read import Case
 from stiction.case.uncertain import Uncertain
 from stiction.contact.contact import Contact
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 
 __all__ = ["with_finish"]
@@ -25,6 +26,9 @@ def with_finish(case: Case) -> Case:
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
         return case
+    if any(True for _ in contact.roughness.arrays()):
+        allowed = "one height of a surface with a finish; several heights in a case file"
+        raise InputError("roughness", InWords("several heights"), allowed)
     open_numbers = len(contact.roughness.unknowns)
     points = sobol_points(open_numbers, _ROWS, _SEED)
     drawn = contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6))

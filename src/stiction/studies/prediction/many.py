@@ -11,7 +11,7 @@ from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of
@@ -126,6 +126,7 @@ def _together(
     Raises InputError or ArithmeticError if any contact is refused.
     """
     with np.errstate(all="ignore"):
+        numbers = _one_finish(case, numbers)
         case = case.at(numbers)
         if not isinstance(case.subject, Contact):
             raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
@@ -144,6 +145,21 @@ def _together(
     variables = {name: (dims, values.reshape(shape), attributes) for name, (values, attributes) in tables.items()}
     refused = np.isnan(tables["friction_coefficient"][0]).reshape(shape)
     return case, BatchResult(variables, (dims, refused.astype(np.uint32) << np.uint32(REFUSED)), [], case.subject, {})
+
+
+def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
+    """Return the numbers with the height of a surface finish as one float; its asperities are sampled for one surface only.
+
+    Raises InputError for several heights, so that they are predicted one by one.
+    """
+    finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
+    found = dict(numbers)
+    for path, value in numbers.items():
+        if finished and path[:2] == ("contact", "roughness") and hasattr(value, "dims"):
+            if value.size > 1:
+                raise InputError(".".join(path), InWords(f"{value.size} heights"), "one height of a surface with a finish")
+            found[path] = float(value.squeeze())
+    return found
 
 
 def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":

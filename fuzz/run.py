@@ -1,0 +1,182 @@
+"""Run commands on generated case files, and report every one that ends in no answer and no single line.
+
+    python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60]
+
+A failure is a traceback, a message of more than one line, a command of more than `--seconds`, a number that is not finite, a
+negative area or friction coefficient, an interval without mu in it, or a number that differs in a second run. Exit code 1 where
+there is one. Each failure is printed with its seed: `python fuzz/run.py --first SEED --count 1` repeats it.
+"""
+
+import argparse
+import json
+import math
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from typer.testing import CliRunner
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from generate import case_of
+
+from stiction import cli
+from stiction.case.text import as_toml
+
+# Commands that every case may be asked, and those that read a section of it; each with the share of cases that run it.
+COMMANDS = {"run": 1.0, "compare": 0.15, "sensitivity": 0.05, "film": 0.1, "slide": 0.1, "unload": 0.1, "export": 0.1}
+SECTION_COMMANDS = {"sweep": "sweep", "design": "design"}
+_MAY_BE_NEGATIVE = ("load", "separation")
+
+
+class TooLong(BaseException):
+    """Raised where a command takes more time than is allowed; no handler of errors takes it."""
+
+
+def failures_of(seed: int, seconds: int, outcomes: Counter[str]) -> Iterator[str]:
+    """Yield what fails among the commands on the case of a seed."""
+    tables = case_of(seed)
+    try:
+        text = as_toml(tables)
+    except Exception:  # what TOML cannot say
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        for command in commands_of(seed, tables):
+            where = f"seed {seed}, {command}"
+            found = said_of(command, path, seconds)
+            if isinstance(found, str):
+                yield f"{where}: {found}"
+                continue
+            code, out = found
+            outcomes[f"{command} {'answered' if code == 0 else 'refused'}"] += 1
+            if code == 0:
+                yield from (f"{where}: {fault}" for fault in faults_of(out))
+            if command == "run" and code == 0 and seed % 20 == 0 and said_of(command, path, seconds) != found:
+                yield f"{where}: another number in a second run"
+
+
+def commands_of(seed: int, tables: dict[str, Any]) -> Iterator[str]:
+    """Yield the commands of a case: `run`, some others, and those of its sections."""
+    share = (seed * 0.6180339887498949) % 1.0
+    for command, least in COMMANDS.items():
+        if share < least:
+            yield command
+        share = (share + 0.37) % 1.0 if command != "run" else share
+    yield from (command for section, command in SECTION_COMMANDS.items() if section in tables)
+
+
+def said_of(command: str, path: Path, seconds: int) -> tuple[int, str] | str:
+    """Return exit code and standard output of a command, or what is wrong with how it ended."""
+    words = [command, str(path)]
+    out = path.parent / "out"
+    if command in ("run", "sweep"):
+        words += ["--out", str(out)]
+    if command == "export":
+        words += ["--to", "csv", "--out", str(path.parent / "table.csv")]
+    words += ["--json"]
+    try:
+        with at_most(seconds):
+            result = CliRunner().invoke(cli.app, words)
+    except TooLong:
+        return f"more than {seconds} s"
+    finally:
+        if command == "sweep":
+            import shutil
+
+            shutil.rmtree(out, ignore_errors=True)
+    if isinstance(result.exception, TooLong):
+        return f"more than {seconds} s"
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        last = "".join(traceback.format_exception(result.exception)[-3:])
+        return f"{type(result.exception).__name__}: {last}"
+    said = [line for line in result.stderr.splitlines() if line.startswith("stiction: ")]
+    lines = [line for line in said if not line.startswith("stiction: input warning: ")]
+    if result.exit_code == 2 and (len(lines) != 1 or lines[0] not in result.stderr.rstrip().rpartition("\n")[2]):
+        return f"not one line of error: {result.stderr[:600]}"
+    if result.exit_code not in (0, 1, 2):
+        return f"exit code {result.exit_code}"
+    return result.exit_code, result.stdout
+
+
+@contextmanager
+def at_most(seconds: int) -> Iterator[None]:
+    """Raise TooLong after so many seconds."""
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        raise TooLong
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def faults_of(out: str) -> Iterator[str]:
+    """Yield what cannot be in the JSON of a result."""
+    try:
+        result = json.loads(out, parse_constant=float)
+    except ValueError:
+        yield f"no JSON: {out[:200]!r}"
+        return
+    yield from _not_finite(result, "")
+    answer = result.get("answer") if isinstance(result, dict) else None
+    if not isinstance(answer, dict) or answer.get("interval") is None or answer.get("friction_coefficient") is None:
+        return
+    mu, (low, high) = answer["friction_coefficient"], answer["interval"]
+    if None in (low, high) or not 0.0 <= low <= mu <= high:
+        yield f"mu {mu} is not in 0 to its interval {low} to {high}"
+    elif low == high:
+        yield f"an interval without width at {mu}"
+    with suppress(KeyError, TypeError):
+        if answer["contact_area"] < 0.0:
+            yield f"a negative area {answer['contact_area']}"
+
+
+def _not_finite(value: Any, place: str) -> Iterator[str]:
+    if isinstance(value, float) and not math.isfinite(value):
+        yield f"{place or 'result'} is {value}"
+    elif isinstance(value, dict):
+        for name, one in value.items():
+            yield from _not_finite(one, f"{place}.{name}")
+    elif isinstance(value, list):
+        for one in value[:50]:
+            yield from _not_finite(one, place)
+
+
+def main() -> int:
+    """Run the cases and print failures, and how many commands answered or refused."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--first", type=int, default=0, help="first seed")
+    parser.add_argument("--count", type=int, default=1_000_000, help="number of seeds")
+    parser.add_argument("--minutes", type=float, default=5.0, help="end after so many minutes")
+    parser.add_argument("--seconds", type=int, default=60, help="most seconds of a command")
+    wanted = parser.parse_args()
+    end, outcomes, found = time.monotonic() + 60.0 * wanted.minutes, Counter[str](), 0
+    done = 0
+    for seed in range(wanted.first, wanted.first + wanted.count):
+        if time.monotonic() > end:
+            break
+        for failure in failures_of(seed, wanted.seconds, outcomes):
+            found += 1
+            print(failure, flush=True)
+        done += 1
+    print(f"{done} cases from seed {wanted.first}; {found} failures")
+    print("; ".join(f"{outcome}: {count}" for outcome, count in sorted(outcomes.items())))
+    return int(found > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+"""A fixed share of the generated cases of `make fuzz`: each command ends in an answer or in one line."""
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "fuzz"))
+
+import generate
+import run
+
+SEEDS = range(30)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_generated_case_is_answered_or_refused_in_one_line(seed):
+    outcomes = Counter()
+    assert not list(run.failures_of(seed, 60, outcomes))
+    assert sum(outcomes.values()) > 0
+
+
+def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
+    cases = [repr(generate.case_of(seed)) for seed in SEEDS]
+    assert cases == [repr(generate.case_of(seed)) for seed in SEEDS]
+    assert len(set(cases)) == len(cases)
+
+
+@pytest.mark.parametrize(
+    ("result", "fault"),
+    [
+        ('{"answer": {"friction_coefficient": 1.0, "interval": [NaN, 2.0]}}', "interval is nan"),
+        ('{"answer": {"friction_coefficient": 3.0, "interval": [1.0, 2.0]}}', "not in 0 to its interval"),
+        ('{"answer": {"friction_coefficient": 1.0, "interval": [1.0, 1.0]}}', "without width"),
+        ('{"curve": {"load": [1.0, Infinity]}}', "load is inf"),
+        ("no result", "no JSON"),
+    ],
+)
+def test_a_fault_in_a_result_is_found(result, fault):
+    assert any(fault in found for found in run.faults_of(result))
+
+
+def test_several_heights_of_a_finish_are_predicted_one_by_one():
+    import stiction as st
+
+    contact = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
+
+    def predicted(height):
+        rough = {"finish": "ground", "mean_height": height}
+        return st.predict({"contact": contact | {"roughness": rough}, "solve": {"load": ["1 N"]}})
+
+    both = predicted(["0.2 um", "2 um"])
+    for place, height in enumerate(("0.2 um", "2 um")):
+        alone = predicted(height)
+        for name in ("friction_coefficient", "contact_area_low", "contact_area_high"):
+            assert float(both[name][place].squeeze()) == pytest.approx(float(alone[name].squeeze()), rel=1e-12)
