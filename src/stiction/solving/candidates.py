@@ -1,4 +1,4 @@
-"""Every model that may be asked about a contact, and the names by which a comparison shows them and a user asks for one."""
+"""List the models that can be applied to a contact, with the names that a comparison shows and a user may ask for."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -28,18 +28,18 @@ _POINTS = 300_000
 
 @dataclass(frozen=True)
 class Candidate:
-    """A model as it may be applied to a contact: its name in the comparison, and what is chosen."""
+    """Hold a model that can be applied to a contact: its name in the comparison, and the choice of laws and options."""
 
     name: str
     choice: Choice
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Return every rough-surface model, and other asperity laws under GW's sum.
+    """Return every rough-surface model, and the Greenwood-Williamson sum over other asperity laws.
 
-    Laws of growing junctions are applied to a bare contact without a pressure coefficient, under a law that flows. On a coated
-    contact each model takes its own film law or "sequential", and every other film law stands alone. A solution of the map
-    takes every point, or a sample of a large map.
+    Laws of junction growth are offered only for a contact without a film and without a pressure coefficient, with an
+    asperity law that flows. On a coated contact each model takes its own film law or "sequential", and each other film
+    law is a candidate of its own. The solution of a map takes every point, or a sample of the points of a large map.
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
@@ -70,7 +70,7 @@ def candidates(subject: Subject) -> list[Candidate]:
 
 
 def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
-    """Return the solution of a map at a cost that a comparison can afford."""
+    """Return the candidate that solves the map; a large map is sampled to limit the run time."""
     points = 0 if subject.measured is None else subject.measured.solvable.points
     if points <= _POINTS:
         return Candidate(model.key, Choice(model.key))
@@ -85,9 +85,9 @@ def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
 
 
 def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
-    """Return a candidate with a film law that solves film and body as one.
+    """Return a candidate with a film law that solves film and body as one elastic solid.
 
-    It keeps the tangential law of the model, or takes the equivalent for layered bodies.
+    It keeps the tangential law of the model, or takes the equivalent law for layered bodies.
     """
     tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
     like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
@@ -96,9 +96,9 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 
 
 def _alone(film: FilmLaw) -> Candidate:
-    """Return a film law with the asperity law of its source.
+    """Return a film law as a candidate, with the asperity law of its source.
 
-    The model is the one with the friction of the film law, if there is one.
+    The model is the one that has the tangential law of the film law, or else the Greenwood-Williamson sum.
     """
     model = next(
         (key for key, one in of_kind(RoughSurface).items() if one.asperity and one.tangential == film.tangential), _SUM
@@ -107,10 +107,10 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """Return the choice that a name stands for, with other laws and options.
+    """Return the choice that a name stands for, with these laws and options.
 
-    The name is the key of a rough-surface model or a name that a comparison shows for this contact; None is the default model.
-    Raises InputError for an unknown name.
+    name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default
+    model. Raises InputError for an unknown name.
     """
     if name is None:
         return Choice.of(None, given)
@@ -131,9 +131,10 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
 
 
 def with_interface(choice: Choice, groups: Groups) -> Choice:
-    """Return the choice with the interface law that uses most of the stated strength.
+    """Return the choice with the interface law that uses most of the stated interface properties.
 
-    It is "none" where no strength is stated, and unchanged where the model has or the choice names a tangential law.
+    The law is "none" if no shear strength is stated. The choice stays unchanged if it names a tangential law, or if the
+    model has one.
     """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice

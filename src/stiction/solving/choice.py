@@ -1,4 +1,4 @@
-"""The selected model and its laws, by their keys. Quick to import: the registry is not read."""
+"""Represent the selected model and laws by their keys, without importing the registry."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -15,9 +15,10 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 
 
 class LawKeywords(TypedDict, total=False):
-    """Keywords of laws and options in the public interface, for editors; a test holds them to the registry.
+    """List the keyword arguments for laws and options of the public functions, for code completion in editors.
 
-    Laws of other packages may have more options: they are taken by name, too.
+    A test compares the list with the registry. Laws of other packages may add options, which are also given as
+    keywords.
     """
 
     asperity: str | None
@@ -50,8 +51,9 @@ class LawKeywords(TypedDict, total=False):
 class Choice:
     """Name a model with its laws and options, as keys of the registry.
 
-    model: None for the default one; asperity, tangential ("none" for contact only), film: laws that replace its own;
-    options: by name, None for a default; beside: added laws by keyword, "none" to leave out one that the contact states.
+    model: None for the default model; asperity, tangential ("none" for contact only), film: laws that replace those of
+    the model; options: values by name, None for a default; beside: added laws by keyword, "none" to omit a law that the
+    contact would need.
     """
 
     model: str | None = None
@@ -68,24 +70,24 @@ class Choice:
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
-        """Return the choice of a model from names and values: laws, all others options."""
+        """Return the choice of a model from keyword arguments: names of laws, and options."""
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
         beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}
         return cls(model, options=words, beside=beside, **laws)
 
     def laws(self) -> dict[str, str | None]:
-        """Return the keys of model and laws by keyword, None where none is named."""
+        """Return the keys of model and laws by keyword; None for a default."""
         return {name: getattr(self, name) if name in _OF_MODEL else self.beside.get(name) for name in LAWS}
 
     @property
     def model_key(self) -> str:
-        """Return the key of the model that answers, the default one where none is named."""
+        """Return the key of the model; the default model if none is named."""
         return DEFAULT_MODEL if self.model is None else self.model
 
     @property
     def name(self) -> str:
-        """Return the model in a line, with the laws and options that are chosen in place of its own.
+        """Return the name of the model with the laws and options that replace its own.
 
         >>> Choice("greenwood_williamson_1966", tangential="tabor_1959").name
         'greenwood_williamson_1966 + tabor_1959'
@@ -101,5 +103,5 @@ class Choice:
         return Choice.of(words.pop("model"), words)
 
     def arguments(self) -> dict[str, Any]:
-        """Return the keywords of `solve`."""
+        """Return the choice as keyword arguments of `solve`."""
         return self.laws() | dict(self.options)

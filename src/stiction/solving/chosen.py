@@ -1,4 +1,4 @@
-"""The laws that are to answer: a choice looked up in the registry, with the reason where its parts do not suit each other."""
+"""Look up the selected model and laws in the registry, and refuse laws that do not suit each other."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -27,11 +27,11 @@ from stiction.solving.choice import Choice
 
 @dataclass(frozen=True)
 class Chosen:
-    """A model with its laws and all their options.
+    """Hold a model with its laws and all their options.
 
-    asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only.
-    ignored: what was chosen too and has nothing to answer for. additions: the other laws of the contact, by keyword, see
-    `registry.Addition`. dry: whether menisci were left out by name.
+    asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only;
+    ignored: keys of selected laws that have no effect on this contact; additions: further laws of the contact by
+    keyword, see `registry.Addition`; dry: whether the user omitted menisci by name.
     """
 
     model: RoughSurface
@@ -45,15 +45,15 @@ class Chosen:
 
     @property
     def law(self) -> Law:
-        """The asperity law joined with the tangential law."""
+        """Return the asperity law combined with the tangential law."""
         assert self.asperity is not None, "a theory in closed form has no asperity law"
         return Law(self.asperity, self.tangential, self.options)
 
     @property
     def yielded(self) -> str:
-        """Return what yielded junctions resist, one of registry.YIELDED.
+        """Return what limits the friction of yielded junctions, one of registry.YIELDED.
 
-        "" for contact only, or where the law does not state it.
+        "" for contact only, or if the law does not state it.
         """
         if self.tangential is None:
             return ""
@@ -61,24 +61,25 @@ class Chosen:
         return (taken or [self.tangential.yielded])[0]
 
     def with_option(self, name: str, value: str) -> "Chosen":
-        """Return the same laws with another value of an option."""
+        """Return the same laws with one option changed."""
         return replace(self, options={**self.options, name: value})
 
     def without(self, keyword: str, **changes: Any) -> "Chosen":
-        """Return the same without an addition, and with other changes."""
+        """Return the same laws without the addition of this keyword, and with other fields changed."""
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
     def records(self) -> list[Record]:
-        """Return the records of all laws in use, with the parts that their options add."""
+        """Return the records of all laws in use, including those that their options add."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
         laws = [one for one in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if one is not None]
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
 def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chosen:
-    """Return the laws of a choice, for a contact with a film or without one; groups: what it states, which may ask for more.
+    """Return the laws of a choice for a contact with or without a film.
 
-    Raises InputError for keys that are not known, for options that none of the laws has, and where laws do not suit each other.
+    groups: dimensionless groups of the contact; stated ones can require additional laws, such as menisci. Raises
+    InputError for unknown keys, for options that none of the laws has, and for laws that do not suit each other.
     """
     model = find(choice.model_key, RoughSurface)
     key = choice.tangential or model.tangential
@@ -108,7 +109,7 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
 def _additions(
     choice: Choice, groups: Groups | None, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None
 ) -> dict[str, Addition]:
-    """Return the added laws by keyword: the named ones, and defaults for what is stated.
+    """Return the added laws by keyword: the named ones, and the defaults that the stated quantities require.
 
     Raises InputError for an unknown key, and for a law that does not suit the others.
     """
@@ -128,7 +129,7 @@ def _additions(
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
-    """Raise InputError where the law for yielded junctions cannot go with the film."""
+    """Raise InputError if the law for yielded junctions cannot be combined with the film law."""
     if film is None or options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
         return
     for law in () if tangential is None else tangential.parts(options):
@@ -137,7 +138,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return the film law that was chosen for a contact without a film.
+    """Return the film law that was selected for a contact without a film.
 
     Raises InputError for an unknown key.
     """
@@ -164,7 +165,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
-    """InputError for what a theory in closed form cannot be combined with."""
+    """Raise InputError for laws and options that cannot be combined with a theory in closed form."""
     if coated and not model.on_film:
         raise InputError("model", model.key, "an asperity model, because the contact has a film")
     if model.on_film and not coated:

@@ -1,7 +1,8 @@
-"""Conditions on every result of every model, besides the ranges that authors claim.
+"""Check validity conditions that apply to the results of every model, besides the ranges that authors claim.
 
-A rule below is a range of a quantity of `solving.state`, of the results, or of the contact, and to which problems it applies.
-The bounds are round numbers; each says what fails beyond it. What is "impossible" is never recommended.
+A rule limits a quantity of `solving.state`, of the results, or of the contact, and names the problems to which it
+applies. The bounds are round numbers. The text of each rule says what fails beyond them. An "impossible" result is
+never recommended.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -31,12 +32,12 @@ def _any(problem: Problem) -> bool:
 
 
 def _by_numbers(problem: Problem) -> bool:
-    """Return whether the contact depends on asperity numbers, as a map does not."""
+    """Return whether the model takes roughness numbers; False for a solution on a height map."""
     return problem.record.of_map is None
 
 
 def _of_asperities(problem: Problem) -> bool:
-    """Return whether the theory leaves out the interaction of contacts."""
+    """Return whether the theory neglects the interaction between contacts."""
     return not problem.record.up_to_full_contact
 
 
@@ -45,7 +46,7 @@ def _does_not_adhere(problem: Problem) -> bool:
 
 
 def leaves_out_liquid(problem: Problem) -> bool:
-    """Return whether the contact has a liquid that its model leaves out."""
+    """Return whether the contact has a liquid that its model ignores."""
     return (
         problem.groups.meniscus_index is not None
         and "meniscus" not in problem.chosen.additions
@@ -62,18 +63,18 @@ def _shears_the_interface(problem: Problem) -> bool:
 
 
 def _does_not_grow(problem: Problem) -> bool:
-    """Return whether friction assumes the area under load alone.
+    """Return whether friction is computed from the area under normal load alone, without junction growth.
 
-    No law covers the growth of film contacts under shear.
+    False for contacts with a film: no law covers junction growth on films.
     """
     grows = problem.chosen.yielded != "interface" or problem.options.get("shear") == "junction_growth"
     return not grows and not problem.groups.has_film
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Return whether film and body are one elastic solid under a law of limited plasticity.
+    """Return whether film and body are solved as one elastic solid with an asperity law of limited plasticity.
 
-    The asperity law claims a range of the plasticity index, counted without the film.
+    Such a law claims a range of the plasticity index, which is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:
@@ -116,14 +117,14 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 
 def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
-    """Every validity warning about these normalised results: of the records that answer, and of the rules for all of them."""
+    """Return every validity warning about these normalised results, from the records in use and from RULES."""
     return without_repeats(warnings_about(problem.subject, _rules_for(problem), _known(problem, results)))
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
-    """Return a validity warning if loads were lost in round-off.
+    """Return a validity warning if requested loads were lost in round-off.
 
-    Arrays of normalised loads, of one shape.
+    carried, asked: computed and requested normalised loads, arrays of one shape.
     """
     lost = lost_in_rounding(carried, asked)
     if not lost.any():
@@ -139,7 +140,10 @@ WITHIN, OUTSIDE, IMPOSSIBLE = range(3)
 
 
 def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Which of WITHIN, OUTSIDE and IMPOSSIBLE each point (m,) is of the curve of a single contact, tables (1, m)."""
+    """Return WITHIN, OUTSIDE or IMPOSSIBLE for each point (m,) of the curve of a single contact.
+
+    curve: normalised results (1, m) by name.
+    """
     found = np.full(curve["load"].shape, WITHIN)
     for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
         found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
@@ -147,20 +151,20 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
 
 def rules_of(problem: Problem) -> list[Validity]:
-    """Every range that the results of a problem may leave, each once; of the same kind whatever its contacts are."""
+    """Return every range that results of this problem can violate, each once, whatever the values of its contacts."""
     return list(dict.fromkeys(_rules_for(problem)))
 
 
 def excludes(rule: Validity) -> bool:
-    """Return whether a draw that leaves this range cannot be: more than the nominal area, or more pressure than hardness."""
+    """Return whether a violation of this range is physically impossible, so that a sample of uncertain inputs is excluded."""
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
-    """Return for each of `rules_of` where it is violated.
+    """Return a mask for each rule of `rules_of`: True where the rule is violated.
 
-    Arrays (n, m) over contacts and points, or (n, 1) where points do not matter. results: normalised, the contacts' dimensions
-    first.
+    Masks are (n, m) over contacts and points, or (n, 1) for rules that do not depend on points. results: normalised,
+    with the dimensions of the contacts first.
     """
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
@@ -183,9 +187,9 @@ def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any
 
 
 def _of_groups(problem: Problem) -> dict[str, Any]:
-    """Return the groups of the contacts (n, 1), and derived ones; None if unknown.
+    """Return the dimensionless groups of the contacts (n, 1), and quantities derived from them; None if unknown.
 
-    They are taken from the problem: the contact would compute all of them at each access.
+    They are read from the problem, because the contact would recompute all of them at each access.
     """
     groups = problem.groups
     names = [
@@ -200,7 +204,7 @@ def _of_groups(problem: Problem) -> dict[str, Any]:
 
 
 def _rules_for(problem: Problem) -> list[Validity]:
-    """Return the rules that apply, and the ranges that the records claim."""
+    """Return the rules that apply to a problem, and the ranges that its records claim."""
     rules = [rule for rule, applies in RULES if applies(problem)]
     if _hardens(problem):  # it may bear more than its hardness: then that is only an assumption that fails
         hardness = "nominal_pressure_over_hardness"
@@ -209,9 +213,9 @@ def _rules_for(problem: Problem) -> list[Validity]:
 
 
 def _hardens(problem: Problem) -> bool:
-    """Return whether the metal hardens under a law that includes it.
+    """Return whether the metal work-hardens under a law that includes hardening.
 
-    A law without hardening never lets spots bear more than H.
+    A law without hardening never lets spots bear more than the hardness H.
     """
     hardening = problem.groups.hardening
     known = any("hardening" in (*record.needs, *record.takes) for record in problem.records())
@@ -221,7 +225,7 @@ def _hardens(problem: Problem) -> bool:
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
     """Drop validity warnings that a stronger one on the same quantity implies.
 
-    Above 1 is above 0.1, too.
+    For example, a value above 1 is also above 0.1.
     """
     warnings = list(warnings)
     worst = {one.quantity for one in warnings if one.kind == "impossible"}

@@ -1,7 +1,7 @@
-"""The errors of a model on solved surfaces near a contact, weighted by distance.
+"""Average the errors of a model over solved surfaces, weighted by their distance from a contact.
 
-A surface at a distance d weighs exp(-d^2/2). One that was not solved on both sides of a pressure or hardness, or of which a
-model says nothing on one, fades out towards that side, so that no number jumps.
+A surface at distance d has the weight exp(-d^2/2). The weight also fades where the surface was solved only on one
+side of the pressure or hardness, or where the model has no result on one side, so that the average has no jumps.
 """
 
 import math
@@ -35,10 +35,11 @@ _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts a
 class ErrorsNear(NamedTuple):
     """Hold the errors of ln(A/solved A) at k points.
 
-    levels: quantiles (k, 5) at LEVELS over the solved surfaces near; relative: root mean square of A/solved A - 1; middle:
-    mean of the logarithm over near surfaces of the stated kind, over Gaussian ones where neither map nor kind is stated;
-    distance: of the nearest surface; told: share of the near weight with a result of the model; surfaces: number that counts;
-    nearest: the feature in which the nearest surface differs most.
+    levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces; relative: root mean square of A/solved A - 1;
+    middle: mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor
+    kind is stated; distance: distance of the nearest surface; told: share of the total weight on surfaces where the
+    model has a result; surfaces: number of surfaces with a noticeable weight; nearest: the feature in which the nearest
+    surface differs most.
     """
 
     levels: np.ndarray
@@ -51,9 +52,10 @@ class ErrorsNear(NamedTuple):
 
 
 def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> ErrorsNear | None:
-    """Return the errors of a model on bare surfaces; None if it was not measured.
+    """Return the errors of a model on surfaces without a film; None if the model was not measured.
 
-    anywhere: the model solves the map, is as good on any surface, and only the pressure decides how near a surface is.
+    anywhere: True for a solution of the map, which is equally good on any surface. Then only the pressure decides how
+    near a solved surface is.
     """
     errors = known.errors(column)
     if errors is None:
@@ -62,12 +64,15 @@ def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> 
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
-    """Of errors (coated surfaces, films, loads); like: where (k,) the film is as in the set."""
+    """Return the errors near each point from an array of errors (coated surfaces, films, loads).
+
+    like: mask (k,) of the points whose film is of the kind that the benchmark set contains.
+    """
     return _together([_film_point(known, errors, place, at) if like[at] else _NONE for at in range(place.pressure.size)])
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles at LEVELS of weighted values, between two of them by a straight line."""
+    """Return the quantiles at LEVELS of weighted values, by linear interpolation."""
     order = np.argsort(values)
     middles = np.cumsum(weights[order]) - 0.5 * weights[order]
     return np.interp(LEVELS, middles / weights.sum(), values[order])
@@ -102,12 +107,13 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywh
 
 
 def _at_lighter_load(known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: float, lightest: float, hardness: float):
-    """Return errors (s,) at a pressure so many times below the lightest that was solved, and how far each surface counts (s,).
+    """Extrapolate errors (s,) below the lightest solved pressure; return them with the weight (s,) of each surface.
 
-    Those of elastic surfaces go on with ln of the pressure as they change above; where spots flow they fade with the root of
-    the pressure, as the finest roughness of a plateau flows too. Area over load tends to a constant on what is rough down to
-    its shortest waves. Where it changes fast, plateaus have no roughness of their own; of real ones that carries light loads:
-    such surfaces count the less the lighter the load (both judgements, grade C).
+    times: lightest solved pressure over the pressure of the contact. On elastic surfaces the error continues linearly
+    in ln of the pressure. On surfaces that flow it fades with the square root of the pressure, because the finest
+    roughness of a plateau flows too. A surface whose error changes fast has smooth plateaus, while real plateaus are
+    rough and carry light loads: such a surface loses weight as the load decreases. Both rules are judgements of the
+    authors (grade C).
     """
     elastic = 1.0 / (1.0 + (_FLOWS / min(hardness, ELASTIC)) ** 2)
     heavier, _ = _between(known, errors, _SLOPE * lightest, hardness)
@@ -134,10 +140,10 @@ def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
 
 
 def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray):
-    """Return a row of ErrorsNear.
+    """Return one row of ErrorsNear.
 
-    there, asked: weights (0 to 1) of the surfaces on which the model has a result, and of all solved ones; apart: parts of the
-    squared distances; presumed: the surfaces over which the middle is averaged.
+    there, asked: weights (0 to 1) of the surfaces where the model has a result, and of all solved surfaces; apart:
+    differences that add up to the squared distances; presumed: mask of the surfaces over which `middle` is averaged.
     """
     squared = np.where(asked > 0.0, squared_distance(apart).ravel(), np.inf)
     if not np.isfinite(squared).any():
@@ -159,7 +165,7 @@ def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: li
 
 
 def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Values (s,) of a table (s, h, p) of the set at a pressure and a hardness, and how far each counts."""
+    """Interpolate a table (s, h, p) of the set at a pressure and a hardness; return values (s,) and weights (s,)."""
     hard = np.minimum(known["hardnesses"], ELASTIC)
     order = np.argsort(hard)
 
@@ -171,10 +177,10 @@ def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: flo
 
 
 def _read_off(grid: np.ndarray, place: float, column: Callable, fade: float) -> tuple[np.ndarray, np.ndarray]:
-    """Values (s,) between two points of an ascending grid, by straight lines over its logarithm, and how far each counts.
+    """Interpolate linearly in the logarithm of an ascending grid; return values (s,) and weights (s,).
 
-    column(at): the same at a point of the grid. A value that is known on one side alone stands for both, and counts the less
-    the farther that is, by so much over the whole step.
+    column(index): values and weights at a grid point. A value known at one end of the interval only is used for the
+    whole interval; its weight decreases with the distance from that end, by `fade` over the interval.
     """
     right = int(np.clip(np.searchsorted(grid, place), 1, len(grid) - 1))
     part = math.log(place / grid[right - 1]) / math.log(grid[right] / grid[right - 1])

@@ -1,8 +1,8 @@
-"""How far the film law of a result was found from the truth near this contact: as data, in words, and as a cost.
+"""Look up the measured error of a film law near a contact, and state it as data, in words and as a ranking penalty.
 
-Measured are elastic contacts without adhesion: of one sphere against the exact solution, of rough surfaces against layered
-boundary elements (`solving/accuracy/film_tables`). Near is: the film's modulus over that of the bodies, and the radius of
-the mean contact, or the shortest wave, over the thickness of a film.
+The errors were measured on elastic contacts without adhesion: one sphere against the exact solution, and rough
+surfaces against layered boundary elements (`solving/accuracy/film_tables`). They are looked up by the ratio of film
+modulus to substrate modulus, and by the mean contact radius, or the shortest wavelength, over the film thickness.
 """
 
 import json
@@ -28,10 +28,11 @@ _FLOWS = "films that flow were compared with nothing: what squeezes them out is 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """Return the measured errors of the film law near these normalised results.
 
-    Results have the contacts' dimensions first. Each row has law; against: the reference; error: lowest and highest relative
-    error of the area at given load; load_error: of the load at given approach; rms: of ln(area), on rough surfaces; near: ends
-    of the looked-up parameters; outside: parameters that leave the solved set; why_not: the reason where there is no error.
-    Empty for a contact without a film.
+    Results have the dimensions of the contacts first. Each row has law; against: the reference solution; error: lowest
+    and highest relative error of the area at a given load; load_error: relative error of the load at a given approach;
+    rms: root mean square of the error of ln(area) on rough surfaces; near: range of each parameter used to look up;
+    outside: parameters beyond the measured range; why_not: the reason if no error is known. The list is empty for a
+    contact without a film.
     """
     law = problem.chosen.film or (problem.record if problem.record.on_film else None)
     if law is None:
@@ -61,9 +62,10 @@ def _of_maps(problem: Problem, law: str) -> dict[str, Any]:
 
 
 def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np.ndarray, nothing: str) -> dict[str, Any]:
-    """Return a row of `film_errors`.
+    """Return one row of `film_errors`.
 
-    given: parameters by which the errors are looked up; ratio: of areas; nothing: text where there is no error.
+    given: parameters by which the errors are looked up; ratio: computed area over exact area; nothing: the reason to
+    state if no error is known.
     """
     row, outside = head | {"near": {name: _ends(values) for name, values in given.items()}}, _outside(ranges, given)
     if np.isnan(ratio).all():
@@ -72,7 +74,7 @@ def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np
 
 
 def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, np.ndarray]]:
-    """Return the errors on solved maps, and the parameters near them."""
+    """Return the errors on solved maps, and the parameters by which they were looked up."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:
         return None, {}
@@ -91,7 +93,7 @@ _WORDS = {
 
 
 def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.ndarray]) -> str:
-    """Which of the given numbers leave what was solved, and what that is; "" where none does."""
+    """List the parameters that leave the measured range, with that range; "" if none does."""
     said = []
     for name, (low, high) in ranges.items():
         known = given[name][np.isfinite(given[name]) & (given[name] > 0.0)]
@@ -105,9 +107,10 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     """Return the errors of an area law on the solved maps with films near each contact.
 
-    Reference: truth/films.csv; one row for each point. None for other models, which are measured on the bare set. Thicker and
-    thinner films have the errors at the ends of the solved range: there the law tends to the bare law, of film or body. Other
-    moduli increase the distance.
+    Source: truth/films.csv; one row for each point. None for other models, which are measured on surfaces without a
+    film. A film thinner or thicker than the solved ones takes the errors at the end of the solved range: there the law
+    approaches the law of the bare body, or of the film alone. A modulus outside the solved range increases the
+    distance.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
@@ -130,9 +133,9 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return area over nominal area without flow, and pressure over flow pressure (k,).
+    """Return the elastic area over the nominal area, and the pressure over the flow pressure (k,).
 
-    The power mean of the two is the area of the law.
+    The law computes the area as a power mean of the two.
     """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # which a bare contact does without
     from stiction.surfaces.theory.widened_area import MEETING
@@ -144,7 +147,7 @@ def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    """Radius of the mean contact over the thickness of one film (n, m); None where asperities are not counted."""
+    """Return the mean contact radius over the thickness of one film (n, m); None if the model counts no asperities."""
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
         return None
@@ -155,7 +158,7 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 
 def _over_radius(problem: Problem) -> np.ndarray:
-    """t/R (n, 1): (t/sqrt(R sigma))^2 over t/sigma; where that is not known, far off."""
+    """Return t/R (n, 1) as (t/sqrt(R sigma))^2 over t/sigma; a value far outside the range if it is unknown."""
     found = quotient(problem.groups.film_aspect**2, problem.groups.tau)
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
 
@@ -166,12 +169,12 @@ def _ends(values: np.ndarray) -> list[float]:
 
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Attributes of a result that say its measured errors, as JSON; a netCDF file keeps them."""
+    """Return the measured errors as attributes of a result, in JSON, so that a netCDF file keeps them."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 
 def in_words(row: Mapping[str, Any]) -> str:
-    """One row as a line of text."""
+    """Describe one row of `film_errors` in one line."""
     near = ", ".join(f"{name} = {span(ends)}" for name, ends in row.get("near", {}).items() if ends)
     head = f"{row['law']} against {row['against']}" + (f", near {near}" if near else "")
     if "why_not" in row:

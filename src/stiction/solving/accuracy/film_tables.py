@@ -1,9 +1,9 @@
-"""How far film laws were found from the truth, elastic: near a modulus and a thickness, as data.
+"""Tables of the measured errors of elastic film laws, by film modulus and film thickness.
 
-Two tables, made by `python truth/film_laws.py`: each law on one sphere against the exact solution of a sphere on a film; and
-sums over asperities of rough surfaces (and the area law of a surface on a film) against these surfaces solved by layered
-boundary elements. Ratios, interpolated as their logarithms over logarithms. Laws of films that flow are not in them: what
-squeezes a film out is solved nowhere here.
+`python truth/film_laws.py` makes two tables. One compares each law on a sphere with the exact solution of a sphere
+on a film. The other compares sums over asperities, and the area law of a film, with layered boundary elements on
+rough surfaces. Both hold ratios, which are interpolated in double-logarithmic scale. Films that flow plastically
+are not included.
 """
 
 import csv
@@ -28,10 +28,10 @@ _MARGIN = 1.001  # of a table's ends, for rounding
 
 
 class OnSphere(NamedTuple):
-    """Hold the errors of a film law on a sphere, in arrays of one shape.
+    """Hold the errors of a film law on a sphere, as arrays of one shape.
 
-    Area over the exact one at the exact load, and load over the exact one at the exact approach; NaN outside the measured
-    range.
+    area: area over the exact area at the same load; load: load over the exact load at the same approach; NaN outside
+    the measured range.
     """
 
     area: np.ndarray
@@ -39,10 +39,10 @@ class OnSphere(NamedTuple):
 
 
 class OnMaps(NamedTuple):
-    """Hold the errors of a film law on solved maps, in arrays of one shape.
+    """Hold the errors of a film law on solved maps, as arrays of one shape.
 
-    Area over the solved one at the same load: geometric mean, and root mean square of its logarithm; NaN outside the
-    measured range.
+    The ratio is the area over the solved area at the same load: its geometric mean over the maps, and the root mean
+    square of its logarithm; NaN outside the measured range.
     """
 
     mean: np.ndarray
@@ -52,7 +52,10 @@ class OnMaps(NamedTuple):
 def on_a_sphere(
     law: str, options: Mapping[str, str], n_E: np.ndarray, a_over_t: np.ndarray, thickness_over_radius: np.ndarray
 ) -> OnSphere | None:
-    """Of a film law with its options, at arrays alike; None where it was not measured at all."""
+    """Return the errors on a sphere of a film law with its options; None if the law was not measured.
+
+    n_E, a_over_t, thickness_over_radius: arrays of one shape.
+    """
     table = _of(_sphere(), law, options)
     if table is None:
         return None
@@ -65,7 +68,10 @@ def on_a_sphere(
 
 
 def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> OnMaps | None:
-    """Of rough surfaces under a film of these thicknesses over the shortest wave, at arrays alike; None where not measured."""
+    """Return the errors on rough surfaces of a film law with its options; None if the law was not measured.
+
+    n_E, thickness: arrays of one shape; thickness: over the shortest wavelength.
+    """
     rows = _of(_maps(), law, options)
     if rows is None:
         return None
@@ -79,8 +85,8 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
 def summary(law: str) -> list[dict[str, Any]]:
     """Return the errors of a film law on a sphere, as rows of a table.
 
-    For each of its options, at every n_E and a/t of the table: relative errors of the area at given load and of the load at
-    given approach. Empty where it was not measured.
+    One row for each set of options, at every n_E and a/t of the table: relative error of the area at a given load and
+    of the load at a given approach. The list is empty if the law was not measured.
     """
     found = []
     for key, options in _sphere():
@@ -105,7 +111,7 @@ def _of(table: Mapping, law: str, options: Mapping[str, str]):
 
 @cache
 def _sphere() -> dict[tuple[str, str], Any]:
-    """Law and options -> logarithms of the ratios, between those of n_E, of a/t and of thicknesses over radius."""
+    """Return an interpolator for each (law, options): ln of the error ratios over ln of n_E, a/t and t/R."""
     from scipy.interpolate import RegularGridInterpolator
 
     tables = {}
@@ -124,7 +130,7 @@ def _maps() -> dict[tuple[str, str], list[list[float]]]:
 
 
 def _numbers(path: Path, columns: Sequence[str]) -> dict[tuple[str, str], list[list[float]]]:
-    """Law and options -> the numbers of their rows; 1 for one that is left out."""
+    """Read the numbers of each (law, options) from a CSV file; an empty field counts as 1."""
     found: dict[tuple[str, str], list[list[float]]] = {}
     with path.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):

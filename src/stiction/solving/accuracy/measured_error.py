@@ -1,16 +1,19 @@
-"""How far a model is from solved surfaces near a contact: its measured error.
+"""Estimate the error of a model at a contact from its errors on similar surfaces whose contact was solved.
 
-The set (docs/truth.md) has the contact area of every model on surfaces whose contact was solved, by every way of finding
-asperities, at some mean pressures, hardnesses and films. Near a contact that means: at its pressure and hardness over E* h',
-read off between those of the set, for each surface of it; and the mean over surfaces, each weighing exp(-d^2/2) with its
-distance d in Nayak's alpha, and where the map is known in skewness, lay and the slope of its top. Numbers do not tell the kind
-of a surface: of a contact given by numbers the mean error is that on Gaussian surfaces, which moments describe and models are
-ranked by, and the interval is over all kinds: skewed, worn, with a lay, of two bands of waves. Where the kind is stated,
-both are over surfaces of that kind. Friction of an interface is its strength times the area, so that its error is that of the
-area, less where the strength rises with pressure, and unknown where the strength stated is above that of the bodies. Adhesion
-is not in the set.
+The benchmark set (docs/truth.md) holds the solved contact area of many surfaces, and the area by every model and
+asperity method, at several mean pressures, hardnesses and films. The errors of each surface are interpolated to the
+pressure and hardness of the contact, both over E* h', and then averaged over the surfaces with the weight
+exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of
+its top. A contact given by numbers has no known kind of surface: its mean error is taken over Gaussian surfaces,
+for which models are ranked, and its interval over all kinds: skewed, worn, with a lay, with two wave bands. If the
+kind is stated, both are taken over surfaces of that kind.
 
-A solution of the map has the error of its points, and where the map is a window of a larger surface it is one sample of it.
+Friction of an interface is its shear strength times the area, so it has the error of the area. The error is smaller
+if the strength rises with pressure, and unknown if the stated strength exceeds the strength of the bodies. The set
+has no adhesion.
+
+A solution on the map itself has a discretisation error. If the map is a window of a larger surface, it is one
+sample of it.
 """
 
 import json
@@ -53,16 +56,18 @@ _SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """The measured errors of a model's area at k points.
+    """Hold the measured errors of a model's contact area at k points.
 
-    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the surfaces nearest to each, however far these are,
-    NaN where nothing was measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm over
-    surfaces of the kind that is stated; where neither map nor kind are known over Gaussian ones. friction: of mu as area, where
-    it is of the interface. distance: of the nearest surface, pressure, hardness. surfaces: how many count. trust: 1 near, 0
-    where nothing was measured, continuous between. sample: standard error of ln of the area as one window of a larger surface,
-    of models of its map. column: the model and the way of finding asperities. why_not: why nothing is known at some points, ""
-    if all are. nearest: in what the nearest surface differs, "" where it hardly does. kind_known: whether the kind of surface
-    is known, from the map or as stated; kind: that which is stated where there is no map."""
+    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far they are;
+    NaN where nothing was measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm
+    over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error of mu
+    due to the area, for laws of the interface. distance: of the nearest surface, pressure and hardness. surfaces:
+    number of surfaces that count. trust: 1 for a near surface, 0 where nothing was measured, continuous between.
+    sample: standard error of ln of the area because the map is one window of a larger surface, for models that solve
+    the map. column: model and asperity method. why_not: why no error is known at some points, "" if all are known.
+    nearest: how the nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the
+    kind of surface; kind: the stated kind, for a contact without a map.
+    """
 
     column: str
     area: np.ndarray
@@ -90,14 +95,14 @@ class MeasuredErrors:
 
     @property
     def known(self) -> bool:
-        """Whether anything was measured at any point."""
+        """Return whether an error was measured at any point."""
         return bool(np.isfinite(self.area).any())
 
     def as_data(self) -> dict[str, Any]:
         """Return the relative errors as data for JSON.
 
-        Area and mu: mean; area: ends of the middle 90 % and root mean square; the error of the sample, and the distance. Lists
-        over the points, null where nothing was measured.
+        Holds the mean error of area and of mu, the ends of the middle 90 % and the root mean square of the area error, the
+        standard error of the sample, and the distance. Each is a list over the points, null where nothing was measured.
         """
         return {
             "measured_as": self.column,
@@ -116,7 +121,7 @@ class MeasuredErrors:
 
     @property
     def words(self) -> str:
-        """In a line."""
+        """Describe the errors in one line."""
         if not self.known:
             return f"not measured here: {self.why_not}"
         some = np.isfinite(self.area)
@@ -146,10 +151,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the column of the benchmark set for a model, "model|asperity method".
-
-    "" where the set has none.
-    """
+    """Return the column of the benchmark set for a model, "model|asperity method"; "" if the set has none."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -165,7 +167,10 @@ def column_of(problem: Problem) -> str:
 
 
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> MeasuredErrors:
-    """At the points of these normalised results, contacts first: flat over both."""
+    """Return the measured errors at the points of these normalised results.
+
+    Results have the dimensions of the contacts first. The errors are flat over contacts and points.
+    """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
     if isinstance(problem, OnMap):
@@ -195,7 +200,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
 
 
 def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> MeasuredErrors:
-    """Of the contact of the map itself: what the width of its points leaves, and what a window does."""
+    """Return the errors of a solution on the map itself: the discretisation error and the error of the sample."""
     surface = problem.surface()
     place = Place.of(problem, load, surface)
     there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
@@ -207,15 +212,15 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
 
 
 def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
-    """Return A/A0 (k,) of normalised areas, 0 where there is none."""
+    """Return A/A0 (k,) of normalised areas; 0 where nothing touches."""
     return np.nan_to_num(np.minimum(math.pi * np.reshape(problem.groups.roughness_parameter, (-1, 1)) * area, 1.0)).ravel()
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
     """Return the standard deviation of ln of an area solved on a map.
 
-    It depends on the number of points in contact, or on the formula that replaces the solution. share: A/A0 (k,); every_point:
-    whether all points of the map are solved, or a sample.
+    It depends on the number of points in contact, or on the formula used in place of the solution. share: A/A0 (k,);
+    every_point: whether all points of the map are solved, or only a sample.
     """
     area = _map_area(surface)
     if not area.solvable and not every_point:
@@ -226,7 +231,7 @@ def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = Fals
 
 
 def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Return quantiles (k, 5) with a normal error of that root mean square (k,) more, about the middle (k,)."""
+    """Widen quantiles (k, 5) about their middle (k,) by a normal error with the standard deviation `more` (k,)."""
     if not more.any():
         return levels
     apart = levels - middle[:, None]
@@ -235,7 +240,7 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 
 def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
-    """Return the standard error of ln of the area of one window; 0 for a period."""
+    """Return the standard error of ln of the area of one window; 0 for a periodic map."""
     if place.pressure.size > _MOST_POINTS:
         return np.full(place.pressure.size, np.nan)
     area, found = _map_area(surface), np.empty(place.pressure.size)
@@ -247,7 +252,7 @@ def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
 
 
 def _near(problem: Problem, column: str, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors measured near each point; None for a model without any."""
+    """Return the errors measured near each point; None for a model that was not measured."""
     known = solved_set()
     if not problem.groups.has_film:
         return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
@@ -258,9 +263,9 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
 def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of area laws on films, from the Gaussian maps with films.
 
-    Reference: truth/films.csv. Where the contact has numbers only, other kinds of surface widen the errors as they do for the
-    bare law, and a stated kind shifts them; both are taken at the pressure with the same elastic area (Persson 2001) and at
-    the hardness that lets the same share of it flow.
+    Source: truth/films.csv. For a contact given by numbers, the other kinds of surface widen the errors as much as they
+    do for the law without a film, and a stated kind shifts them. Both effects are read at the pressure that gives the
+    same elastic area (Persson 2001), and at the hardness that lets the same share of that area flow.
     """
     from scipy.special import erfinv
 
@@ -292,7 +297,7 @@ def _map_area(surface: "HeightMap") -> "MapArea":
 
 
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
-    """Return no errors but those of a solution: whatever the film, near each point."""
+    """Return errors of zero at distance zero, for a solution whose only errors are its own."""
     nothing = np.zeros_like(found.distance)
     each = {name: nothing for name in ("relative", "middle", "distance")}
     return found._replace(**each, levels=np.zeros_like(found.levels), told=nothing + 1.0)
@@ -305,7 +310,7 @@ def _unknown(column: str, points: int, why: str) -> MeasuredErrors:
 
 
 def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
-    """Return distance and description of the nearest solved surface, where none is near."""
+    """State why no solved surface is near enough, with the difference of the nearest one."""
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
         return "the film is not as in the set, elastic and on one body under a rigid one"
@@ -323,7 +328,7 @@ def _why_not(problem: Problem, column: str, points: int) -> str:
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """How near to dry surfaces that do not adhere, 1 to 0, and why it is not near where it is 0."""
+    """Return how well dry surfaces without adhesion represent the contact, 1 to 0, and the reason if they do not."""
     state, why = state_of(problem, results), "menisci would pull, the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
@@ -344,7 +349,7 @@ def _largest(share: np.ndarray | None) -> float:
 
 
 def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> ErrorsNear | None:
-    """On a film that is elastic, on one body, the other rigid."""
+    """Return the errors on the coated surfaces of the set: one body has an elastic film, the other is rigid."""
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
     own = film is not None and f"{film.key}|mccool"
@@ -358,7 +363,7 @@ def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> E
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
-    """ln of mu over what it would be with the solved area: of a law of the interface, mu = tau_0 A/P + beta."""
+    """Return ln of mu over mu with the solved area, for an interface law mu = tau_0 A/P + beta; NaN for other laws."""
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
         return np.full(error.shape, np.nan)
@@ -378,5 +383,5 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:
-    """Attributes of a result: in words, and as JSON."""
+    """Return the measured errors as attributes of a result: in words, and as JSON."""
     return {"measured_error": json.dumps(found.as_data()), "measured_error_in_words": found.words}

@@ -1,7 +1,7 @@
-"""Where a contact is among the solved surfaces, and in what the nearest of them differs from it.
+"""Measure how far a contact is from each solved surface of the benchmark set, and describe the nearest one.
 
-The distance of a contact from a solved surface is the root of the sum of squares of their differences, each over what counts as
-1: half of a logarithm of Nayak's alpha, and so on, as below.
+The distance is the root of the sum of squared differences in features such as Nayak's alpha. Each difference is
+divided by a unit, for example half of a logarithm of alpha. The units are listed below.
 """
 
 import math
@@ -41,9 +41,9 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 class Place:
     """Hold the features of k points by which near solved surfaces are found.
 
-    pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and top of the map, None without a map;
-    kind: of surface, as stated, without a map; thickness, modulus: of the film, over sqrt(m2/m4) and over the modulus of the
-    substrate.
+    pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and slope of the top of the map, None
+    without a map; kind: the stated kind of surface, for a contact without a map; thickness: of the film over
+    sqrt(m2/m4); modulus: of the film over that of the substrate.
     """
 
     pressure: np.ndarray
@@ -56,7 +56,10 @@ class Place:
 
     @classmethod
     def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
-        """At loads (n, m) of n contacts. surface: the map of the contact, None: as its roughness says."""
+        """Return the features of n contacts at loads (n, m).
+
+        surface: the height map of the contact; None if only roughness numbers are known.
+        """
         groups, points = problem.groups, load.shape[1]
         density = groups.roughness_parameter[:, None]
         pressure = reduced_pressure(load, density)
@@ -73,7 +76,7 @@ class Place:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return the features from the map itself: its slopes decide, not its asperities."""
+    """Return the features of the map itself, from its slopes and not from its asperities."""
     from stiction.solvers.boundary_elements.map_area import map_area
 
     area, whole = map_area(surface), problem.subject.with_surface_moments()
@@ -93,16 +96,20 @@ def _skewness(surface: "HeightMap") -> float:
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
-    """sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma)."""
+    """Return film thickness over sqrt(m2/m4), and film modulus over substrate modulus, at each point.
+
+    sqrt(m2/m4) = 1/sqrt(6 pi sqrt(3) N) (Nayak 1971); film_aspect is t/sqrt(R sigma).
+    """
     thickness = groups.film_aspect * np.sqrt(6.0 * math.pi * math.sqrt(3.0) * groups.roughness_parameter)
     return np.repeat(groups.film_modulus, points), np.repeat(thickness, points)
 
 
 @dataclass(frozen=True)
 class Difference:
-    """Hold the difference of a contact from solved surfaces in one named feature.
+    """Hold the difference between a contact and the solved surfaces in one named feature.
 
-    ours: of the contact; theirs: of each surface; squared: contribution to the squared distance from each.
+    ours: value of the contact; theirs: value of each surface; squared: contribution to the squared distance of each
+    surface.
     """
 
     name: str
@@ -112,7 +119,10 @@ class Difference:
 
 
 def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
-    """Of a point from every surface (s,); where no map is known by alpha alone, of every kind of surface."""
+    """Return the differences between one point and every surface (s,).
+
+    Without a map only Nayak's alpha is compared, with surfaces of every kind.
+    """
     alpha = float(place.alpha[at])
     apart = ((np.log(known.feature("alpha")) - math.log(alpha)) / _SCALES["alpha"]) ** 2
     if place.shape is None:
@@ -121,7 +131,7 @@ def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
 
 
 def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
-    """Of skewness, lay and top of a map from every surface (s,)."""
+    """Return the differences in skewness, lay and slope of the top between a map and every surface (s,)."""
     skewness, lay, top = shape
     tops = np.maximum(known.feature("top"), _LEAST_TOP)
     each = {
@@ -133,9 +143,9 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
 
 
 def kind_of_map(surface: "HeightMap") -> str | None:
-    """Return the kind of surface, a key of OF_KIND, that most solved surfaces of such skewness, lay and top are of.
+    """Return the kind of surface, a key of OF_KIND, of most solved surfaces with similar skewness, lay and top.
 
-    None of a profile, of a map with missing points, and where no solved surface is alike.
+    None for a profile, for a map with missing points, and if no solved surface is similar.
     """
     from stiction.solvers.boundary_elements.area_estimates import map_slopes
 
@@ -150,7 +160,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 
 
 def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
-    """Of a point on a film from every film of every coated surface (s, f)."""
+    """Return the differences between a point on a film and every film of every coated surface (s, f)."""
     assert place.modulus is not None and place.thickness is not None
     some = known["film_surfaces"]
     moduli, thicknesses = known["films"].T
@@ -173,9 +183,10 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
 
 
 def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> tuple[Difference, float, float]:
-    """Return the difference in pressure, and pressures and hardness at which to read.
+    """Return the difference in pressure, and the pressure and hardness at which the set is read.
 
-    All are over E* h'. Below the least hardness of the set everything flows; there the pressure over the hardness decides.
+    All are over E* h'. Below the least hardness of the set all spots flow, so only pressure over hardness matters
+    there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())
@@ -191,14 +202,14 @@ def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> t
 
 
 def squared_distance(found: Iterable[Difference]) -> np.ndarray:
-    """From each of the solved ones."""
+    """Return the squared distance of the contact from each solved surface."""
     return np.asarray(sum(one.squared for one in found))
 
 
 def nearest_in_words(found: Iterable[Difference], at: int) -> str:
-    """Describe the largest difference from the solved surface at this flat index.
+    """Describe the largest difference between the contact and the solved surface at this flat index.
 
-    E.g. "the nearest has Nayak's alpha 5 where this has 24"; "" if its distance is below 1.
+    For example "the nearest has Nayak's alpha 5 where this has 24"; "" if the distance is below 1.
     """
     found = list(found)
     squared = [float(table.flat[at]) for table in np.broadcast_arrays(*(one.squared for one in found))]

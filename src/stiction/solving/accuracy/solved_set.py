@@ -1,7 +1,7 @@
-"""The set of solved surfaces that models are measured by, as it is kept in the package (made by `make truth`, docs/truth.md).
+"""Read the benchmark set of solved surfaces, which `make truth` writes into the package (docs/truth.md).
 
-Errors are logarithms of a model's contact area over the solved one. They are kept in a byte each, as their signed root in steps
-of 1/60: to 0.002 where they are 1 %, to 0.03 where they are a factor of ten.
+An error is the logarithm of a model's contact area over the solved area. Each error is stored in one byte, as its
+signed square root in steps of 1/60. That resolves 0.002 at an error of 1 %, and 0.03 at a factor of ten.
 """
 
 import lzma
@@ -29,13 +29,13 @@ _NOTHING, _STEP = -128, 1.0 / 60.0
 
 
 def coded(errors: np.ndarray) -> np.ndarray:
-    """Logarithms as bytes (int8)."""
+    """Encode logarithmic errors as bytes (int8)."""
     whole = np.clip(np.round(np.sign(errors) * np.sqrt(np.abs(errors)) / _STEP), -127, 127)
     return np.where(np.isfinite(errors), whole, _NOTHING).astype(np.int8)
 
 
 def decoded(codes: np.ndarray) -> np.ndarray:
-    """Decode stored numbers; NaN where there is none."""
+    """Decode stored errors; NaN where no error was stored."""
     root = codes * _STEP
     return np.where(codes == _NOTHING, np.nan, np.sign(root) * root**2)
 
@@ -44,9 +44,9 @@ def decoded(codes: np.ndarray) -> np.ndarray:
 class SolvedSet:
     """Hold the benchmark set of solved surfaces.
 
-    content: arrays by name, as in the file: of s surfaces, h hardnesses (the first infinite) and p mean pressures, both over
-    E* h'; of films on some of them, by plane-strain modulus over the substrate modulus and thickness over the shortest
-    wavelength.
+    content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures,
+    both over E* h'. Films on some surfaces are listed by plane-strain modulus over the substrate modulus, and by
+    thickness over the shortest wavelength.
     """
 
     content: dict[str, np.ndarray]
@@ -55,33 +55,33 @@ class SolvedSet:
         return self.content[name]
 
     def feature(self, name: str) -> np.ndarray:
-        """(s,), one of FEATURES."""
+        """Return the values (s,) of a feature named in FEATURES."""
         return self["features"][:, FEATURES.index(name)].astype(float)
 
     @cached_property
     def gaussian(self) -> np.ndarray:
-        """Which surfaces (s,) are Gaussian and isotropic."""
+        """Return a mask (s,) of the Gaussian and isotropic surfaces."""
         return self["kinds"] == "gaussian"
 
     @cache  # noqa: B019
     def of_kind(self, kind: str | None) -> np.ndarray:
-        """Which surfaces (s,) are of this kind, a key of OF_KIND; all where it is not known."""
+        """Return a mask (s,) of the surfaces of a kind, a key of OF_KIND; True everywhere if the kind is None."""
         return np.ones(len(self["kinds"]), dtype=bool) if kind is None else np.isin(self["kinds"], OF_KIND[kind])
 
     @cached_property
     def areas(self) -> np.ndarray:
-        """Solved A/A0 (s, h, p), not a number where it was not solved."""
+        """Return the solved A/A0 (s, h, p); NaN where it was not solved."""
         found = self["areas"]
         return np.where(found == 65535, np.nan, np.exp(-2e-4 * found.astype(float)))
 
     @cache  # noqa: B019 - there is one set, for ever
     def errors(self, column: str) -> np.ndarray | None:
-        """ln(A/solved A) (s, h, p) of "model|way of finding asperities"; None of a model that was not measured."""
+        """Return ln(A/solved A) (s, h, p) for "model|asperity method"; None if the model was not measured."""
         return self._of("columns", "which", "errors", column)
 
     @cache  # noqa: B019
     def film_errors(self, column: str) -> np.ndarray | None:
-        """Return the errors on films (coated surfaces, films, loads)."""
+        """Return ln(A/solved A) on films (coated surfaces, films, loads); None if the model was not measured."""
         return self._of("film_columns", "film_which", "film_errors", column)
 
     def _of(self, names: str, which: str, tables: str, column: str) -> np.ndarray | None:
@@ -96,7 +96,7 @@ class SolvedSet:
 
 @cache
 def solved_set() -> SolvedSet:
-    """Return the benchmark set of the package."""
+    """Return the benchmark set that is part of the package."""
     with np.load(FILE, allow_pickle=False) as file:
         content = {name: file[name] for name in file.files}
     for name in PACKED:
