@@ -1,4 +1,4 @@
-"""From a load to the mean separation that carries it, and the largest tension that a contact carries."""
+"""Find the mean separation at which a contact carries a load, and the largest tension that it carries."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -28,10 +28,10 @@ _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
-    """Report a load that a contact carries at no separation.
+    """Report a load that a contact does not carry at any separation.
 
-    law, at: indices of contact and load; low, high: ends of the loads that are carried, normalised; without adhesion low is 0,
-    which is not carried.
+    law, at: indices of the contact and the load. low, high: ends of the loads that the contact carries, normalised. Without
+    adhesion low is 0, and 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -41,11 +41,11 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True)
 class Inversion:
-    """Hold the separations at which n contacts carry m loads, per asperity, normalised.
+    """Hold the separations at which n contacts carry m loads each; all values are normalised, loads per asperity.
 
-    h (n, m): separations; residual (n, m): load error over the load, or over the largest tension where the load is negligible;
-    evaluations: the most that a root took. tension (n,): the largest one on the branch of the problem, 0 if there is none;
-    where (n,): its separation, NaN if there is none.
+    h (n, m): separations. residual (n, m): error of the load over the load, or over the largest tension where the load is
+    negligible. evaluations: largest number of evaluations for one root. tension (n,): largest tension on the branch of the
+    problem, 0 if there is none. where (n,): its separation, NaN if there is none.
     """
 
     h: np.ndarray
@@ -55,7 +55,7 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Put what was found of some contacts in their rows, in place, and return the whole."""
+        """Write the results of some contacts into their rows, and return the whole."""
         for name in _ARRAYS:
             getattr(self, name)[rows] = getattr(found, name)
         return replace(self, evaluations=max(self.evaluations, found.evaluations))
@@ -65,9 +65,9 @@ _ARRAYS = ("h", "residual", "tension", "where")
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Largest tension per asperity (n,), 0 where there is none, and the separation (n,) at which, else not a number.
+    """Return the largest tension per asperity (n,) and its separation (n,), on the branch of the problem.
 
-    On the branch of the problem. Source: the minimum of the load over separation (Fuller & Tabor 1975).
+    Without tension they are 0 and NaN. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
     found = separations_at(problem, np.empty((len(problem.groups), 0)))
     return found.tension, found.where
@@ -76,18 +76,19 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which each contact carries each load (n, m).
 
-    Several separations may carry a load. The first one after the largest tension (or from afar without tension) is returned:
-    it is the stable branch under a given load. Where the approach is smooth, the root starts from nodes of the approach and is
-    finished with the sums of the engine; else it is bracketed on a grid and found by Chandrupatla's method. Raises Unreachable
-    for a load that is not carried; with refuse=False its separation is NaN.
+    Several separations may carry the same load. The result is the first one on approach after the largest tension, or the
+    first one from far away without tension: this branch is stable under a given load. Where the load is a smooth function of
+    the approach, the root starts from interpolated values and is polished with sums of the engine. Otherwise it is bracketed
+    on a grid and found by Chandrupatla's method. Raises Unreachable for a load that is not carried; with refuse=False its
+    separation is NaN.
     """
     return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """Return the separations, and the normalised results (n, m) there.
+    """Return the separations at these loads, and the normalised results (n, m) there.
 
-    Results at a load that is not carried are those at separation 0. Sums that the engine took last are reused.
+    Results at a load that is not carried are those at separation 0. The last sums of the root search are reused.
     """
     parts, tables = [], []
     for found, sums, some in _by_blocks(problem, targets, refuse):
@@ -98,9 +99,9 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 
 
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
-    """Yield for blocks of contacts: inversion, sums (regimes, n, m, 5), and the problem.
+    """Yield the inversion, the sums (regimes, n, m, 5) and the problem for blocks of contacts.
 
-    Sums are NaN where none were taken.
+    Sums that were not computed are NaN.
     """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
@@ -116,7 +117,7 @@ def _whole(parts: list[Inversion]) -> Inversion:
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
-    """As `separations_at`, with sums: the quick way for all laws that it suits, and the robust one for the others."""
+    """Solve one block of contacts: quickly where that works, robustly for the rest. Return the inversion and the sums."""
     sums = None
     if isinstance(problem, ClosedForm):
         if problem.record.separation_near is None:
@@ -139,7 +140,10 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
 
 
 def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
-    """As `separations_at`, for which laws (n,) it is good, and the sums (regimes, n, m, 5) there."""
+    """Find separations from interpolated starts; return the inversion, for which contacts (n,) it is good, and the sums.
+
+    The sums have the shape (regimes, n, m, 5).
+    """
     start = starts(_load_alone(problem).regimes, targets)
     tension, where = np.zeros_like(start.tension), start.where
     adheres = np.flatnonzero(start.tension > 0.0)
@@ -158,7 +162,10 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
 
 
 def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
-    """Laws (n,) whose largest tension, at the separations `where`, was found without the bound of Laplace's pressure on it."""
+    """Return for which contacts (n,) Laplace's pressure bounds the pull of menisci at the largest tension.
+
+    There the interpolated starts, which ignore the bound, are wrong. where: separations of the largest tension.
+    """
     bound = np.zeros(where.size, dtype=bool)
     pulled = np.flatnonzero(np.isfinite(where))
     if problem.most_pull is not None and pulled.size:
@@ -170,7 +177,8 @@ def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
 def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Refine separations (k,) by Newton's method with a known slope.
 
-    Returns separations, the load error there (NaN unless small enough), the sums (regimes, k, 5) and the number of evaluations.
+    Returns separations; errors of the load there, NaN unless small enough; the sums (regimes, k, 5); the number of
+    evaluations.
     """
     h, sums, times = h.copy(), problem.sums(h, law), 1
     excess = sums[..., LOAD].sum(axis=0) - target
@@ -187,9 +195,9 @@ def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, 
 
 
 def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find separations of a theory without adhesion that estimates them itself.
+    """Find separations of a theory without adhesion that has an estimate of them.
 
-    The secant method on the logarithm of the load starts from its estimate.
+    The secant method on the logarithm of the load starts from that estimate.
     """
     laws = len(targets)
     near, nearer = problem.near(targets), problem.near(targets * _RATIO)
@@ -241,7 +249,7 @@ def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> n
 
 
 def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
-    """As `separations_at`, whatever the way of approach."""
+    """Find separations by bracketing, as `separations_at`, for any function of the approach."""
     h, loads, size = _loads_past(problem, targets)
     tension, where = _tension_past(problem, h, loads, size)
     if not targets.size:
@@ -263,7 +271,10 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Tension and separation (n,) as in Inversion, of loads (n, H) of these sizes (n,) at separations h (H,), descending."""
+    """Return the largest tension and its separation (n,), as in Inversion.
+
+    loads (n, H): at descending separations h (H,); size (n,): scale of the loads.
+    """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
         near = _below_tops(problem)
@@ -276,10 +287,10 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
-    """Return separations (n, m), descending, around the highest asperities.
+    """Return descending separations (n, m) around the highest asperities.
 
-    A few asperities adhere there before many press: within theta^(-2/3), and menisci within their height or up to where their
-    pull is overcome.
+    There a few asperities adhere before many press: within theta^(-2/3) of the tops. Menisci pull within their height, or up
+    to where pressure overcomes their pull.
     """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
@@ -294,8 +305,8 @@ def _below_tops(problem: Problem) -> np.ndarray:
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the largest tension (n,), 0 if there is none, and its separation, else NaN.
 
-    load(h, law): loads of these contacts, elementwise; loads (n, H): at separations h (n, H), in order. The minimum is searched
-    between the two neighbours of the lowest load.
+    load(h, law): loads of these contacts, elementwise. loads (n, H): at the ordered separations h (n, H). The minimum of the
+    load is searched between the two neighbours of the lowest value.
     """
     laws = np.arange(len(loads))
     lowest = np.argmin(loads, axis=1)
@@ -313,10 +324,10 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
 
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return separations (H,), descending, loads (n, H), and the scale (n,) of loads.
+    """Return descending separations (H,), loads there (n, H), and the scale (n,) of loads.
 
-    They span from a load below the smallest target, where almost nothing touches, to far beyond any model's claim, where
-    compression outweighs all tension. The scale does not depend on how far that is.
+    The separations begin where the load is below the smallest target and almost nothing touches. They end far beyond the
+    range that any model claims, where compression outweighs all tension. The scale does not depend on that end.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -336,17 +347,17 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Where (n,) something worth mention touches at the farthest separation, or the largest tension may lie beyond."""
+    """Return for which contacts (n,) the farthest separation is too near.
+
+    There the load is not yet negligible, or the largest tension may lie beyond.
+    """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)
     return (np.abs(farthest) > NOTHING * size) | tension | (farthest >= smallest)
 
 
 def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tuple) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return separations within brackets at which contacts carry the targets.
-
-    Also the load errors, and the number of evaluations.
-    """
+    """Return separations within brackets at which contacts carry the targets, with load errors and number of evaluations."""
     from scipy.optimize.elementwise import find_root
 
     if not targets.size:

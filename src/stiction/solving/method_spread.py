@@ -1,4 +1,4 @@
-"""How much of a friction coefficient is the reading of the surface: the spread over methods that find asperities in a scan."""
+"""The spread of mu over the methods that find asperities in a scan."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -32,14 +32,14 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """Return a result with the asperity method, and history, sources and warnings of scans."""
+    """Return a result with the asperity method, and with history, sources and warnings of the scans."""
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
     data = with_warnings(data, map(ValidityWarning, measured.validity_warnings)) if measured.validity_warnings else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 
 def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights: Heights | str | None) -> np.ndarray:
-    """Return `_read_off` (2, *shape) of the contact at the loads of a result.
+    """Return mu and the share of touching asperities (2, *shape) of a contact at the loads of a result.
 
     NaN where a load is not carried or the contact is refused.
     """
@@ -60,9 +60,9 @@ def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
 
 
 def _read_off(found: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
-    """Return friction coefficient and share of touching asperities (2, *shape).
+    """Return mu and the share of touching asperities (2, *shape) of a solved contact.
 
-    NaN where the load does not press, and where the model has none.
+    NaN where the net load does not press, and where the model has none of them.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(found["touching_asperities"], like) if "touching_asperities" in found else np.nan
@@ -77,13 +77,12 @@ def with_method_spread(
     choice: Choice,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
-    """Return the result of `solve` with the friction coefficients of all methods.
+    """Return the result of `solve` with the friction coefficients by all methods; unchanged without friction.
 
-    contacts: the same bodies with the roughness from each method; counts: number of separate asperities found, 0 for averages
-    only. Added: friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
-    friction_coefficient_high over the methods, and found_touching_by_method, the number of found asperities that touch: below
-    FEW_TOUCH friction follows from the assumed tail of heights, and `outside_validity` warns of it; NaN for averages only.
-    Unchanged without friction.
+    contacts: the same bodies with the roughness by each method. counts: number of separate asperities that a method found, 0
+    for a method of averages. Added are friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
+    friction_coefficient_high over the methods, and found_touching_by_method, the number of found asperities that touch (NaN
+    for averages). Below FEW_TOUCH friction follows from the assumed tail of heights, and `outside_validity` has a warning.
     """
     if _MU not in data:
         return data
@@ -101,7 +100,7 @@ def with_method_spread(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """Describe methods and loads at which fewer than FEW_TOUCH found asperities touch.
+    """Return in words at which methods and loads fewer than FEW_TOUCH found asperities touch.
 
     "" if there are none, or if the model has no asperities.
     """

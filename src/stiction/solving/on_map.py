@@ -1,4 +1,4 @@
-"""The contact of a measured map, solved point by point, without asperities or statistics."""
+"""Solve the contact of a measured map point by point, without asperities or statistics of heights."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ _MOST_POINTS = 1_100_000
 
 @dataclass(frozen=True)
 class OnMap(Problem):
-    """A contact whose roughness is a map: it is pressed by its nominal pressure. Results are normalised as everywhere."""
+    """A contact whose roughness is a map, loaded by its nominal pressure; results are normalised as those of all models."""
 
     @property
     def needs_load(self) -> bool:
@@ -50,7 +50,7 @@ class OnMap(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Whether a liquid pulls between the faces."""
+        """Return whether a liquid pulls the faces together."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
@@ -60,7 +60,7 @@ class OnMap(Problem):
 
     @cached_property
     def contact(self) -> Contact:
-        """Return the contact with its map, without a liquid that is left out.
+        """Return the contact with its map, and without a liquid that the user leaves out.
 
         Raises InputError where there is no map, or a number is an array.
         """
@@ -71,11 +71,11 @@ class OnMap(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """The units of the contact, by scale."""
+        """Return the units of the contact, by the names of scales."""
         return self.contact.scales().factors()
 
     def surface(self) -> "HeightMap":
-        """Return the map that is solved. Raises InputError."""
+        """Return the map that is solved. Raises InputError if there is none."""
         return self.contact.measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
@@ -119,7 +119,7 @@ class OnMap(Problem):
         return {name: table.reshape(load.shape) for name, table in found.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """From light contact of the map to about a third of it, or of the hardness."""
+        """Return a few of the loads, from light contact to about a third of the map in contact, or a third of the hardness."""
         from stiction.solvers.boundary_elements.measures import waves
         from stiction.solvers.boundary_elements.sampled import fewest_points
 
@@ -139,7 +139,7 @@ class OnMap(Problem):
         return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / self.factors["N"]
 
     def _mean_height(self) -> float:
-        """Of the asperities over the mean plane [m], from which separations count everywhere."""
+        """Return the mean height of the asperities over the mean plane [m], where all models have their separation 0."""
         measured = self.contact.measured
         return float(measured.mean_heights[measured.method])
 
@@ -160,9 +160,9 @@ class OnMap(Problem):
         return float(sum(of_states))
 
     def strengths(self, one: "MapContact") -> np.ndarray:
-        """Return the strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.
+        """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside the contact.
 
-        Raises InputError without a tangential law, and where strengths are not known point by point.
+        Raises InputError without a tangential law, or if the law has no strength of single points.
         """
         if self.chosen.tangential is None:
             raise InputError("tangential", "none", "a tangential law, which gives each point its strength")
@@ -179,7 +179,7 @@ class OnMap(Problem):
         return strength
 
     def _forces(self, one: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
-        """Yield the state of points and the force that each of them bears on the map [N]."""
+        """Yield states of points, and the tangential force that each point of that state bears [N]."""
         assert self.chosen.tangential is not None
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None:
@@ -191,10 +191,10 @@ class OnMap(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the tangential force of points of one area, by the tangential law, under their loads."""
+        """Return the sum of the tangential forces of points of one area, by the tangential law, from their loads."""
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the tangential force of each of these points (n,)."""
+        """Return the tangential force of each of the points (n,), by the tangential law, from their loads."""
         assert self.chosen.tangential is not None
         return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -28,10 +28,10 @@ _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
 def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
-    """Return state, pressures [Pa] and areas [m2] of points in contact.
+    """Yield state, pressures [Pa], area of one point and total area [m2] of the points in contact.
 
-    Points that do not flow, and those that do, if any. The area of a point is all of it, less its share of the excess at
-    edges, which is subtracted from points that do not flow as far as they suffice.
+    Points that do not flow come first, then those that flow, if any. Pixels overestimate the area at edges: the excess is
+    subtracted from points that do not flow, as far as these suffice.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size

@@ -1,6 +1,6 @@
 """Compute normalised results at requested loads or separations.
 
-It is the one way of `solve`, `slide`, `unload`, `compare` and of all studies.
+`solve`, `slide`, `unload`, `compare` and all studies use this route.
 """
 
 from collections.abc import Iterator, Mapping
@@ -26,9 +26,10 @@ from stiction.solving.problem import Problem, as_asked
 class Points:
     """Loads or mean separations at which the contacts of a problem are solved.
 
-    name: "load" or "mean_separation". value: what was asked for, a number or an array with named dimensions, in the units of
-    the contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first. wanted:
-    normalised, of the shape of dims; narrow: the same with length 1 along dimensions on which it does not depend.
+    name: "load" or "mean_separation". value: the request, a number or an array with named dimensions, in the units of the
+    contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first. wanted:
+    normalised values, of the shape of dims. narrow: the same values, with length 1 along dimensions on which they do not
+    depend.
     """
 
     problem: Problem
@@ -41,16 +42,16 @@ class Points:
 
     @property
     def table(self) -> np.ndarray:
-        """The wanted values (contacts, points)."""
+        """Return the wanted values as a table (contacts, points)."""
         return self.wanted.reshape(len(self.problem.groups), -1)
 
     @property
     def coords(self) -> dict[str, Any]:
-        """Coordinates of the contacts and of these points."""
+        """Return the coordinates of the contacts and of these points."""
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """Return the points of some of the contacts, along one dimension."""
+        """Return the points of some of the contacts; the contacts then have one dimension."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)
@@ -101,7 +102,7 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of points asked for. Those that are results are left out: there they stand already."""
+    """Return the coordinates of requested points, without those that the results contain as variables."""
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
     results = ("load", "mean_separation")
     return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
@@ -109,9 +110,9 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Solved:
-    """Hold normalised results at points: tables by name, of the shape of the points.
+    """Hold normalised results at points: tables by name, in the shape of the points.
 
-    found, carried: for requested loads, how their separations were found, and the loads that are carried there.
+    found: for requested loads, the inversion to separations. carried: the loads at these separations.
     """
 
     tables: dict[str, np.ndarray]
@@ -122,7 +123,7 @@ class Solved:
 def solve_points(points: Points, refuse: bool = True) -> Solved:
     """Solve a problem at its points.
 
-    Raises Unreachable for a load that is not carried; with refuse=False its separation is NaN, and its results are those at
+    Raises Unreachable for a load that is not carried. With refuse=False its separation is NaN, and its results are those at
     separation 0. Raises InputError for points that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
@@ -137,7 +138,7 @@ def solve_points(points: Points, refuse: bool = True) -> Solved:
 
 
 def check_reach(separation: np.ndarray, name: str = "separation") -> None:
-    """Raise InputError for separations over sigma beyond what is summed."""
+    """Raise InputError for separations, over sigma, beyond the range of the summation."""
     farthest = float(np.abs(separation).max(initial=0.0))
     if not farthest <= FARTHEST:
         raise InputError(name, farthest, f"{FARTHEST:g} times sigma at most")
@@ -145,7 +146,7 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
 
 @contextmanager
 def in_words(points: Points) -> Iterator[None]:
-    """Turn Unreachable into the InputError that says which loads are carried."""
+    """Turn Unreachable into an InputError that states which loads the contact carries."""
     try:
         yield
     except Unreachable as error:
@@ -176,7 +177,7 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
 
 
 def _summed(points: Points) -> dict[str, np.ndarray]:
-    """Return results at separations. Those that all contacts share are a grid, and are summed faster."""
+    """Return results at separations; those that all contacts share are summed as a grid, which is faster."""
     problem, shape = points.problem, points.wanted.shape
     contacts, own = len(problem.groups), len(problem.shape)
     per_contact = points.table.shape[1]

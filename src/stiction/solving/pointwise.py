@@ -1,4 +1,4 @@
-"""Solve many contacts at once; those that are refused or cannot carry the load give NaN, with the reason."""
+"""Solve many contacts at once. Contacts that are refused, or do not carry their load, have NaN and the reason."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -35,11 +35,11 @@ NOT_COMPUTED = np.uint32(1 << 31)
 
 @dataclass(frozen=True)
 class BatchResult:
-    """Results of many contacts.
+    """Hold the results of many contacts.
 
-    variables: name -> dimensions, values in the units of the contact, attributes. validity_warnings: the dimensions, and bits
-    (uint32): the first are WHY_NOT, then one for each of the rules. subject: the contacts as the model takes them; attributes:
-    what was used, as `solve` says it, where all results are kept.
+    variables: by name, their dimensions, values in the units of the contact, and attributes. validity_warnings: dimensions,
+    and bits (uint32): the first bits are WHY_NOT, then one bit for each rule. rules: the valid ranges of these bits. subject:
+    the contacts as the model takes them. attributes: model, laws and sources, as from `solve`, if all results are kept.
     """
 
     variables: dict[str, tuple]
@@ -58,10 +58,10 @@ def solve_batch(
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
 ) -> BatchResult:
-    """Solve many contacts at points, without a dataset; keep: names of results.
+    """Solve many contacts at points, without building a dataset; keep: names of results, by default all.
 
-    Results are NaN where a load is not carried, and where the model refuses a contact or does not converge, unless that is all
-    of them. Raises InputError for a request that is wrong as a whole, ArithmeticError where no contact converges.
+    Results are NaN where a load is not carried, or where the model refuses a contact or does not converge. Raises InputError
+    for a request that is wrong for all contacts, and ArithmeticError if no contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
@@ -78,12 +78,12 @@ def solve_batch(
 
 
 def meanings_of(rules: Sequence[Validity]) -> list[str]:
-    """Return what each bit of `BatchResult.validity_warnings` means."""
+    """Return the meaning of each bit of `BatchResult.validity_warnings`."""
     return [*WHY_NOT, *(f"{rule.quantity} is not {rule.range}: {rule.why}" for rule in rules)]
 
 
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
-    """Results, and bits of WHY_NOT (contacts, points)."""
+    """Return the results at points, and bits of WHY_NOT (contacts, points)."""
     try:
         return _taken(points)
     except (InputError, ArithmeticError):
@@ -93,10 +93,7 @@ def _solved(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results of contacts, NaN where a contact is refused.
-
-    Raises the last refusal if all contacts are refused.
-    """
+    """Solve contacts in parts, so that refused ones have NaN. Raises the last refusal if all contacts are refused."""
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
     found, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
@@ -117,9 +114,9 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
-    """Yield (part, result) for a region of contacts.
+    """Yield (part, result) for all parts of a region of contacts.
 
-    A part that raises is bisected along its longest dimension; a single refused contact yields its InputError or
+    A part that raises is bisected along its longest dimension. A single refused contact yields its InputError or
     ArithmeticError.
     """
     waiting = [region]
@@ -137,7 +134,7 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
 
 
 def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
-    """Return lengths along dimensions, whole along the last ones, that make `room` contacts at most."""
+    """Return lengths of a block along each dimension, with at most `room` contacts; the last dimensions are filled first."""
     found: dict[str, int] = {}
     for dim in reversed(list(sizes)):
         found[dim] = max(1, min(sizes[dim], room))

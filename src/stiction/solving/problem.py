@@ -1,4 +1,4 @@
-"""A model, its contacts and its heights, ready to be computed: what every way of solving starts from."""
+"""A model with its contacts and asperity heights, ready to be computed. Every solver starts from it."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -33,7 +33,7 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUA
 
 @dataclass(frozen=True)
 class Sum(Problem):
-    """A sum over asperities: the regimes of the laws, by the engine."""
+    """A sum over asperities: the engine integrates the regimes of the laws over heights."""
 
     @property
     def law(self) -> Law:
@@ -49,7 +49,7 @@ class Sum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Those of the solids, then those of other laws, as of menisci between them."""
+        """Return the regimes of the solids, then those of added laws, such as menisci."""
         return [*self._solids(), *(one for law in self.chosen.additions.values() for one in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -73,7 +73,7 @@ class Sum(Problem):
         return np.concatenate([self.sums(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
+        """Return slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
         return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def sums_at(self, h: np.ndarray) -> np.ndarray:
@@ -87,7 +87,7 @@ class Sum(Problem):
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
-        """Return the force of a law in place of the tangential law, per asperity (n, m)."""
+        """Return the tangential force per asperity (n, m) by another tangential law."""
         plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
@@ -102,14 +102,14 @@ class Sum(Problem):
         return self._at_sums(h, self.sums_at(h))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """As `at`, with sums (regimes, n, m, 5) that are known there; those that are not numbers are taken, in their places."""
+        """Return results at separations h (n, m) from known sums (regimes, n, m, 5), computing those that are NaN."""
         law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
         if law.size:
             sums[:, law, at] = self.sums(h[law, at], law)
         return self._at_sums(h, sums)
 
     def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) of the sums (regimes, n, m, 5) at the separations h (n, m)."""
+        """Return results (n, m) from the sums (regimes, n, m, 5) at the separations h (n, m)."""
         results = self._by_name(sums)
         if (published := self._as_published()) is not None:
             sums = published.sums_at(h).sum(axis=0)
@@ -118,7 +118,7 @@ class Sum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return what bounds the pull of menisci (2, n); None where none pull, or no bound is known."""
+        """Return the upper bounds of the pull of menisci (2, n); None without menisci, or if no bound is known."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
@@ -132,9 +132,9 @@ class Sum(Problem):
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
     def _as_published(self) -> "Sum | None":
-        """Return the problem with its tangential law as published.
+        """Return the problem with its tangential law as published; None if it has that law already.
 
-        None unless yielded junctions take another law.
+        Yielded junctions may take the resistance of another law, see the option `plastic_junctions`.
         """
         if self.options.get(JUNCTIONS, NO_JUNCTIONS) == NO_JUNCTIONS:
             return None
@@ -146,7 +146,7 @@ class Sum(Problem):
         return results
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) from the sums (regimes, n, m, 5) by what the regimes are labelled."""
+        """Return results (n, m) by name, from the sums (regimes, n, m, 5) and the labels of the regimes."""
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)
         results = {
@@ -188,7 +188,7 @@ class Sum(Problem):
 
 @dataclass(frozen=True)
 class ClosedForm(Problem):
-    """A theory that is no sum over asperity laws; friction, if any, is of the interface."""
+    """A theory in closed form, without a sum over asperities; friction, if any, is that of the interface."""
 
     @property
     def needs_load(self) -> bool:
@@ -199,7 +199,7 @@ class ClosedForm(Problem):
         return self.record.adheres
 
     def near(self, load: np.ndarray) -> np.ndarray:
-        """Estimate the separations (n, m) at which the normalised loads (n, m) are carried."""
+        """Return an estimate of the separations (n, m) at which normalised loads (n, m) are carried."""
         assert self.record.separation_near is not None
         return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
 
@@ -232,12 +232,12 @@ class ClosedForm(Problem):
 
     @property
     def map(self) -> Any:
-        """The map of the contact, where the theory takes it; else None."""
+        """Return the map of the contact if the theory uses it; else None."""
         return None if self.record.area_on_map is None or self.subject is None else self.subject.map
 
     @property
     def way(self) -> str:
-        """How the area is found, in words, where the theory has more than one way."""
+        """Return in words how the area is found, if the theory has more than one way."""
         return "" if self.record.way is None else self.record.way(self.map)
 
     def _area(self, load: np.ndarray) -> np.ndarray:
@@ -259,7 +259,7 @@ class ClosedForm(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Describe the value that a model needs of a quantity, or of a part of a contact.
+    """Return in words what a model needs of a quantity, or of a part of a contact.
 
     A work of adhesion has to be above 0.
     """
@@ -270,42 +270,42 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Said where a model wants what there is not, and maybe nobody chose it."""
+    """Return where to find models without the missing input, if the user did not choose a model; else ""."""
     if model != DEFAULT_MODEL:
         return ""
     return "`stiction compare CASE.toml` shows models that do without it, --model names one"
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, and compare friction with it.
+    """Replace the computed load by the requested one, and recompute mu from it.
 
-    Where round-off makes the requested load unattainable, the computed load stays. A residual at zero load makes no friction
-    coefficient.
+    Where round-off makes the requested load unattainable, the computed load stays. A rest of a load in place of zero has no
+    mu.
     """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
 
 
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    """Where a load is so much smaller than the tension and pressure that it is the difference of that another is carried."""
+    """Return where a load is lost in round-off, because it is the small difference of large tension and pressure."""
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the friction coefficient of these forces, under the name for the published law."""
+    """Return mu from these forces, under the name of the published law."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:
     """Return the subject as a model takes it.
 
-    A theory of the whole surface takes the asperities with the moments of the surface.
+    A theory of the whole surface takes asperities that have the spectral moments of the surface.
     """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
 
 
 def takes_surface_moments(model: str) -> bool:
-    """Whether the model of this key is a theory of the whole surface."""
+    """Return whether the model of this key is a theory of the whole surface."""
     return find(model, RoughSurface).takes_surface_moments
 
 
@@ -346,7 +346,7 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Return the problem of these groups, with one dimension, "contact".
+    """Return the problem of these groups; its contacts have one dimension, "contact".
 
     subject: the Contact or Indices of the user, if there is one.
     """

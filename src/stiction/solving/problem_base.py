@@ -1,4 +1,4 @@
-"""The base of every problem: a sum over asperities, a theory in closed form, the contact of a map."""
+"""The base class of all problems: sums over asperities, theories in closed form, contacts of maps."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -17,12 +17,12 @@ from stiction.solving.chosen import Chosen
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """Hold n contacts under one model.
+    """Hold n contacts under one model; results are normalised, by name.
 
-    groups: their dimensionless groups, flat. dims: named dimensions of the contacts, name -> size; n is the product. coords:
-    coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None where only groups were given.
-    Results are normalised, by name; theories without separations have only `at_load`. threads: number of threads of the sums;
-    it changes no digit.
+    groups: dimensionless groups of the contacts, flat. dims: named dimensions of the contacts, name -> size; n is their
+    product. coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only
+    groups are given. threads: number of threads of the sums; it changes no digit. Theories without separations have only
+    `at_load`.
     """
 
     chosen: Chosen
@@ -47,17 +47,17 @@ class Problem(ABC):
 
     @property
     def friction(self) -> bool:
-        """Whether there is a tangential law."""
+        """Return whether there is a tangential law."""
         return self.chosen.tangential is not None
 
     @property
     def heights_taken(self) -> str:
-        """Which heights count, in a word: the name of a distribution."""
+        """Return the name of the height distribution, or what stands in its place."""
         return self.heights.key
 
     @property
     def way(self) -> str:
-        """How the contact area is found, in words, where the model has more than one way; else ""."""
+        """Return in words how the contact area is found, if the model has more than one way; else ""."""
         return ""
 
     def records(self) -> list[Record]:
@@ -65,54 +65,57 @@ class Problem(ABC):
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of some of the contacts; itself for all of them."""
+        """Return the problem of some of the contacts; the same object for all of them."""
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
     @property
     @abstractmethod
     def needs_load(self) -> bool:
-        """Return whether the model takes loads only, and has no separation."""
+        """Return whether the model takes loads only, because it has no separation."""
 
     @property
     @abstractmethod
     def adheres(self) -> bool:
-        """Whether asperities attract."""
+        """Return whether asperities attract."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Of normalised loads (n, m) of a curve those that can be afforded: all, unless every one takes its time."""
+        """Return the loads (n, m) of a curve that are quick enough to solve: all, unless each of them takes seconds."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":
-        """Return the problem on another branch; itself where there is none."""
+        """Return the problem on another branch; the same object if the model has no branches."""
         return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Net load per asperity at pairs of separation and law."""
+        """Return the net load per asperity at pairs of separation and law."""
         self.refuse_separation()
 
     def load_at(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Net load per asperity at any separations, of the laws of these numbers, which broadcast to them."""
+        """Return the net load per asperity at separations of any shape.
+
+        law: numbers of the laws, which broadcast to that shape.
+        """
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Net load per asperity (n, H) at separations that all laws share."""
+        """Return the net load per asperity (n, H) at separations that all laws share."""
         self.refuse_separation()
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, H) at separations that all laws share."""
+        """Return results (n, H) at separations that all laws share."""
         self.refuse_separation()
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) at the separations h (n, m)."""
+        """Return results (n, m) at the separations h (n, m)."""
         self.refuse_separation()
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        """Results (n, m) at normalised loads (n, m), where the model `needs_load`."""
+        """Return results (n, m) at normalised loads (n, m), for a model that `needs_load`."""
         raise AssertionError(f"{self.record.key} is solved at separations")
 
     def refuse_separation(self) -> NoReturn:
-        """Raise the InputError of a model without separations."""
+        """Raise the InputError of a model that has no separations."""
         raise InputError("separation", None, f"a load: {self.record.key} has no separation")
 
 

@@ -1,4 +1,4 @@
-"""Normalised tables as a labelled dataset in the units of the contact, with what was used and its validity warnings."""
+"""Turn normalised tables into a labelled dataset in the units of the contact, with sources and validity warnings."""
 
 from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any
@@ -30,7 +30,10 @@ def labelled(
     dims: Mapping[str, int],
     coords: Mapping[str, Any],
 ) -> "xarray.Dataset":
-    """Tables (shape of dims or broadcasting to it) as a dataset, times the factor of the scale of each, if it has one."""
+    """Return tables as a dataset, each times the factor of its scale, if it has one.
+
+    Tables have the shape of dims, or broadcast to it.
+    """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
 
@@ -91,7 +94,7 @@ def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | Non
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """Return a dataset, built at once: each assignment to one would align all variables."""
+    """Return a dataset that is built in one step, because each later assignment would align all variables."""
     import xarray
 
     data = xarray.Dataset({name: variable for name, variable in variables.items() if name not in coords}, coords=coords)
@@ -114,9 +117,9 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
 
 
 def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Describe how mu differs from the published law.
+    """Return in words how mu differs from the published law.
 
-    Empty unless yielded junctions take the resistance of another law.
+    Empty unless yielded junctions have the resistance of another law.
     """
     if "friction_coefficient_published" not in tables:
         return {}

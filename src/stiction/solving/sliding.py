@@ -1,8 +1,8 @@
-"""From rest to sliding: the tangential force that a rough surface carries as it is moved aside, asperity by asperity.
+"""Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
-Every asperity sticks, slips from its rim inwards, and slides at a displacement of its own: which of them are at their strength
-together is summed here, and not assumed. At each displacement the asperities are another law, summed over heights at the mean
-separation that the load had made (`laws/presliding/mindlin_1949.py` has the equations).
+Every asperity sticks, then slips from its rim inwards, then slides, each at a displacement of its own. So the sum shows which
+of them reach their strength together. At each displacement the force is a sum over heights at the mean separation under the
+load; `laws/presliding/mindlin_1949.py` has the equations.
 """
 
 import math
@@ -179,7 +179,10 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
 
 @dataclass(frozen=True)
 class Sliding:
-    """A problem whose asperities are moved aside; residual: the fraction of its strength that one retains once it slides."""
+    """A problem whose asperities are displaced sideways.
+
+    residual: fraction of its strength that an asperity keeps while it slides.
+    """
 
     problem: Sum
     residual: float
@@ -240,7 +243,10 @@ class Sliding:
         }
 
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
-        """Where this force is reached, by bisection; not a number where that is beyond all that is looked at."""
+        """Return the displacement at which this force is reached, by bisection.
+
+        NaN where it lies beyond the largest displacement that is tried.
+        """
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
         for _ in range(_NARROWED):
@@ -250,7 +256,10 @@ class Sliding:
         return np.where(reached, np.exp(high), np.nan)
 
     def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where the force is largest, and it: the best of many displacements, and golden sections around that."""
+        """Return the displacement of the largest force, and that force.
+
+        The best of many displacements is refined by golden section.
+        """
         found = np.stack([self.at(h, unit * one)[0] for one in _WAY])
         best = np.clip(found.argmax(axis=0), 1, len(_WAY) - 2)
         low, high = np.log(unit * _WAY[best - 1]), np.log(unit * _WAY[best + 1])

@@ -1,7 +1,7 @@
-"""Numbers that describe how hard a contact is pressed, for conditions on every model.
+"""Quantities that state how hard a contact is pressed; conditions on all models use them.
 
-All follow from results per asperity and the dimensionless groups. Per asperity, with the units of theory 1, K = 4 E*/3 and
-eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a, so that
+They follow from results per asperity and dimensionless groups. In the units of theory 1, K = 4 E*/3 and eta = pi H
+sqrt(R/sigma)/K; an asperity has the load P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a. Then
 
     A/A_n       = pi N R sigma a
     P/(A_n H)   = pi N R sigma p / eta
@@ -9,8 +9,8 @@ eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2) sigma^(3/2) p and the area
     N A_n       = N R sigma (A_n/sigma^2) (sigma/R)
     A/(n A_c)   = a / (share omega_c/sigma)
 
-n = share N A_n asperities touch; A_c = pi R omega_c is the area of one at first yield, omega_c that of Chang, Etsion & Bogy
-(1987).
+where n = share N A_n asperities touch, and A_c = pi R omega_c is the area of an asperity at first yield, with omega_c of
+Chang, Etsion & Bogy (1987).
 """
 
 import math
@@ -32,10 +32,10 @@ _MOST_GROWN = 100.0  # how far growth is followed
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return numbers of the state of the contacts at these normalised results.
+    """Return the quantities of state of the contacts at these normalised results.
 
-    Results have the contacts' dimensions first. Each is an array (n, m), missing where a group is unknown, NaN where no net
-    load presses.
+    Results have the contacts' dimensions first. Each quantity is an array (n, m). It is missing if a group is unknown, and
+    NaN where the net load does not press.
     """
     groups = problem.groups
     n = len(groups)
@@ -60,9 +60,9 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """Return the numbers of the surface (n,), which no load changes.
+    """Return quantities of the surface (n,) that do not depend on load.
 
-    Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool
+    The rms slope is sqrt(2 m2) of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool
     1986).
     """
     found = {}
@@ -80,9 +80,9 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return the numbers of the map of a contact, which no load changes.
+    """Return quantities of the map of a contact that do not depend on load; empty without a map.
 
-    They are of each scan, where the scans make no one map; empty without a map.
+    If the scans do not form one map, each quantity is the least over the scans.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
@@ -95,7 +95,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
-    """Return the attraction of the surface (n,), for theories of the whole surface."""
+    """Return quantities of the attraction (n,), for theories of the whole surface."""
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 
@@ -114,7 +114,7 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """Return the numbers that need no density of asperities, menisci excepted.
+    """Return the quantities that need no density of asperities, except for menisci.
 
     hardness: of the material that bears the load, over the hardness of the bodies.
     """
@@ -183,7 +183,7 @@ def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
     contact = -ndtri(np.clip(touching, np.finfo(float).tiny, 1.0 - 1e-16))
 
     def above(z: np.ndarray) -> np.ndarray:
-        """Antiderivative of the share of asperities above z."""
+        """Return the antiderivative of the share of asperities above z."""
         return z * ndtr(-z) - np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
 
     return (above(contact) - above(contact - height)) / height

@@ -1,8 +1,8 @@
-"""Pressed together and drawn apart again: what a rough surface carries on the way back.
+"""Solve a contact that was pressed together and is drawn apart again.
 
-An asperity that has yielded does not return on the curve on which it was pressed, and one that adheres holds on until it tears
-off. Both depend on the nearest separation reached: an asperity of height z was pressed to z - h_0 there, and z - h is what is
-left of it at the separation h = h_0 + distance. So at every distance the asperities are another law, summed at h over heights.
+A yielded asperity does not unload along its loading curve, and an adhesive one holds until it tears off. Both depend on the
+smallest separation h_0: there an asperity of height z was pressed by z - h_0. At the separation h = h_0 + distance it is still
+pressed by z - h. So asperities follow another law at every distance, which is summed over heights at h.
 """
 
 import math
