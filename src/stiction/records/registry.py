@@ -193,7 +193,7 @@ class Composite(Record):
 
 
 # What a law that strengthens or spreads the force of an interface wants of a tangential law.
-OF_AREA = "none, or a tangential law whose force is a strength of the interface on the area"
+OF_AREA = "none, or a tangential law whose force is interface strength times contact area"
 
 
 @dataclass(frozen=True, kw_only=True)

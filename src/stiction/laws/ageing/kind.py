@@ -22,10 +22,10 @@ class Ageing(Addition):
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
         if model.of_map is not None:
-            return f"none: {model.key} limits the shear of points, which do not wait"
+            return f"none: {model.key} does not support ageing"
         if tangential is None:
-            return f"{OF_AREA}: there is no tangential law"
-        return "" if tangential.of_area else f"{OF_AREA}: {tangential.key} is none that goes with the area"
+            return f"{OF_AREA}: no tangential law is chosen"
+        return "" if tangential.of_area else f"{OF_AREA}: the force of {tangential.key} is not"
 
     @classmethod
     def is_stated(cls, groups: Groups) -> bool:

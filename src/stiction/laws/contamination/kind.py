@@ -24,9 +24,9 @@ class Contamination(Addition, TangentialLaw):
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
         if not model.asperity:
-            return f"none: {model.key} knows no single junctions"
+            return f"none: {model.key} has no single junctions"
         if film is not None:
-            return f"none: how a junction is shared by film and substrate ({film.key}) is not known"
+            return f"none: not supported with a film ({film.key})"
         return "" if tangential is not None and tangential.of_area else OF_AREA
 
     @classmethod

@@ -23,7 +23,7 @@ class Meniscus(Addition):
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
-        return "" if model.asperity else f"none: {model.key} knows no single asperities for a liquid to bridge"
+        return "" if model.asperity else f"none: {model.key} has no single asperities"
 
     @classmethod
     def is_stated(cls, groups: Groups) -> bool:

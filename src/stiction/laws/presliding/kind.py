@@ -22,8 +22,8 @@ class Presliding(Addition, TangentialLaw):
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
         if not model.asperity:
-            return f"nothing: {model.key} knows no single asperities"
-        return "nothing: how film and substrate share it is not known" if film is not None else ""
+            return f"not supported: {model.key} has no single asperities"
+        return "not supported with a film" if film is not None else ""
 
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None

@@ -118,7 +118,7 @@ def _sticking(
     coating = contact.coating
     work = contact.work_of_adhesion if coating is None or coating.work_of_adhesion is None else coating.work_of_adhesion
     if not contact.adheres or work is None:
-        raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2: adhesion is {adhesion}")
+        raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2 with adhesion = {adhesion}")
     atomic = adhesion == "atomic_range"
     reach = EQUILIBRIUM_DISTANCE if atomic else max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
     curve = sticking_curve(surface, bodies, pressures, work=work, reach=reach)

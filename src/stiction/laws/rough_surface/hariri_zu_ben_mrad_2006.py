@@ -69,8 +69,7 @@ def correlation_of(density: np.ndarray) -> np.ndarray:
         raise InputError(
             "roughness_parameter",
             float(density[bad][0]),
-            f"{LEAST_DENSITY:.4g} to {LARGEST_DENSITY:.4g}: N R sigma of surfaces that have a sampled profile with exponential "
-            "autocorrelation, up to where its asperities are tabulated",
+            f"{LEAST_DENSITY:.4g} to {LARGEST_DENSITY:.4g}: N R sigma for which this model is defined and tabulated",
         )
     alpha = np.clip(bandwidth(density), n_point.LEAST_BANDWIDTH, n_point.LARGEST_BANDWIDTH)
     return n_point.correlation_of_bandwidth(alpha)

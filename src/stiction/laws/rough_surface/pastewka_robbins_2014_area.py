@@ -39,8 +39,8 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """
     ratio = stickiness(groups)[:, None]
     if not (ratio > 1.0).any():
-        of_ratio = f"{float(ratio[0, 0]):.3g}, and has to be above 1"
-        allowed = f"such that the surface does not stick: its ratio of repulsion to attraction is {of_ratio}"
+        now = float(ratio[0, 0])
+        allowed = f"a value at which the surface does not stick: repulsion over attraction is {now:.3g}, must be above 1"
         raise InputError("tabor_parameter", float(groups.tabor_parameter[0]), allowed)
     density = groups.roughness_parameter[:, None]
     kappa = np.divide(KAPPA, 1.0 - 1.0 / ratio, where=ratio > 1.0, out=np.full(ratio.shape, np.nan))

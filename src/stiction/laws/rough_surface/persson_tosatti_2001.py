@@ -23,7 +23,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.laws.shared_claims import ELASTIC_CONTACT
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import Moments
@@ -45,8 +45,8 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """
     ratio = elastic_over_adhesion(groups)
     if not (ratio < 1.0).any():
-        allowed = f"more: flattening the roughness takes {ratio.min():.3g} times the work of adhesion"
-        raise InputError("work_of_adhesion", "too little for full contact", allowed)
+        allowed = f"{ratio.min():.3g} times as much or more: flattening the roughness takes that energy"
+        raise InputError("work_of_adhesion", InWords("too small for full contact"), allowed)
     full = np.where(ratio < 1.0, 1.0 / (math.pi * groups.roughness_parameter), np.nan)
     return np.broadcast_to(full[:, None], load.shape).copy()
 

@@ -31,17 +31,19 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transi
     """
     printed, gradual = variant == "published", transition == "gradual"
     if law.options.get("branch") == "unloading" and (printed or gradual or groups.has_film):
-        allowed = "loading; unloading is for the corrected variant of a bare surface that jumps"
+        allowed = "loading; unloading requires the corrected variant, transition = jump and no film"
         raise InputError("branch", "unloading", allowed)
     if gradual and (printed or groups.has_film):
-        allowed = "jump; gradual is for the corrected variant of a bare surface; the graded film is gradual by itself"
+        allowed = "jump; gradual requires the corrected variant and no film; with a film use the graded film law"
         raise InputError("transition", transition, allowed)
     if (printed or gradual) and law.options.get(JUNCTIONS, NO_JUNCTIONS) != NO_JUNCTIONS:
-        raise InputError(JUNCTIONS, law.options[JUNCTIONS], f"{NO_JUNCTIONS}, for these options")
+        raise InputError(
+            JUNCTIONS, law.options[JUNCTIONS], f"{NO_JUNCTIONS} with the published variant or the gradual transition"
+        )
     for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
         if (printed or gradual) and (chosen is None or chosen.key != key):
             kind, given = (chosen.kind, chosen.key) if chosen else ("tangential", "none")
-            raise InputError(kind, given, f"{key}, for these options")
+            raise InputError(kind, given, f"{key} with the published variant or the gradual transition")
     if film is not None:
         return film.regimes(groups, law, **select_options(film, law.options))
     if gradual:

@@ -144,7 +144,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
-    of_half_space="the two places it looks at are where a half-space first yields",
+    of_half_space="it checks only two places, at which a half-space first yields",
     like="layered_first_yield",
     wants={
         "Hertz": "the stresses are those of a Hertz contact",

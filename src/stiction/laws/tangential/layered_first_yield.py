@@ -85,7 +85,7 @@ RECORD = TangentialLaw(
     accuracy=1e-3,
     limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
     wants={
-        "Hertz": "the traction is in proportion to the pressure of a sphere that is pressed",
+        "Hertz": "the traction is proportional to Hertz's pressure",
         "no adhesion": "adhesion changes the pressure and its stresses",
     },
     notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film "

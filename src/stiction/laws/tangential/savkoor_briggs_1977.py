@@ -82,7 +82,7 @@ def share_that_peels(groups: Groups) -> np.ndarray:
     """
     share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
     if np.any(share == 0.0):
-        raise InputError("peeling", 0.0, "more than 0: what never peels has no peeling force; take another tangential law")
+        raise InputError("peeling", 0.0, "above 0; with 0 there is no peeling: choose another tangential law")
     return share
 
 
@@ -112,7 +112,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
-    of_half_space="the stiffness in its energy balance is a half-space's",
+    of_half_space="its energy balance uses the stiffness of a half-space",
     like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="energy balance; forces and peeled areas of four contacts tabulated independently; evaluation at 30 digits",

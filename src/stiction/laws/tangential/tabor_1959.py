@@ -70,8 +70,8 @@ def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> Tan
     if np.any(endless):
         found = float(groups.shear_strength[endless][0])
         bound = float((groups.shear_strength / share)[endless][0])
-        why = f"below {bound:.4g}, the shear strength of the bulk over H: what is as strong as that grows without end"
-        raise InputError("shear_strength", found, f"{why} under tabor_1959; junction_growth ends it")
+        why = f"below {bound:.4g}, the shear strength of the bulk over H: stronger junctions grow without limit"
+        raise InputError("shear_strength", found, f"{why} in tabor_1959; use junction_growth")
     pressures = [groups.eta * np.sqrt((1.0 - share) * (1.0 + share)), groups.eta]
     kinks = np.concatenate([where_pressure_is(piece, pressure) for pressure in pressures], axis=1)
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, share), kinks)
@@ -87,7 +87,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     yielded="junction growth",
-    of_half_space="its junction is of one material, and of a film with its body it does not say what is plastic",
+    of_half_space="it describes junctions of one material, not of a film on a body",
     like="bowden_tabor_1943",
     verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),

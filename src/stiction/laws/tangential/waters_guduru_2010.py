@@ -139,7 +139,7 @@ RECORD = TangentialLaw(
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
-    of_half_space="the stiffness in its energy balance is a half-space's",
+    of_half_space="its energy balance uses the stiffness of a half-space",
     like="layered_peeling",
     wants={"JKR": "peeling releases the energy at the rim of a JKR contact"},
     verified="energy balance over all radii of contact, solved anew at 30 digits; Savkoor and Briggs",
