@@ -1,4 +1,4 @@
-"""The fast form of the 2015 paper's model: NumPy arrays in, NumPy arrays out, no labels."""
+"""Evaluate the model of the 2015 paper quickly: NumPy arrays in and out, without labels."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -158,7 +158,10 @@ def _separations(h) -> np.ndarray:
 
 
 def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
-    """Regimes of laws of flat groups; the film, if any, has the substrate's nu and work of adhesion and is a half-space."""
+    """Return the regimes of the law for flat arrays of groups.
+
+    A film has the Poisson ratio and the work of adhesion of the substrate, and is treated as a half-space.
+    """
     ones = np.ones_like(laws["nu"])
     film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}
     problem = problem_of(Groups(**laws, **film).resolved(), choice)
@@ -167,7 +170,7 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
 
 
 def _chunks(columns: list[np.ndarray], size: int) -> Iterator[tuple[slice, list[np.ndarray]]]:
-    """Broadcast columns as flat pieces of C order, copied piece by piece."""
+    """Yield the broadcast columns in flat chunks of C order, each with its slice; only one chunk is copied at a time."""
     start = 0
     pieces_of: Any = np.nditer(columns, flags=["external_loop", "buffered", "zerosize_ok"], order="C", buffersize=size)
     for piece in pieces_of:

@@ -1,4 +1,4 @@
-"""Find the mean separation at which a contact carries a load, and the largest tension that it carries."""
+"""Find the mean separation at which a contact carries a given load, and the largest tension that it carries."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -28,10 +28,10 @@ _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
-    """Report a load that a contact does not carry at any separation.
+    """Report a load that a contact carries at no separation.
 
-    law, at: indices of the contact and the load. low, high: ends of the loads that the contact carries, normalised. Without
-    adhesion low is 0, and 0 itself is not carried.
+    law, at: indices of contact and load; low, high: ends of the range of loads that can be carried, normalised. Without
+    adhesion low is 0, which is outside the range.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -41,11 +41,11 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True)
 class Inversion:
-    """Hold the separations at which n contacts carry m loads each; all values are normalised, loads per asperity.
+    """Hold the separations at which n contacts carry m loads, per asperity, normalised.
 
-    h (n, m): separations. residual (n, m): error of the load over the load, or over the largest tension where the load is
-    negligible. evaluations: largest number of evaluations for one root. tension (n,): largest tension on the branch of the
-    problem, 0 if there is none. where (n,): its separation, NaN if there is none.
+    h (n, m): separations; residual (n, m): load error over the load, or over the largest tension where the load is
+    negligible; evaluations: largest number of evaluations for one root; tension (n,): largest tension on the branch of
+    the problem, 0 without adhesion; where (n,): its separation, NaN without adhesion.
     """
 
     h: np.ndarray
@@ -55,7 +55,7 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Write the results of some contacts into their rows, and return the whole."""
+        """Copy the inversion of some contacts into their rows, in place, and return the inversion of all."""
         for name in _ARRAYS:
             getattr(self, name)[rows] = getattr(found, name)
         return replace(self, evaluations=max(self.evaluations, found.evaluations))
@@ -65,9 +65,10 @@ _ARRAYS = ("h", "residual", "tension", "where")
 
 
 def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension per asperity (n,) and its separation (n,), on the branch of the problem.
+    """Return the largest tension per asperity (n,), and the separation (n,) where it acts.
 
-    Without tension they are 0 and NaN. Source: the minimum of the load over separation (Fuller & Tabor 1975).
+    The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch of the problem is
+    searched. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
     found = separations_at(problem, np.empty((len(problem.groups), 0)))
     return found.tension, found.where
@@ -76,19 +77,19 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
     """Find the separations at which each contact carries each load (n, m).
 
-    Several separations may carry the same load. The result is the first one on approach after the largest tension, or the
-    first one from far away without tension: this branch is stable under a given load. Where the load is a smooth function of
-    the approach, the root starts from interpolated values and is polished with sums of the engine. Otherwise it is bracketed
-    on a grid and found by Chandrupatla's method. Raises Unreachable for a load that is not carried; with refuse=False its
-    separation is NaN.
+    Several separations may carry one load. On approach from afar, the function returns the first one after the largest
+    tension: it is on the branch that is stable under a given load. For smooth laws the search starts from interpolation
+    nodes and is finished with the sums of the engine. Otherwise the root is bracketed on a grid and found by
+    Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is
+    NaN.
     """
     return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
-    """Return the separations at these loads, and the normalised results (n, m) there.
+    """Return the separations that carry the loads, and the normalised results (n, m) there.
 
-    Results at a load that is not carried are those at separation 0. The last sums of the root search are reused.
+    Where a load cannot be carried, the results are those at separation 0. The last sums of the search are reused.
     """
     parts, tables = [], []
     for found, sums, some in _by_blocks(problem, targets, refuse):
@@ -99,9 +100,9 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
 
 
 def _by_blocks(problem: Problem, targets: np.ndarray, refuse: bool) -> Iterator[tuple[Inversion, np.ndarray | None, Any]]:
-    """Yield the inversion, the sums (regimes, n, m, 5) and the problem for blocks of contacts.
+    """Yield the inversion, the sums (regimes, n, m, 5) and the problem of each block of contacts.
 
-    Sums that were not computed are NaN.
+    Sums are None or NaN where the search did not compute them.
     """
     for rows in blocks(len(problem.groups), max(targets.shape[1], _WAY_POINTS)):
         some = problem.with_groups(rows)
@@ -117,7 +118,10 @@ def _whole(parts: list[Inversion]) -> Inversion:
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
-    """Solve one block of contacts: quickly where that works, robustly for the rest. Return the inversion and the sums."""
+    """Find separations as `separations_at` does, for one block; also return the sums there.
+
+    The fast method is used for all contacts that it suits, and the robust method for the others.
+    """
     sums = None
     if isinstance(problem, ClosedForm):
         if problem.record.separation_near is None:
@@ -140,9 +144,9 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
 
 
 def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
-    """Find separations from interpolated starts; return the inversion, for which contacts (n,) it is good, and the sums.
+    """Find separations with the fast method for smooth laws.
 
-    The sums have the shape (regimes, n, m, 5).
+    Also returns a mask (n,) of the contacts for which it succeeded, and the sums (regimes, n, m, 5) there.
     """
     start = starts(_load_alone(problem).regimes, targets)
     tension, where = np.zeros_like(start.tension), start.where
@@ -162,9 +166,10 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
 
 
 def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
-    """Return for which contacts (n,) Laplace's pressure bounds the pull of menisci at the largest tension.
+    """Return a mask (n,) of contacts whose meniscus pull reaches its upper bound at the separations `where`.
 
-    There the interpolated starts, which ignore the bound, are wrong. where: separations of the largest tension.
+    `where` holds the separations of largest tension. The fast method ignores the bound, so that its tension is wrong
+    there.
     """
     bound = np.zeros(where.size, dtype=bool)
     pulled = np.flatnonzero(np.isfinite(where))
@@ -195,9 +200,9 @@ def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, 
 
 
 def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
-    """Find separations of a theory without adhesion that has an estimate of them.
+    """Find separations with the estimate that a theory without adhesion provides.
 
-    The secant method on the logarithm of the load starts from that estimate.
+    The secant method on the logarithm of the load starts from that estimate. Also returns a mask (n,) of success.
     """
     laws = len(targets)
     near, nearer = problem.near(targets), problem.near(targets * _RATIO)
@@ -249,7 +254,7 @@ def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> n
 
 
 def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
-    """Find separations by bracketing, as `separations_at`, for any function of the approach."""
+    """Find separations as `separations_at` does, by bracketing, for any law."""
     h, loads, size = _loads_past(problem, targets)
     tension, where = _tension_past(problem, h, loads, size)
     if not targets.size:
@@ -271,9 +276,10 @@ def _robustly(problem: Problem, targets: np.ndarray, refuse: bool) -> Inversion:
 
 
 def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension and its separation (n,), as in Inversion.
+    """Return the largest tension (n,) and its separation (n,), as in Inversion.
 
-    loads (n, H): at descending separations h (H,); size (n,): scale of the loads.
+    loads: (n, H) at the descending separations h (H,); size: scale (n,) of the loads, below which a tension is
+    round-off.
     """
     tension, where = largest_tension(problem.load_at, np.broadcast_to(h, loads.shape), loads)
     if problem.heights.tops.size and (problem.groups.theta is not None or problem.groups.meniscus_height is not None):
@@ -287,10 +293,10 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
-    """Return descending separations (n, m) around the highest asperities.
+    """Return descending separations (n, m) around the highest asperities, where the largest tension may lie.
 
-    There a few asperities adhere before many press: within theta^(-2/3) of the tops. Menisci pull within their height, or up
-    to where pressure overcomes their pull.
+    A few asperities adhere there before many are compressed. The range is theta^(-2/3), and for menisci their height
+    and the range in which compression overcomes their pull.
     """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
@@ -303,10 +309,10 @@ def _below_tops(problem: Problem) -> np.ndarray:
 
 
 def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest tension (n,), 0 if there is none, and its separation, else NaN.
+    """Return the largest tension (n,), 0 if no load is negative, and its separation (n,), NaN then.
 
-    load(h, law): loads of these contacts, elementwise. loads (n, H): at the ordered separations h (n, H). The minimum of the
-    load is searched between the two neighbours of the lowest value.
+    load(h, law): elementwise load of these contacts; loads (n, H): loads at the ordered separations h (n, H). The
+    minimum is searched between the two neighbours of the lowest load.
     """
     laws = np.arange(len(loads))
     lowest = np.argmin(loads, axis=1)
@@ -324,10 +330,10 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
 
 def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return descending separations (H,), loads there (n, H), and the scale (n,) of loads.
+    """Return descending separations (H,), the loads (n, H) there, and the scale (n,) of the loads.
 
-    The separations begin where the load is below the smallest target and almost nothing touches. They end far beyond the
-    range that any model claims, where compression outweighs all tension. The scale does not depend on that end.
+    The separations start where the load is below the smallest target and almost nothing touches. They end far beyond
+    the range of any model, where compression exceeds all tension. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -347,9 +353,10 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Return for which contacts (n,) the farthest separation is too near.
+    """Return a mask (n,) of contacts that need a larger farthest separation.
 
-    There the load is not yet negligible, or the largest tension may lie beyond.
+    There the load is not yet negligible or still exceeds the smallest target, or the largest tension may lie farther
+    out.
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

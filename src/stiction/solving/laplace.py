@@ -1,7 +1,7 @@
-"""Bound the pull of a liquid between two faces: Laplace's pressure gamma/r acts on A_n - A, where the solids do not touch.
+"""Limit the pull of menisci to the Laplace pressure gamma/r on the area A_n - A, where the solids do not touch.
 
-Laws of menisci know one asperity each. Where the menisci of neighbours meet, their sum counts what they share as often as they
-share it, and may pass this bound; nothing can.
+Meniscus laws describe one asperity each. Where neighbouring menisci merge, their sum counts the shared area
+repeatedly and can exceed this limit, which no real pull can.
 """
 
 import numpy as np
@@ -14,9 +14,9 @@ _LOAD, _AREA = QUANTITIES.index("load"), QUANTITIES.index("area")
 
 
 def most_pull(groups: Groups) -> np.ndarray | None:
-    """Return gamma/r per asperity and normalised on the nominal area, and pi N R sigma (2, n).
+    """Return two factors (2, n): the largest meniscus pull per asperity, normalised, and pi N R sigma.
 
-    The first is gamma/(r N) over K R^(1/2) sigma^(3/2). None where the density of asperities is not known, or no liquid is.
+    The first is gamma/(r N) over K R^(1/2) sigma^(3/2). None if the asperity density is unknown, or without a liquid.
     """
     if groups.roughness_parameter is None or groups.meniscus_index is None or groups.meniscus_height is None:
         return None
@@ -25,13 +25,16 @@ def most_pull(groups: Groups) -> np.ndarray | None:
 
 
 def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pull of menisci and its bound gamma (A_n - A)/r (...,) in the sums (regimes, ..., 5); most: (2, ...)."""
+    """Return the pull of menisci in the sums (regimes, ..., 5), and its upper bound gamma (A_n - A)/r, each (...,).
+
+    most: factors (2, ...) of `most_pull`.
+    """
     pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
     return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)
 
 
 def bounded(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> np.ndarray:
-    """Scale the loads of menisci in the sums (regimes, ..., 5) down to their bound, in place, and return the sums."""
+    """Scale the meniscus loads in the sums (regimes, ..., 5) down to their upper bound, in place, and return the sums."""
     pull, bound = pull_and_bound(sums, regimes, most)
     above = pull > bound
     if above.any():

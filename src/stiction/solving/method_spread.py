@@ -1,4 +1,4 @@
-"""The spread of mu over the methods that find asperities in a scan."""
+"""Compute how much the friction coefficient depends on the method that finds asperities in a scan."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -32,16 +32,16 @@ _MEANINGS = {
 
 
 def as_measured(data: "xarray.Dataset", measured: Any) -> "xarray.Dataset":
-    """Return a result with the asperity method, and with history, sources and warnings of the scans."""
+    """Return a result with the asperity method and with the history, sources and warnings of its scans as attributes."""
     sources = " ".join(dict.fromkeys([*data.attrs["sources"].split(), *measured.sources()]))
     data = with_warnings(data, map(ValidityWarning, measured.validity_warnings)) if measured.validity_warnings else data
     return data.assign_attrs(measured.attributes(), sources=sources)
 
 
 def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights: Heights | str | None) -> np.ndarray:
-    """Return mu and the share of touching asperities (2, *shape) of a contact at the loads of a result.
+    """Solve the contact at the loads of a result; return friction coefficient and touching share (2, *shape).
 
-    NaN where a load is not carried or the contact is refused.
+    NaN where a load cannot be carried or the model refuses the contact.
     """
     import xarray
 
@@ -60,9 +60,9 @@ def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
 
 
 def _read_off(found: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
-    """Return mu and the share of touching asperities (2, *shape) of a solved contact.
+    """Return friction coefficient and share of touching asperities (2, *shape).
 
-    NaN where the net load does not press, and where the model has none of them.
+    NaN where the load is not compressive, and for results that the model does not have.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(found["touching_asperities"], like) if "touching_asperities" in found else np.nan
@@ -77,12 +77,13 @@ def with_method_spread(
     choice: Choice,
     heights: Heights | str | None = None,
 ) -> "xarray.Dataset":
-    """Return the result of `solve` with the friction coefficients by all methods; unchanged without friction.
+    """Return the result of `solve` with the friction coefficients of all asperity methods.
 
-    contacts: the same bodies with the roughness by each method. counts: number of separate asperities that a method found, 0
-    for a method of averages. Added are friction_coefficient_by_method (asperity_method, points), friction_coefficient_low and
-    friction_coefficient_high over the methods, and found_touching_by_method, the number of found asperities that touch (NaN
-    for averages). Below FEW_TOUCH friction follows from the assumed tail of heights, and `outside_validity` has a warning.
+    contacts: the same bodies with the roughness from each method; counts: number of asperities that each method found,
+    0 for methods that give averages only. Adds friction_coefficient_by_method (asperity_method, points), its range over
+    the methods as friction_coefficient_low and friction_coefficient_high, and found_touching_by_method, the number of
+    found asperities that touch, NaN for averages only. Below FEW_TOUCH touching asperities friction depends on the
+    assumed tail of the heights, and `outside_validity` warns. A result without friction is returned unchanged.
     """
     if _MU not in data:
         return data
@@ -100,7 +101,7 @@ def with_method_spread(
 
 
 def _on_the_tail(data: "xarray.Dataset") -> str:
-    """Return in words at which methods and loads fewer than FEW_TOUCH found asperities touch.
+    """Describe the methods and loads at which fewer than FEW_TOUCH of the found asperities touch.
 
     "" if there are none, or if the model has no asperities.
     """
@@ -126,7 +127,7 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """Return the dataset with the values of each method (methods, points), and their range."""
+    """Return the dataset with the values (methods, points) of each method, and their lowest and highest value."""
     tables = ((METHOD, *points), each), (points, np.fmin.reduce(each)), (points, np.fmax.reduce(each))
     added = {
         f"{name}_{end}": (*table, {"units": "1", "symbol": "mu", "long_name": short, "comment": meaning})

@@ -1,4 +1,4 @@
-"""Solve the contact of a measured map point by point, without asperities or statistics of heights."""
+"""Solve the contact of a measured height map point by point, without asperities or statistics."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ _MOST_POINTS = 1_100_000
 
 @dataclass(frozen=True)
 class OnMap(Problem):
-    """A contact whose roughness is a map, loaded by its nominal pressure; results are normalised as those of all models."""
+    """Represent a contact whose roughness is a height map; results are normalised as for all problems."""
 
     @property
     def needs_load(self) -> bool:
@@ -50,7 +50,7 @@ class OnMap(Problem):
 
     @property
     def menisci(self) -> bool:
-        """Return whether a liquid pulls the faces together."""
+        """Return whether menisci between the faces are solved; False if the liquid is ignored."""
         liquid = self.groups.meniscus_index is not None
         return liquid and not self.chosen.dry and not self.adheres
 
@@ -60,9 +60,9 @@ class OnMap(Problem):
 
     @cached_property
     def contact(self) -> Contact:
-        """Return the contact with its map, and without a liquid that the user leaves out.
+        """Return the contact with its map, without its liquid if menisci are not solved.
 
-        Raises InputError where there is no map, or a number is an array.
+        Raises InputError if the contact has no map, or if one of its numbers is an array.
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError("roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves a map")
@@ -71,15 +71,15 @@ class OnMap(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the units of the contact, by the names of scales."""
+        """Return the units of the contact, by scale."""
         return self.contact.scales().factors()
 
     def surface(self) -> "HeightMap":
-        """Return the map that is solved. Raises InputError if there is none."""
+        """Return the map that is solved. Raises InputError if it cannot be solved."""
         return self.contact.measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
-        """Return the contacts of the map at normalised loads (m,)."""
+        """Solve the map at normalised loads (m,)."""
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
@@ -119,7 +119,7 @@ class OnMap(Problem):
         return {name: table.reshape(load.shape) for name, table in found.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return a few of the loads, from light contact to about a third of the map in contact, or a third of the hardness."""
+        """Return a few normalised loads (1, k), from light contact to about a third of full contact or of the hardness."""
         from stiction.solvers.boundary_elements.measures import waves
         from stiction.solvers.boundary_elements.sampled import fewest_points
 
@@ -139,7 +139,7 @@ class OnMap(Problem):
         return np.geomspace(_LIGHT * most, most, _FEW)[None] * contact.nominal_area / self.factors["N"]
 
     def _mean_height(self) -> float:
-        """Return the mean height of the asperities over the mean plane [m], where all models have their separation 0."""
+        """Return the mean height of the asperities above the mean plane [m], the origin of all separations."""
         measured = self.contact.measured
         return float(measured.mean_heights[measured.method])
 
@@ -160,9 +160,9 @@ class OnMap(Problem):
         return float(sum(of_states))
 
     def strengths(self, one: "MapContact") -> np.ndarray:
-        """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside the contact.
+        """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.
 
-        Raises InputError without a tangential law, or if the law has no strength of single points.
+        Raises InputError without a tangential law, and for adhesive contact, where point strengths are unknown.
         """
         if self.chosen.tangential is None:
             raise InputError("tangential", "none", "a tangential law, which gives each point its strength")
@@ -179,7 +179,7 @@ class OnMap(Problem):
         return strength
 
     def _forces(self, one: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
-        """Yield states of points, and the tangential force that each point of that state bears [N]."""
+        """Yield each state of points in contact with the tangential force of every point in that state [N]."""
         assert self.chosen.tangential is not None
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None:
@@ -191,10 +191,10 @@ class OnMap(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the sum of the tangential forces of points of one area, by the tangential law, from their loads."""
+        """Return the total tangential force of points with these loads and one common area, by the tangential law."""
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the tangential force of each of the points (n,), by the tangential law, from their loads."""
+        """Return the tangential force (n,) of each point with these loads (n,) and one common area."""
         assert self.chosen.tangential is not None
         return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -1,4 +1,4 @@
-"""List models, and the sources of results, for users."""
+"""Show users the registered models, and the bibliography entries of a result."""
 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
@@ -84,7 +84,7 @@ def _measured(record: FilmLaw) -> list[str]:
 
 
 def _parameters(record: Record) -> dict[str, list[str]]:
-    """Return the options of a method of finding asperities in the form of the options of laws: the default first."""
+    """Return the options of an asperity method in the form of those of laws: default first, then other allowed values."""
     said: dict[str, list[str]] = {}
     for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
         others = [str(value) for value in option.values if value != option.default] or [option.allowed]
@@ -93,7 +93,7 @@ def _parameters(record: Record) -> dict[str, list[str]]:
 
 
 def _limit(limit: Limit) -> str:
-    """Return a limiting case of a law, in words."""
+    """Describe one validity limit of a record in words."""
     values = [f"{name} = {value:g}" for name, value in limit.groups.items()]
     values += [f"{name} {value}" for name, value in limit.options.items()]
     return f"{limit.parent} at {', '.join(values)}: {' and '.join(limit.quantities)} within {limit.within:.0e}"
@@ -161,6 +161,9 @@ def cite(what: "xarray.Dataset | str | Iterable[str] | None" = None) -> str:
 
 
 def entries(keys: Iterable[str] | None = None) -> str:
-    """Return the BibTeX entries with these keys, from the bibliography and the records; by default all. Raises InputError."""
+    """Return the BibTeX entries with these keys, from the bibliography and the records; by default all.
+
+    Raises InputError for an unknown key.
+    """
     more = {key: entry for record in records() for key, entry in record.entries.items()}
     return bibtex([*bibliography(), *more] if keys is None else keys, more)

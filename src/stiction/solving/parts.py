@@ -1,4 +1,4 @@
-"""Add up parts of sums over asperities, by the state and the body of their regimes."""
+"""Select and combine parts of the sums over asperities by the labels of their regimes."""
 
 import numpy as np
 
@@ -7,17 +7,20 @@ from stiction.quantities.quotient import quotient
 
 
 def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
-    """Return the sum (n, m) of the chosen parts (regimes, n, m)."""
+    """Return the sum (n, m) over the selected regimes of `parts` (regimes, n, m)."""
     return parts[chosen].sum(axis=0)
 
 
 def states_of(regimes: list[Regime]) -> list[str]:
-    """Return the states of regimes: elastic and plastic, and elastic-plastic if there is any."""
+    """Return the states to report: elastic and plastic, and elastic-plastic if a regime has it."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
 
 
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Return the share (n, m) of `parts` (regimes, n, m) that the body below the film carries; 0 where all parts are 0."""
+    """Return the share (n, m) of |parts| in regimes beyond the half-space limit of the film.
+
+    parts: (regimes, n, m). The share is 0 where all parts are 0.
+    """
     sizes = np.abs(parts)
     return quotient(of_those(sizes, [not regime.in_half_space for regime in regimes]), sizes.sum(axis=0), 0.0)
 
@@ -25,8 +28,8 @@ def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:
     """Return the share (n, m) of the load in regimes without full tangential resistance.
 
-    Such regimes resist nothing, or only until they flow. The share is relative to the net load, which pulling regimes make
-    small. It is at most 1, and 0 where all loads are 0.
+    These regimes (regimes, n, m) resist nothing, or resist only until they yield. The share is relative to the net
+    load, which attractive regimes reduce, and is at most 1; 0 where all loads are 0.
     """
     flowing = np.array([regime.yields_by_degrees for regime in regimes])[:, None, None]
     lost, net = np.where(flowing | (friction == 0.0), np.abs(loads), 0.0).sum(axis=0), np.abs(loads.sum(axis=0))

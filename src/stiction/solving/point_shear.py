@@ -28,10 +28,11 @@ _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
 def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
-    """Yield state, pressures [Pa], area of one point and total area [m2] of the points in contact.
+    """Yield the state, the pressures [Pa] and the areas [m2] of points in contact.
 
-    Points that do not flow come first, then those that flow, if any. Pixels overestimate the area at edges: the excess is
-    subtracted from points that do not flow, as far as these suffice.
+    First the points that do not flow, then those that flow, if any. Each point counts with its whole area, less its
+    share of the excess area at contact edges. That excess is subtracted from the points that do not flow, as far as
+    their area suffices.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size
@@ -47,7 +48,7 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float
 
 
 def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
-    """Yield the state of points and the force of each [N] (1)."""
+    """Yield each state of points with the tangential force of each point [N], by equation (1)."""
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
@@ -58,7 +59,7 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
 
 
 def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
-    """Yield the state of points and the force of each [N] (2)."""
+    """Yield each state of points with the tangential force of each point [N], by equation (2)."""
     from stiction.contact.pair import pair_of
 
     strength = _strength(contact)

@@ -1,6 +1,6 @@
 """Compute normalised results at requested loads or separations.
 
-`solve`, `slide`, `unload`, `compare` and all studies use this route.
+`solve`, `slide`, `unload`, `compare` and all studies use these functions.
 """
 
 from collections.abc import Iterator, Mapping
@@ -24,11 +24,11 @@ from stiction.solving.problem import Problem, as_asked
 
 @dataclass(frozen=True)
 class Points:
-    """Loads or mean separations at which the contacts of a problem are solved.
+    """Hold the loads or mean separations at which the contacts of a problem are solved.
 
-    name: "load" or "mean_separation". value: the request, a number or an array with named dimensions, in the units of the
-    contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first. wanted:
-    normalised values, of the shape of dims. narrow: the same values, with length 1 along dimensions on which they do not
+    name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the
+    contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first.
+    wanted: normalised values in the shape of dims; narrow: the same with length 1 along dimensions on which they do not
     depend.
     """
 
@@ -42,7 +42,7 @@ class Points:
 
     @property
     def table(self) -> np.ndarray:
-        """Return the wanted values as a table (contacts, points)."""
+        """Return the requested normalised values (contacts, points)."""
         return self.wanted.reshape(len(self.problem.groups), -1)
 
     @property
@@ -51,16 +51,16 @@ class Points:
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """Return the points of some of the contacts; the contacts then have one dimension."""
+        """Return the points of selected contacts, along one dimension."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)
 
 
 def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Points:
-    """Return the points of a request with exactly one of load and separation.
+    """Return the points of a request that states either a load or a separation.
 
-    Raises InputError.
+    Raises InputError if both or neither are stated.
     """
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
@@ -71,7 +71,7 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:
-    """Return the points of a value that `points_asked` has read; name: "load" or "mean_separation"."""
+    """Return the points for a value that `points_asked` has validated; name: "load" or "mean_separation"."""
     factors = problem.subject.scales().factors()
     dims = dimensions([value, *factors.values()], problem.dims)
     narrow = aligned(value, dims) / aligned(factors["N" if name == "load" else "m"], dims)
@@ -84,7 +84,7 @@ def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
 
 
 def points_asked(subject: Subject, name: str, value: Any) -> Any:
-    """Return the requested separations or loads: a number, or a labelled array.
+    """Validate the requested separations or loads; return a number, or an array with named dimensions.
 
     A plain sequence gets a dimension with the name of its quantity.
     """
@@ -102,7 +102,7 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of requested points, without those that the results contain as variables."""
+    """Return the coordinates of the requested points, without those that are results themselves."""
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
     results = ("load", "mean_separation")
     return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
@@ -110,9 +110,9 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Solved:
-    """Hold normalised results at points: tables by name, in the shape of the points.
+    """Hold normalised results at points: arrays by name, in the shape of the points.
 
-    found: for requested loads, the inversion to separations. carried: the loads at these separations.
+    found, carried: for requested loads, the inversion that found the separations, and the loads computed there.
     """
 
     tables: dict[str, np.ndarray]
@@ -123,8 +123,8 @@ class Solved:
 def solve_points(points: Points, refuse: bool = True) -> Solved:
     """Solve a problem at its points.
 
-    Raises Unreachable for a load that is not carried. With refuse=False its separation is NaN, and its results are those at
-    separation 0. Raises InputError for points that the model does not support.
+    Raises Unreachable for a load that cannot be carried; with refuse=False its separation is NaN, and its results are
+    those at separation 0. Raises InputError for points that the model does not support.
     """
     problem, wanted = points.problem, points.wanted
     if points.name == "mean_separation":
@@ -138,7 +138,7 @@ def solve_points(points: Points, refuse: bool = True) -> Solved:
 
 
 def check_reach(separation: np.ndarray, name: str = "separation") -> None:
-    """Raise InputError for separations, over sigma, beyond the range of the summation."""
+    """Raise InputError for separations over sigma outside the range of the sums."""
     farthest = float(np.abs(separation).max(initial=0.0))
     if not farthest <= FARTHEST:
         raise InputError(name, farthest, f"{FARTHEST:g} times sigma at most")
@@ -146,7 +146,7 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
 
 @contextmanager
 def in_words(points: Points) -> Iterator[None]:
-    """Turn Unreachable into an InputError that states which loads the contact carries."""
+    """Convert Unreachable to an InputError that states which loads can be carried."""
     try:
         yield
     except Unreachable as error:
@@ -167,7 +167,7 @@ def in_words(points: Points) -> Iterator[None]:
 
 
 def _at_loads(points: Points) -> dict[str, np.ndarray]:
-    """Return results (contacts, points) of a theory without separations."""
+    """Return the results (contacts, points) of a theory that has no separations."""
     problem = points.problem
     if (points.wanted < 0.0).any() and not problem.adheres:
         least = float(np.min(points.value))
@@ -177,7 +177,7 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
 
 
 def _summed(points: Points) -> dict[str, np.ndarray]:
-    """Return results at separations; those that all contacts share are summed as a grid, which is faster."""
+    """Return the results at the requested separations; separations common to all contacts use the faster grid sums."""
     problem, shape = points.problem, points.wanted.shape
     contacts, own = len(problem.groups), len(problem.shape)
     per_contact = points.table.shape[1]

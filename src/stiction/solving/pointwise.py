@@ -1,4 +1,4 @@
-"""Solve many contacts at once. Contacts that are refused, or do not carry their load, have NaN and the reason."""
+"""Solve many contacts at once; a contact that is refused or cannot carry the load gets NaN, with the reason."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -37,9 +37,9 @@ NOT_COMPUTED = np.uint32(1 << 31)
 class BatchResult:
     """Hold the results of many contacts.
 
-    variables: by name, their dimensions, values in the units of the contact, and attributes. validity_warnings: dimensions,
-    and bits (uint32): the first bits are WHY_NOT, then one bit for each rule. rules: the valid ranges of these bits. subject:
-    the contacts as the model takes them. attributes: model, laws and sources, as from `solve`, if all results are kept.
+    variables: dimensions, values in the units of the contact, and attributes, by name. validity_warnings: dimensions,
+    and an array of bits (uint32): first one bit for each of WHY_NOT, then one for each rule. subject: the contacts as
+    the model takes them; attributes: models and sources as in `solve`, if all results are requested.
     """
 
     variables: dict[str, tuple]
@@ -58,10 +58,11 @@ def solve_batch(
     keep: Collection[str] | None = None,
     heights: Heights | str | None = None,
 ) -> BatchResult:
-    """Solve many contacts at points, without building a dataset; keep: names of results, by default all.
+    """Solve many contacts at points, without building a dataset.
 
-    Results are NaN where a load is not carried, or where the model refuses a contact or does not converge. Raises InputError
-    for a request that is wrong for all contacts, and ArithmeticError if no contact converges.
+    keep: names of the requested results. Results are NaN where a load cannot be carried, and where the model refuses a
+    contact or does not converge. Raises InputError if the request is invalid or all contacts are refused,
+    ArithmeticError if no contact converges.
     """
     points = points_of(make_problem(subject, choice, heights), load, separation)
     problem = points.problem
@@ -83,7 +84,7 @@ def meanings_of(rules: Sequence[Validity]) -> list[str]:
 
 
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results at points, and bits of WHY_NOT (contacts, points)."""
+    """Return the results, and the bits of WHY_NOT (contacts, points)."""
     try:
         return _taken(points)
     except (InputError, ArithmeticError):
@@ -134,7 +135,10 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
 
 
 def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
-    """Return lengths of a block along each dimension, with at most `room` contacts; the last dimensions are filled first."""
+    """Return the length of a tile along each dimension, so that it holds at most `room` contacts.
+
+    The last dimensions are kept whole first.
+    """
     found: dict[str, int] = {}
     for dim in reversed(list(sizes)):
         found[dim] = max(1, min(sizes[dim], room))
@@ -163,9 +167,9 @@ def _halves(region: Region) -> list[Region]:
 
 
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results of contacts that are all accepted.
+    """Return the results of contacts none of which is refused, and the bits of WHY_NOT.
 
-    A theory without separations is not evaluated under tension.
+    A theory without separations is not evaluated for tensile loads.
     """
     lost = rounded = np.zeros(points.wanted.shape, dtype=bool)
     if points.problem.needs_load:

@@ -1,4 +1,4 @@
-"""A model with its contacts and asperity heights, ready to be computed. Every solver starts from it."""
+"""Combine a model, contacts and height distribution into a problem that every solution starts from."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -33,7 +33,7 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUA
 
 @dataclass(frozen=True)
 class Sum(Problem):
-    """A sum over asperities: the engine integrates the regimes of the laws over heights."""
+    """Represent a sum over asperities: the engine integrates the regimes of the laws over the heights."""
 
     @property
     def law(self) -> Law:
@@ -49,7 +49,7 @@ class Sum(Problem):
 
     @cached_property
     def regimes(self) -> list[Regime]:
-        """Return the regimes of the solids, then those of added laws, such as menisci."""
+        """Return the regimes of the solids, followed by those of additional laws, such as menisci."""
         return [*self._solids(), *(one for law in self.chosen.additions.values() for one in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
@@ -73,7 +73,10 @@ class Sum(Problem):
         return np.concatenate([self.sums(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
 
     def forces(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return slip-limited and yield-limited tangential force per asperity (2, k) at pairs (k,) of separation and law."""
+        """Return the slip-limited and yield-limited tangential force per asperity (2, k).
+
+        h, law: pairs (k,) of separation and contact index.
+        """
         return self.sums(h, law)[..., [SLIP_LIMITED, _YIELD_LIMITED]].sum(axis=0).T
 
     def sums_at(self, h: np.ndarray) -> np.ndarray:
@@ -87,7 +90,7 @@ class Sum(Problem):
         return self._on_grid(h)[..., LOAD].sum(axis=0)
 
     def _summed_alone(self, law: TangentialLaw, h: np.ndarray) -> np.ndarray:
-        """Return the tangential force per asperity (n, m) by another tangential law."""
+        """Return the force per asperity (n, m) of a law that replaces the tangential law."""
         plain = replace(self.chosen, additions={}, model=replace(self.record, regimes=None), tangential=law)
         return replace(self, chosen=plain).sums_at(h)[..., SLIP_LIMITED].sum(axis=0)
 
@@ -102,14 +105,17 @@ class Sum(Problem):
         return self._at_sums(h, self.sums_at(h))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results at separations h (n, m) from known sums (regimes, n, m, 5), computing those that are NaN."""
+        """Return results as `at` does, from known sums (regimes, n, m, 5).
+
+        Sums that are NaN are computed and filled in, in place.
+        """
         law, at = np.nonzero(np.isnan(sums[0, ..., LOAD]))
         if law.size:
             sums[:, law, at] = self.sums(h[law, at], law)
         return self._at_sums(h, sums)
 
     def _at_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results (n, m) from the sums (regimes, n, m, 5) at the separations h (n, m)."""
+        """Return the results (n, m) from the sums (regimes, n, m, 5) at the separations h (n, m)."""
         results = self._by_name(sums)
         if (published := self._as_published()) is not None:
             sums = published.sums_at(h).sum(axis=0)
@@ -118,7 +124,7 @@ class Sum(Problem):
 
     @cached_property
     def most_pull(self) -> np.ndarray | None:
-        """Return the upper bounds of the pull of menisci (2, n); None without menisci, or if no bound is known."""
+        """Return the factors (2, n) of the upper bound of meniscus pull; None without menisci, or if the bound is unknown."""
         return most_pull(self.groups) if "meniscus" in self.chosen.additions else None
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
@@ -146,7 +152,7 @@ class Sum(Problem):
         return results
 
     def _by_name(self, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results (n, m) by name, from the sums (regimes, n, m, 5) and the labels of the regimes."""
+        """Return the results (n, m) by name from the sums (regimes, n, m, 5), grouped by the labels of the regimes."""
         regimes, loads, areas = self.regimes, sums[..., LOAD], sums[..., _AREA]
         total = sums.sum(axis=0)
         results = {
@@ -188,7 +194,7 @@ class Sum(Problem):
 
 @dataclass(frozen=True)
 class ClosedForm(Problem):
-    """A theory in closed form, without a sum over asperities; friction, if any, is that of the interface."""
+    """Represent a theory in closed form, which is no sum over asperities; friction, if any, is of the interface."""
 
     @property
     def needs_load(self) -> bool:
@@ -232,12 +238,12 @@ class ClosedForm(Problem):
 
     @property
     def map(self) -> Any:
-        """Return the map of the contact if the theory uses it; else None."""
+        """Return the map of the contact if the theory uses it, else None."""
         return None if self.record.area_on_map is None or self.subject is None else self.subject.map
 
     @property
     def way(self) -> str:
-        """Return in words how the area is found, if the theory has more than one way."""
+        """Describe how the area is computed, for theories with more than one method."""
         return "" if self.record.way is None else self.record.way(self.map)
 
     def _area(self, load: np.ndarray) -> np.ndarray:
@@ -259,7 +265,7 @@ class ClosedForm(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Return in words what a model needs of a quantity, or of a part of a contact.
+    """Describe the allowed values of a quantity, or the part of a contact, that a model needs.
 
     A work of adhesion has to be above 0.
     """
@@ -270,36 +276,39 @@ def _wanted(name: str) -> str:
 
 
 def _others(model: str) -> str:
-    """Return where to find models without the missing input, if the user did not choose a model; else ""."""
+    """Return advice on other models if the default model lacks an input, else "".
+
+    The user may not have chosen the default model.
+    """
     if model != DEFAULT_MODEL:
         return ""
     return "`stiction compare CASE.toml` shows models that do without it, --model names one"
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, and recompute mu from it.
+    """Replace the computed load by the requested one, and recompute the friction coefficient with it.
 
-    Where round-off makes the requested load unattainable, the computed load stays. A rest of a load in place of zero has no
-    mu.
+    Where round-off makes the requested load unattainable, the computed load stays. This keeps a residual load at a
+    requested load of zero from giving a friction coefficient.
     """
     exact = results | {"load": np.where(lost_in_rounding(results["load"], load), results["load"], load)}
     return exact | with_coefficient(exact["load"], results["friction_force"]) if "friction_force" in results else exact
 
 
 def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    """Return where a load is lost in round-off, because it is the small difference of large tension and pressure."""
+    """Return a mask of loads that round-off makes unattainable: small differences of large tension and compression."""
     return (np.abs(carried - asked) > _RESOLVED * np.abs(asked)) & (asked != 0.0)
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return mu from these forces, under the name of the published law."""
+    """Return the friction coefficient of these forces, under the result name for the published law."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:
-    """Return the subject as a model takes it.
+    """Return the subject in the form that a model takes.
 
-    A theory of the whole surface takes asperities that have the spectral moments of the surface.
+    A theory of the whole surface takes asperity numbers that reproduce the spectral moments of the surface.
     """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
 
@@ -346,9 +355,9 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Return the problem of these groups; its contacts have one dimension, "contact".
+    """Return the problem of these groups, with one dimension, "contact".
 
-    subject: the Contact or Indices of the user, if there is one.
+    subject: the Contact or Indices of the user, or None.
     """
     chosen = look_up(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():

@@ -1,4 +1,4 @@
-"""The base class of all problems: sums over asperities, theories in closed form, contacts of maps."""
+"""Base class of all problems: sums over asperities, theories in closed form, and contacts of a map."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -17,12 +17,12 @@ from stiction.solving.chosen import Chosen
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """Hold n contacts under one model; results are normalised, by name.
+    """Hold n contacts under one model.
 
-    groups: dimensionless groups of the contacts, flat. dims: named dimensions of the contacts, name -> size; n is their
-    product. coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only
-    groups are given. threads: number of threads of the sums; it changes no digit. Theories without separations have only
-    `at_load`.
+    groups: their dimensionless groups, flat. dims: named dimensions of the contacts with their sizes; n is the product.
+    coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only groups
+    are known. Results are normalised, by name. Theories without separations implement only `at_load`. threads: number
+    of threads of the sums, which does not change results.
     """
 
     chosen: Chosen
@@ -47,17 +47,17 @@ class Problem(ABC):
 
     @property
     def friction(self) -> bool:
-        """Return whether there is a tangential law."""
+        """Return whether the problem has a tangential law."""
         return self.chosen.tangential is not None
 
     @property
     def heights_taken(self) -> str:
-        """Return the name of the height distribution, or what stands in its place."""
+        """Return the name of the height distribution that the model uses."""
         return self.heights.key
 
     @property
     def way(self) -> str:
-        """Return in words how the contact area is found, if the model has more than one way; else ""."""
+        """Describe how the contact area is computed, for models with more than one method; else ""."""
         return ""
 
     def records(self) -> list[Record]:
@@ -65,7 +65,7 @@ class Problem(ABC):
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of some of the contacts; the same object for all of them."""
+        """Return the problem of selected contacts; the same object if all are selected."""
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 
@@ -77,41 +77,38 @@ class Problem(ABC):
     @property
     @abstractmethod
     def adheres(self) -> bool:
-        """Return whether asperities attract."""
+        """Return whether asperities attract each other."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return the loads (n, m) of a curve that are quick enough to solve: all, unless each of them takes seconds."""
+        """Return the normalised loads (n, m) of a curve, or fewer loads if each solution is slow."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":
-        """Return the problem on another branch; the same object if the model has no branches."""
+        """Return the problem on another branch, "loading" or "unloading"; itself if the law has no branches."""
         return self
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity at pairs of separation and law."""
+        """Return the net load per asperity at pairs (k,) of separation and contact index."""
         self.refuse_separation()
 
     def load_at(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity at separations of any shape.
-
-        law: numbers of the laws, which broadcast to that shape.
-        """
+        """Return the net load per asperity at separations of any shape; law: contact indices that broadcast to it."""
         return self.loads(h.ravel(), np.broadcast_to(law.astype(int), h.shape).ravel()).reshape(h.shape)
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        """Return the net load per asperity (n, H) at separations that all laws share."""
+        """Return the net load per asperity (n, H) at separations (H,) common to all contacts."""
         self.refuse_separation()
 
     def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results (n, H) at separations that all laws share."""
+        """Return the results (n, H) at separations (H,) common to all contacts."""
         self.refuse_separation()
 
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results (n, m) at the separations h (n, m)."""
+        """Return the results (n, m) at the separations h (n, m)."""
         self.refuse_separation()
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results (n, m) at normalised loads (n, m), for a model that `needs_load`."""
+        """Return the results (n, m) at normalised loads (n, m), for models with `needs_load`."""
         raise AssertionError(f"{self.record.key} is solved at separations")
 
     def refuse_separation(self) -> NoReturn:
@@ -120,5 +117,5 @@ class Problem(ABC):
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the friction force and its ratio to the load, NaN where the load does not press."""
+    """Return the friction force and its ratio to the load, NaN where the load is not compressive."""
     return {"friction_force": friction, "friction_coefficient": quotient(friction, load)}

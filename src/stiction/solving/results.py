@@ -1,4 +1,4 @@
-"""Turn normalised tables into a labelled dataset in the units of the contact, with sources and validity warnings."""
+"""Convert normalised arrays to a labelled dataset in the units of the contact, with models, sources and warnings."""
 
 from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any
@@ -30,9 +30,9 @@ def labelled(
     dims: Mapping[str, int],
     coords: Mapping[str, Any],
 ) -> "xarray.Dataset":
-    """Return tables as a dataset, each times the factor of its scale, if it has one.
+    """Return normalised arrays as a dataset, each multiplied by the unit of its scale, if it has one.
 
-    Tables have the shape of dims, or broadcast to it.
+    tables: arrays by name, in the shape of dims or broadcasting to it.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
@@ -57,7 +57,7 @@ def variables_of(
 ) -> dict[str, tuple]:
     """Return the variables of results at points, with load residual and largest tension.
 
-    keep: names, by default all; refused: contacts (n,) without results.
+    keep: names of the requested results, by default all; refused: mask (n,) of contacts without results.
     """
     kept = {name: table for name, table in tables.items() if keep is None or name in keep}
     variables = as_variables(points.problem.subject, kept, points.factors, points.dims)
@@ -78,7 +78,7 @@ _RESIDUAL = {
 def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
     """Return the largest tension of each contact, and its separation.
 
-    found: the inversion of the problem, where there is one.
+    found: the inversion of the problem, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
     if found is not None and apart is problem:
@@ -94,7 +94,7 @@ def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | Non
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """Return a dataset that is built in one step, because each later assignment would align all variables."""
+    """Return a dataset built in one step, because assigning variables one by one would align all of them each time."""
     import xarray
 
     data = xarray.Dataset({name: variable for name, variable in variables.items() if name not in coords}, coords=coords)
@@ -103,9 +103,9 @@ def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xa
 
 
 def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return results with area_fraction and nominal_pressure, where the nominal area is known.
+    """Return results with area_fraction and nominal_pressure, if the nominal area is known.
 
-    The contacts' dimensions come first.
+    Results have the dimensions of the contacts first.
     """
     shared = dict(tables)
     fraction = state_of(problem, tables).get("area_fraction")

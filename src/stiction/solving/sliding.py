@@ -1,8 +1,8 @@
 """Compute the tangential force of a rough surface from rest to sliding, asperity by asperity.
 
-Every asperity sticks, then slips from its rim inwards, then slides, each at a displacement of its own. So the sum shows which
-of them reach their strength together. At each displacement the force is a sum over heights at the mean separation under the
-load; `laws/presliding/mindlin_1949.py` has the equations.
+Each asperity first sticks, then slips from its rim inwards, and slides at its own displacement. The sum over
+asperities therefore shows how many are at their strength together. At each displacement a separate law is summed
+over heights, at the mean separation of the normal load (equations: `laws/presliding/mindlin_1949.py`).
 """
 
 import math
@@ -138,7 +138,7 @@ def slide(
 
 
 def _residual(subject: Subject, given: Any) -> float:
-    """Return the residual strength: the given one, else that of the contact, else 1."""
+    """Return the residual strength: the stated one, else that of the contact, else 1."""
     stated = getattr(subject, "residual_strength", None) if given is None else given
     value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
     if value.ndim or not 0.0 <= value <= 1.0:
@@ -147,7 +147,7 @@ def _residual(subject: Subject, given: Any) -> float:
 
 
 def _checked(problem: Problem) -> Sum:
-    """Return the problem, if its asperities can slip. Raises InputError with the reason."""
+    """Return the problem if its asperities can slip; else raise InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
         wanted = f"a tangential law, which gives each asperity its strength: {model.key} has none"
@@ -179,9 +179,9 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
 
 @dataclass(frozen=True)
 class Sliding:
-    """A problem whose asperities are displaced sideways.
+    """Represent a problem whose asperities are displaced tangentially.
 
-    residual: fraction of its strength that an asperity keeps while it slides.
+    residual: fraction of its strength that an asperity retains once it slides.
     """
 
     problem: Sum
@@ -226,7 +226,8 @@ class Sliding:
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Return the largest force and its displacement.
 
-        By Coulomb's law it is where 99 % of the sum of strengths is reached; otherwise it is the peak.
+        Under Coulomb's law the displacement is where 99 % of the sum of strengths is reached; otherwise it is that of the
+        peak.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)
@@ -243,10 +244,7 @@ class Sliding:
         }
 
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
-        """Return the displacement at which this force is reached, by bisection.
-
-        NaN where it lies beyond the largest displacement that is tried.
-        """
+        """Return the displacement at which this force is reached, by bisection; NaN if it is beyond the searched range."""
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
         for _ in range(_NARROWED):
@@ -258,7 +256,7 @@ class Sliding:
     def _peak(self, h: np.ndarray, unit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the displacement of the largest force, and that force.
 
-        The best of many displacements is refined by golden section.
+        The best of many displacements is refined by golden-section search.
         """
         found = np.stack([self.at(h, unit * one)[0] for one in _WAY])
         best = np.clip(found.argmax(axis=0), 1, len(_WAY) - 2)

@@ -1,6 +1,6 @@
-"""From rest to sliding on a map: points slip one after another, and may lose strength as they slip.
+"""Compute the tangential force of a height map from rest to sliding; points may lose strength as they slip.
 
-The pressures of the map give every point its strength by the tangential law; `solvers.shear` moves the map aside.
+The tangential law gives each point its strength from its pressure; `solvers.shear` displaces the map tangentially.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -74,7 +74,7 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: fl
 
 
 def _shown(table: np.ndarray) -> np.ndarray:
-    """Return every point of a map, or of a large one evenly some of them."""
+    """Return the points of a map, or an evenly spaced selection of those of a large map."""
     every = -(-max(table.shape) // _MOST_SHOWN)
     return table[::every, ::every]
 
@@ -95,7 +95,7 @@ def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
 
 
 def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
-    """Return displacements [m] up to where all slips, before which the peak is, and on to where all strength is lost."""
+    """Return displacements [m] to solve: up to full sliding, and on until all points have weakened."""
     if weakening is None:
         return np.linspace(0.0, elastic, _STEPS + 1)
     after = elastic + weakening.slip * np.linspace(0.0, 1.0, _STEPS // 3 + 1)[1:]
@@ -103,7 +103,10 @@ def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
 
 
 def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None":
-    """Return how strength falls with slip, None if it does not. Raises InputError for half of what that takes."""
+    """Return how strength falls with slip; None if it stays constant.
+
+    Raises InputError for a residual strength below 1 without a weakening slip, and for a slip without such a strength.
+    """
     from stiction.solvers.shear.path import Weakening
 
     if slip is None:
@@ -133,7 +136,7 @@ def _path(operator, one: "MapContact", strength: np.ndarray, shifts: np.ndarray,
 def _ends(
     operator, paths: "list[SlidingPath]", whole: float, residual: float, factors: dict[str, Any]
 ) -> dict[str, np.ndarray]:
-    """Return stiffness at rest, the largest force, where it is, and its share of the sum of strengths, normalised (m,)."""
+    """Return stiffness at rest, largest force, its displacement and its share of the sum of strengths, normalised (m,)."""
     from stiction.solvers.shear.path import stuck_stiffness
 
     sums = np.array([path.strength.sum() * path.pixel for path in paths])
@@ -149,7 +152,7 @@ def _ends(
 
 
 def _nearly(path: "SlidingPath") -> float:
-    """Return where the force comes to nearly the sum of strengths [m]; not a number if it does not."""
+    """Return the displacement [m] at which the force nearly reaches the sum of strengths; NaN if it does not."""
     force, shift = path.array("force"), path.array("shift")
     wanted = _NEARLY * float(path.strength.sum()) * path.pixel
     at = int(np.argmax(force >= wanted))
@@ -169,7 +172,7 @@ def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weake
 
 
 def _said(known: dict[str, Any], residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:
-    """Return what the result says of itself: what a point keeps, and what did not converge."""
+    """Return the attributes of the result: residual strength, and loads that did not converge."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"

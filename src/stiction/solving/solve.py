@@ -1,4 +1,4 @@
-"""Load, contact area and static friction of a contact, as a labelled dataset."""
+"""Compute load, contact area and static friction of a contact, as a labelled dataset."""
 
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -136,9 +136,9 @@ def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -> "xarray.Dataset":
-    """Return the dataset with a validity warning of loads lost in round-off.
+    """Return the dataset with a validity warning if loads were lost in round-off.
 
-    Where loads are a coordinate, the computed loads are added.
+    If loads are a coordinate, the computed loads are added.
     """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if validity_warnings and "load" in data.coords:

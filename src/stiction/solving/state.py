@@ -1,7 +1,8 @@
-"""Quantities that state how hard a contact is pressed; conditions on all models use them.
+"""Compute dimensionless numbers that describe how hard a contact is pressed.
 
-They follow from results per asperity and dimensionless groups. In the units of theory 1, K = 4 E*/3 and eta = pi H
-sqrt(R/sigma)/K; an asperity has the load P = K R^(1/2) sigma^(3/2) p and the area A = pi R sigma a. Then
+The validity conditions of all models use them. All follow from results per asperity and the dimensionless groups.
+Per asperity, with the units of theory 1, K = 4 E*/3 and eta = pi H sqrt(R/sigma)/K, the load is P = K R^(1/2)
+sigma^(3/2) p and the area A = pi R sigma a, so that
 
     A/A_n       = pi N R sigma a
     P/(A_n H)   = pi N R sigma p / eta
@@ -9,8 +10,8 @@ sqrt(R/sigma)/K; an asperity has the load P = K R^(1/2) sigma^(3/2) p and the ar
     N A_n       = N R sigma (A_n/sigma^2) (sigma/R)
     A/(n A_c)   = a / (share omega_c/sigma)
 
-where n = share N A_n asperities touch, and A_c = pi R omega_c is the area of an asperity at first yield, with omega_c of
-Chang, Etsion & Bogy (1987).
+n = share N A_n asperities touch. A_c = pi R omega_c is the area of one asperity at first yield, and omega_c its
+interference (Chang, Etsion & Bogy 1987).
 """
 
 import math
@@ -32,10 +33,10 @@ _MOST_GROWN = 100.0  # how far growth is followed
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return the quantities of state of the contacts at these normalised results.
+    """Return the state numbers of the contacts at these normalised results.
 
-    Results have the contacts' dimensions first. Each quantity is an array (n, m). It is missing if a group is unknown, and
-    NaN where the net load does not press.
+    Results have the dimensions of the contacts first. Each number is an array (n, m): absent if a group is unknown, NaN
+    where the net load is not compressive.
     """
     groups = problem.groups
     n = len(groups)
@@ -60,10 +61,10 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
-    """Return quantities of the surface (n,) that do not depend on load.
+    """Return the numbers (n,) of the surface that do not depend on load.
 
-    The rms slope is sqrt(2 m2) of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971; McCool
-    1986).
+    Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971;
+    McCool 1986).
     """
     found = {}
     if groups.sharpness is not None and groups.roughness_parameter is not None:
@@ -80,9 +81,9 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return quantities of the map of a contact that do not depend on load; empty without a map.
+    """Return the numbers of the map of a contact that do not depend on load.
 
-    If the scans do not form one map, each quantity is the least over the scans.
+    If the scans of both bodies cannot be combined to one map, they describe each scan. Empty without a map.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
@@ -114,7 +115,7 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """Return the quantities that need no density of asperities, except for menisci.
+    """Return the numbers that do not need the asperity density, except those of menisci.
 
     hardness: of the material that bears the load, over the hardness of the bodies.
     """
@@ -171,12 +172,11 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the number of touching asperities (n, m) that pull as much as all menisci.
+    """Return the number of touching asperities (n, m) that would pull as much as all menisci together.
 
-    Asperities that do not touch pull in proportion to the height of the meniscus that their gap leaves, over sigma
-    (equilibrium_meniscus): the integral of the share of Gaussian heights above a height, over the height of a meniscus.
-    touching:
-    share of asperities that touch without liquid.
+    An asperity that does not touch pulls in proportion to the height of the meniscus left above its gap, over sigma
+    (equilibrium_meniscus). The sum is the integral of the share of Gaussian heights above a height, over the height of
+    a meniscus. touching: share of asperities that would touch without liquid.
     """
     from scipy.special import ndtr, ndtri  # which a dry contact does without
 
@@ -190,11 +190,12 @@ def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
 
 
 def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull: np.ndarray | None) -> dict[str, np.ndarray]:
-    """Return the wetted share of the surface, and how far asperities are pressed in (n, m).
+    """Return the wetted share of the surface, and the indentation of asperities (n, m).
 
-    pull: normalised (n, m). It is Laplace's pressure on the wetted area, so that it includes menisci that bridge a gap; around
-    elastic asperities it is less, and touching ones count with the ring 2 pi R 2 r c of each. At its upper limit, gamma (A_n -
-    A)/r, it does not determine the bridged area; there Gaussian heights do.
+    pull: meniscus pull, normalised (n, m). It is the Laplace pressure times the wetted area, so that the area includes
+    menisci that bridge a gap. Around elastic asperities the pull is less, and each touching one counts with its ring 2
+    pi R 2 r c. A pull at its upper limit gamma (A_n - A)/r does not determine the bridged area; Gaussian heights
+    determine it instead.
     """
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
@@ -210,7 +211,7 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
 
 
 def _softest(groups: Groups) -> np.ndarray | float:
-    """Return the hardness of the softest of film and bodies, over that of the bodies."""
+    """Return the lowest hardness of film and bodies, over the hardness of the bodies."""
     return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
 
 

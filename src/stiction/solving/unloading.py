@@ -1,8 +1,9 @@
-"""Solve a contact that was pressed together and is drawn apart again.
+"""Solve a rough surface that was pressed against another and is drawn apart again.
 
-A yielded asperity does not unload along its loading curve, and an adhesive one holds until it tears off. Both depend on the
-smallest separation h_0: there an asperity of height z was pressed by z - h_0. At the separation h = h_0 + distance it is still
-pressed by z - h. So asperities follow another law at every distance, which is summed over heights at h.
+An asperity that has yielded unloads on another curve than it was loaded on. An adhesive asperity stays in contact
+until it tears off. Both depend on the smallest separation h_0 that was reached: an asperity of height z was pressed
+to z - h_0, and has the interference z - h at h = h_0 + distance. At each distance a separate asperity law is summed
+over the heights.
 """
 
 import math
@@ -156,7 +157,7 @@ _DESCRIBED = {
 
 
 def _described(subject: Subject, name: str) -> dict[str, str]:
-    """Return the attributes of one of _DESCRIBED."""
+    """Return the attributes of a result variable named in _DESCRIBED."""
     like, meaning = _DESCRIBED[name]
     symbol = QUANTITIES[name].symbol if name in QUANTITIES else ""
     return subject.attributes(like) | {"long_name": name.replace("_", " "), "comment": meaning, "symbol": symbol}
@@ -164,10 +165,10 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class _Way:
-    """The way apart of n contacts.
+    """Represent the unloading of n contacts.
 
-    pressed: the problem of the loaded surfaces. released(groups, distance, **own options of
-    the asperity law) -> pieces. how: what is assumed of the asperities, in words.
+    pressed: the problem at loading. released(groups, distance, **own options of the asperity law): returns the segments
+    of asperities drawn apart by that distance. how: the assumption about the asperities, in words.
     """
 
     pressed: Sum
@@ -192,7 +193,7 @@ class _Way:
         return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
 
     def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
-        """Normalised results, or one of them, of the contacts of these numbers; arrays of one shape."""
+        """Return normalised results, or the one named `only`, of the contacts with these indices; arrays have one shape."""
         row, apart, h = (one.reshape(-1) for one in (rows, distance, nearest + distance))
 
         def summed(some: slice) -> dict[str, np.ndarray]:
@@ -210,7 +211,7 @@ class _Way:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """Return the given one of two arguments; a sequence gets a dimension of its name."""
+    """Return the one argument of two that is stated; a sequence gets a dimension of its name."""
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
@@ -224,7 +225,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 
 
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
-    """Return the unloading under these laws; raise InputError where it is not known."""
+    """Return the unloading under these laws. Raises InputError if these laws do not define unloading."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "no value: unload() always takes the unloading branch")
     for name, key in choice.laws().items():
@@ -251,7 +252,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
 
 
 def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
-    """Pieces of asperities that were let go, by the law, and what that assumes."""
+    """Return a function for the segments of an asperity law during unloading, and the assumption in words."""
     if law.released is not None:
         return law.released, f"as {law.key} has it"
     if all(piece.state == "elastic" for piece in problem.law.pieces(problem.groups)):
@@ -267,16 +268,16 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
 
 
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
-    """Return the segments of an elastic law during unloading, of asperities that touched.
+    """Return the segments of an elastic law during unloading, for asperities that have touched.
 
-    Those that never touched carry nothing.
+    Asperities that never touched carry no load.
     """
     options = options | ({"branch": "unloading"} if "branch" in options else {})
     return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
 
 
 def _nearest(turn: Points) -> np.ndarray:
-    """Return the smallest separations, over sigma, of the shape of these points."""
+    """Return the smallest separations over sigma, in the shape of these points."""
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
         return turn.wanted
@@ -285,7 +286,10 @@ def _nearest(turn: Points) -> np.ndarray:
 
 
 def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.ndarray, is_increase: bool) -> np.ndarray:
-    """Distances from the nearest separations, where these distances or separations are wanted; all of one shape."""
+    """Return the distances from the smallest separations, from requested distances or separations of one shape.
+
+    is_increase: whether `wanted` holds distances. Raises InputError for a separation below the smallest one.
+    """
     distance = wanted if is_increase else wanted - nearest
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
     if not np.abs(distance).max(initial=0.0) <= FARTHEST:
@@ -301,7 +305,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
 
 
 def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict[str, int]) -> "xarray.Dataset":
-    """Return the smallest separation, and tension and zero of the load during unloading."""
+    """Return the smallest separation, the largest tension during unloading, and the separation of zero load."""
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if way.pressed.adheres:
         found = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
@@ -319,9 +323,9 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
 
 
 def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return largest tension, its separation, and the separation of zero load.
+    """Return the largest tension, its separation, and the separation of zero load.
 
-    For m pairs of a contact and its smallest separation.
+    Each is (m,), for m pairs of a contact index and its smallest separation.
     """
     from scipy.optimize.elementwise import find_root
 
@@ -347,7 +351,7 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
 
 def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Distances (m,) at which next to nothing of the contact is left."""
+    """Return the distances (m,) at which almost nothing of the contact is left."""
 
     def area(distance):
         return way.at(rows, nearest, distance, "contact_area")["contact_area"]

@@ -1,4 +1,4 @@
-"""Inputs that none of the laws in use depends on, with laws that would use them."""
+"""Find inputs on which none of the laws in use depends, and name laws that would use them."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -27,7 +27,7 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 class Unused:
     """Name an input that changes no result.
 
-    laws: keyword of `solve` -> keys of laws that would use it; why: the reason in words, where there is another one.
+    laws: keys of laws that would use it, by keyword of `solve`; why: another reason, in words.
     """
 
     input: str
@@ -35,7 +35,7 @@ class Unused:
     why: str = ""
 
     def say(self, before: str = "", between: str = " ") -> str:
-        """In words; before, between: how a law is chosen, "--tangential KEY" on the command line."""
+        """Describe the unused input; before, between: how a law is selected, for example "--tangential KEY" in the terminal."""
         others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} does" for kind, keys in self.laws.items())
         return (
             f"{self.input} is not used"
@@ -48,7 +48,7 @@ class Unused:
 
 
 def unused_inputs(problem: Problem) -> list[Unused]:
-    """Return the given inputs that change no result under these laws."""
+    """Return the stated inputs that change no result under the laws in use."""
     film = problem.chosen.film
     one_body = film is not None and film.one_body
     spoken_of = {name for record in problem.records() for name in record.needs}
@@ -74,9 +74,9 @@ def unused_inputs(problem: Problem) -> list[Unused]:
 
 
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
-    """Raise InputError for a stated strength of the interface that the default model ignores.
+    """Raise InputError if the default model would ignore a stated interfacial shear strength.
 
-    A model or tangential law that was named may ignore it: then the result says so.
+    A model or tangential law that the user named may ignore it; the result then lists it as unused.
     """
     given = problem.subject.optional_inputs()
     names = [name for name, group in given.items() if group in _STRENGTH]
@@ -92,7 +92,7 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
 
 
 def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
-    """Laws that would use a group and go together with the others: keyword -> keys."""
+    """Return the keys of laws, by keyword, that would use a group and suit the other laws in use."""
     chosen = problem.chosen
     asperity = chosen.asperity  # None of a theory in closed form
     known = problem.groups
@@ -116,7 +116,7 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
 
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
-    """Whether it would use the group, and all that it needs is known."""
+    """Return whether a record would use the group, with all its required inputs known."""
     if not all(known.knows(name) for name in record.needs):
         return False
     if group in (_ADHESION, _OF_FILM):
@@ -125,7 +125,7 @@ def _uses(record: Record, group: str, known: Groups) -> bool:
 
 
 def as_attributes(found: Iterable[Unused]) -> dict[str, str]:
-    """Attributes of a result that name what was not used, in words and as JSON; a netCDF file keeps them."""
+    """Return attributes of a result that list unused inputs, in words and as JSON, so that a netCDF file keeps them."""
     found = list(found)
     data = json.dumps([asdict(one) for one in found], ensure_ascii=False)
     return {"inputs_not_used": "; ".join(map(str, found)), "unused_inputs": data}

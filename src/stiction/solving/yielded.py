@@ -1,4 +1,4 @@
-"""How much of the load is on asperities that have yielded."""
+"""Compute the share of the load on asperities that have yielded."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
 
 def require_states(problem: Problem, name: str) -> Sum:
-    """Return the problem if its model counts asperities by state, as the share of this name needs. Raises InputError."""
+    """Return the problem if its model distinguishes the states of asperities that this share needs; else raise InputError."""
     if not isinstance(problem, Sum):
         allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
         raise InputError(name, problem.record.key, allowed)
@@ -25,9 +25,9 @@ def require_states(problem: Problem, name: str) -> Sum:
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     """Return the share (n, m) of the load on asperities that are not elastic.
 
-    It is of the absolute loads of all asperities, at separations h (n, m) over sigma; by its name of all, or of the substrate,
-    which without a film is the bodies. Raises InputError for a model that does not count its asperities by state, or does not
-    separate film and substrate.
+    Loads are absolute values, summed at separations h (n, m) over sigma. name: selects yielding of all, or of the
+    substrate only; without a film the bodies are the substrate. Raises InputError for a model that does not distinguish
+    the states of its asperities, or does not separate film and substrate.
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]

@@ -167,7 +167,7 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
         return f"real contact area {texts['contact_area']}", f"at a load of {texts['load']}; this model has no friction"
     where = ", ".join(f"{head} {texts[name]}" for name, head in _WHERE.items() if name in texts)
     if texts[_MU] == "not defined":
-        return "mu is not defined: the surfaces hold themselves together", where
+        return "mu is not defined: the load is not compressive", where
     return f"mu ≈ {rounded(float(here[_MU]), interval_of(here))}", f"{where}, mu to four digits {texts[_MU]}"
 
 
