@@ -1,14 +1,15 @@
-"""Pressure and shear that feel each other: bodies that are not alike.
+"""Coupled normal and tangential contact of height maps, for bodies of different elastic constants.
 
-Traction q on the upper body and the pressure p move the faces past each other and apart by (Johnson 1985, Contact Mechanics,
-eqs. 3.22 and 3.75; sign of q as in `compliance`)
+The traction q on the upper body and the pressure p displace the faces tangentially (u_t) and normally (u_z) by (Johnson 1985,
+Contact Mechanics, eqs. 3.22 and 3.75; sign of q as in `compliance`)
 
     u_t = C q + D p,    u_z = C_n p + D^T q,    D = M/(2 pi) (x, y)/r^2 *,                                                 (1)
     M = (1 - 2 nu_1)/(2 G_1) - (1 - 2 nu_2)/(2 G_2)
 
-in wavevectors D = -i M k/k^2. M is 0 for like bodies, and for an incompressible one on a rigid one. Pressure and traction are
-found in turns (Panagiotopoulos 1975, Ing.-Arch. 44, 421): the pressure on the heights less D^T q, then the traction within the
-strength that the pressure gives, under the shift less D p, until the pressure stays.
+In Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one.
+Pressure and traction are solved alternately (Panagiotopoulos 1975, Ing.-Arch. 44, 421). The pressure is solved with D^T q
+subtracted from the heights. The traction is then solved with D p subtracted from the rigid shift, and with the strength that
+this pressure gives. Iteration ends when the pressure no longer changes.
 """
 
 import math
@@ -31,9 +32,10 @@ Press = Callable[[np.ndarray], np.ndarray]
 
 
 class Coupling:
-    """The operator D of (1), of a map that is periodic or has nothing outside.
+    """Compute the displacements that couple pressure and shear, the operator D of (1).
 
-    compliance: of bodies without films; shape: (rows, columns); size: (y, x) [m]; periodic. Raises InputError for films.
+    The map is periodic, or free of pressure and traction outside. compliance: two bodies without films. shape: (rows,
+    columns). size: (y, x) [m]. periodic: whether the map repeats. Raises InputError for bodies with films.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):
@@ -54,12 +56,12 @@ class Coupling:
             self._symbol = [mismatch * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
 
     def dragged(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the tangential displacement D p [m] (2, rows, columns) under the pressure [Pa] (rows, columns)."""
+        """Return the tangential displacement D p [m] (2, rows, columns) caused by the pressure [Pa] (rows, columns)."""
         waves = rfft2(pressure, s=self._grid)
         return self._cut(irfft2(np.stack([symbol * waves for symbol in self._symbol]), s=self._grid))
 
     def parted(self, traction: np.ndarray) -> np.ndarray:
-        """Return the normal displacement D^T q [m] (rows, columns) under the traction [Pa] (2, rows, columns)."""
+        """Return the normal displacement D^T q [m] (rows, columns) caused by the traction [Pa] (2, rows, columns)."""
         waves = rfft2(traction, s=self._grid)
         both = sum(symbol.conj() * wave for symbol, wave in zip(self._symbol, waves, strict=True))
         return self._cut(irfft2(both, s=self._grid))
@@ -70,11 +72,12 @@ class Coupling:
 
 @dataclass(frozen=True)
 class CoupledState:
-    """Pressure and shear of a map after a step.
+    """Store pressure, traction and slip of a map after one loading step.
 
-    pressure [Pa] (rows, columns); traction [Pa], slip: since rest [m] (2, rows, columns); stick: share of the touching points;
-    loss: work lost to slip since rest, sum over points [Pa m]; turns; change: of the pressure in the last turn, summed over
-    points, over their sum; converged.
+    pressure [Pa] (rows, columns). traction [Pa] and slip since first contact [m], both (2, rows, columns). stick: fraction of
+    the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. turns: alternating
+    iterations of pressure and traction. change: relative change of the pressure in the last iteration. converged: whether all
+    iterations ended.
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -88,7 +91,7 @@ class CoupledState:
 
 
 def at_rest(shape: tuple[int, int]) -> CoupledState:
-    """Return the state before faces touch."""
+    """Return the state before the faces touch: no pressure, traction or slip."""
     zero = np.zeros((2, *shape))
     return CoupledState(zero[0], zero, zero, 1.0, 0.0, 0, 0.0, True)
 
@@ -98,10 +101,11 @@ def press_and_shear(
     strength: Callable[[np.ndarray], np.ndarray],
     shift: Sequence[float] = (0.0, 0.0), *, tolerance: float = 1e-5, most: int = 2000,
 ) -> CoupledState:  # fmt: skip
-    """Return the state after a step from another: pressed anew, at a rigid shift (x, y) [m] since rest.
+    """Return the next state after pressing again, at a rigid shift (x, y) [m] measured from first contact.
 
-    press: solves the normal problem; strength: of points under a pressure [Pa]; tolerance: of the change of the pressure in a
-    turn; most: steps of the traction. Points that part keep no slip.
+    press: returns the pressure for a given normal displacement due to shear. strength: returns the shear strength for a given
+    pressure [Pa]. tolerance: largest relative change of the pressure in the last iteration. most: largest number of steps of
+    the traction solver. Points without contact follow the faces, so that slip starts anew when they touch.
     """
     traction, before = state.traction, state.pressure
     rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
@@ -125,7 +129,7 @@ def press_and_shear(
 
 
 def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:
-    """Return (x, y)/(2 pi r^2) integrated over a pixel, on a periodic grid of distances."""
+    """Return (x, y)/(2 pi r^2) integrated over a pixel, on the grid of FFT distances."""
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     kernels = [np.zeros(shape), np.zeros(shape)]
     for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):

@@ -1,15 +1,16 @@
-"""The traction under a rigid shift: the minimum of a convex energy within the strength of every point.
+"""Shear traction under a rigid shift, as the minimum of a convex energy with a bound on the traction of each point.
 
-With u = C q the displacement of the traction q, b the rigid shift less the slip before, and s >= 0 the strength,
+C is the compliance, u = C q the displacement of the traction q, b the rigid shift minus all earlier slip, and s >= 0 the shear
+strength. The traction solves
 
     minimise  1/2 <q u> - <q b>    among all |q| <= s                                                                     (1)
 
-(Kalker 1990, Three-Dimensional Elastic Bodies in Rolling Contact, section 4.2, of frozen strengths). Its conditions are those
-of contact with friction: the slip r = b - u is 0 where |q| < s, and along q where |q| = s.
+(Kalker 1990, Three-Dimensional Elastic Bodies in Rolling Contact, section 4.2, at fixed strength). Its optimality conditions
+are those of frictional contact: the slip r = b - u is 0 where |q| < s, and is parallel to q where |q| = s.
 
-The way there: conjugate gradients over the points that stick, prepared by the inverse of C for a map that sticks everywhere;
-points beyond their strength are brought back to it. Where the energy does not fall, the step is one along the gradient,
-projected and shortened until it does, which converges from anywhere (Bertsekas 1999, Nonlinear Programming, section 2.3).
+The method uses conjugate gradients over the sticking points. The preconditioner is the inverse of C for a map that sticks
+everywhere. Tractions beyond the strength are projected back to it. If the energy does not fall, the step follows the projected
+gradient and is shortened until the energy falls. This converges from any start (Bertsekas 1999, Nonlinear Programming, 2.3).
 """
 
 import math
@@ -25,10 +26,11 @@ _AT = 1.0 - 1e-12  # of the strength: at it
 
 @dataclass(frozen=True)
 class Sheared:
-    """Solution of (1).
+    """Store the solution of (1).
 
-    traction [Pa], slip [m]: (components, rows, columns), slip 0 where there is no strength; residual: how far the traction is
-    from the one that its slip asks for, summed over points, over the sum of strengths; steps; converged.
+    traction [Pa] and slip [m]: (components, rows, columns); the slip is 0 at points without strength. residual: distance of
+    the traction from the projected-gradient update, summed over points, divided by the summed strength. steps: iterations
+    used. converged: whether the residual reached the tolerance.
     """
 
     traction: np.ndarray
@@ -39,12 +41,12 @@ class Sheared:
 
 
 def size_of(vectors: np.ndarray) -> np.ndarray:
-    """Return the lengths (rows, columns) of vectors (components, rows, columns)."""
+    """Return the magnitude (rows, columns) of a vector field (components, rows, columns)."""
     return np.abs(vectors[0]) if len(vectors) == 1 else np.hypot(*vectors)
 
 
 def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
-    """Return the admissible traction nearest to this one: no longer than the strength at any point."""
+    """Return the traction, shortened at each point to at most the strength."""
     if len(traction) == 1:
         return np.clip(traction, -strength, strength)
     length = size_of(traction)
@@ -54,10 +56,11 @@ def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
 def shear(
     operator: ShearOperator, strength: np.ndarray, shift: np.ndarray, start: np.ndarray, *, tolerance: float, most: int
 ) -> Sheared:
-    """Return the minimum of (1).
+    """Solve (1) for the shear traction and the slip.
 
-    strength: (rows, columns) [Pa], 0 outside of contact; shift: b [m] and start: any traction [Pa], (components, rows,
-    columns); tolerance: of the residual; most: number of steps. Without convergence the last state is returned, and says so.
+    strength [Pa]: (rows, columns), 0 outside of contact. shift: b [m], and start: first guess of the traction [Pa], both
+    (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps. If it does not converge,
+    it returns the last state with `converged` False.
     """
     total = float(strength.sum())
     touching = strength > 0.0
@@ -78,7 +81,7 @@ def shear(
 
 
 class _Search:
-    """Steps that lower the energy, with what they remember of the steps before."""
+    """Take minimisation steps and store the previous search direction."""
 
     def __init__(self, operator: ShearOperator, strength: np.ndarray, touching: np.ndarray):
         self.operator, self.strength, self.touching = operator, strength, touching
@@ -114,7 +117,7 @@ class _Search:
         return found
 
     def projected(self, traction, gradient):
-        """Step along the gradient, projected and halved until the energy falls enough; None if none does."""
+        """Step along the projected gradient, halving until the energy falls enough; return None if it never does."""
         length = 1.0 / self.operator.of_point
         for _ in range(60):
             moved = within(traction - length * gradient, self.strength)
@@ -127,14 +130,14 @@ class _Search:
         return None
 
     def _lower(self, traction, gradient, moved, enough: float = 0.0):
-        """Return the moved traction and its gradient, if its energy is lower by more than this."""
+        """Return the new traction and its gradient if the energy fell by more than `enough`, otherwise None."""
         change = moved - traction
         turned = np.where(self.touching, self.operator(change), 0.0)
         energy = float(np.sum(change * gradient) + 0.5 * np.sum(change * turned))
         return (moved, gradient + turned) if energy < -enough else None
 
     def _conjugated(self, direction, free, bound, traction):
-        """Combine with the direction before, by the rule of Polak & Ribiere, never negative."""
+        """Return the conjugate direction by the rule of Polak and Ribiere, with its factor kept >= 0."""
         descent = -float(np.sum(direction * free))
         if self._last is not None:
             before, old_free, old_descent = self._last
@@ -149,7 +152,7 @@ class _Search:
 
 
 def _across(vectors: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return the part of vectors (2, rows, columns) at right angles to others."""
+    """Return the component of each vector (2, rows, columns) perpendicular to `along`."""
     square = np.sum(along * along, axis=0)
     share = np.divide(np.sum(vectors * along, axis=0), square, out=np.zeros_like(square), where=square > 0.0)
     return vectors - share * along

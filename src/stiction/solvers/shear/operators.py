@@ -1,13 +1,13 @@
-"""From the shear traction on every point of a map to the displacement of every point, by fast Fourier transforms.
+"""Displacement of every point of a map under a shear traction, by fast Fourier transforms.
 
-Arrays are (components, rows, columns): one component, along x, or two, x and y. Sliding is along x, the columns. One component
-leaves out the traction across the direction of sliding, which Poisson's ratio alone causes.
+Arrays are (components, rows, columns), with one component (x) or two (x and y). Sliding is along x, the direction of the
+columns. One component neglects the traction across the sliding direction, which only Poisson's ratio causes.
 
-Periodic: symbol (2) of `compliance`; the mean displacement is left out, so that rigid shifts are relative to the mean plane,
-but for films on rigid bases, which have one.
-Mirrored: the map is a quarter of a period that its mirror images complete; q_x is even about every side, q_y odd.
-Free: nothing acts outside the map, on half-spaces. A uniform traction q_x on a pixel gives (Cerruti; Johnson 1985, Contact
-Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2)
+Periodic: symbol (2) of `compliance`. The mean displacement is set to 0, so that rigid shifts are relative to the mean plane.
+Films on rigid substrates have a defined mean displacement and keep it.
+Mirrored: the map is one quarter of a period, and mirror images fill the rest. q_x is even about every side, q_y odd.
+Free: no traction acts outside the map, and the bodies are half-spaces. A uniform traction q_x on a pixel gives (Cerruti;
+Johnson 1985, Contact Mechanics, eq. 3.75, integrated over the pixel; differences over its corners, r^2 = x^2 + y^2)
 
     2 pi u_x = (S - N) [x asinh(y/|x|) + y asinh(x/|y|)] + N y asinh(x/|y|),        2 pi u_y = -N r                      (1)
 """
@@ -24,7 +24,7 @@ from stiction.solvers.shear.compliance import ShearCompliance
 
 
 class PeriodicShear:
-    """Displacements of one period of an endless surface.
+    """Compute shear displacements of one period of a periodic map.
 
     shape: (rows, columns); size: (y, x) [m].
     """
@@ -45,20 +45,20 @@ class PeriodicShear:
         self.of_point = float((self._symbol[0] * doubled).sum() / (shape[0] * shape[1]))
 
     def __call__(self, traction: np.ndarray) -> np.ndarray:
-        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        """Return the displacement [m] caused by the traction [Pa], both (components, rows, columns)."""
         return _through(traction, self.shape, self._symbol)
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction [Pa] under which a map that sticks everywhere moves so; it prepares conjugate gradients."""
+        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
         alone = len(displacement) == 1
         return _through(displacement, self.shape, (self._inverse_along, None, None) if alone else self._inverse)
 
 
 class MirroredShear:
-    """Displacements of a window that its mirror images continue.
+    """Compute shear displacements of a map that its mirror images continue on every side.
 
-    shape: (rows, columns); size: (y, x) [m]. One component, even about every side, takes cosine transforms of the window alone;
-    two take the whole period.
+    shape: (rows, columns); size: (y, x) [m]. One component is even about every side, so cosine transforms of the map suffice.
+    Two components need the transforms of a whole period.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
@@ -75,11 +75,11 @@ class MirroredShear:
         self.of_point = float(self._symbol.mean())
 
     def __call__(self, traction: np.ndarray) -> np.ndarray:
-        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        """Return the displacement [m] caused by the traction [Pa], both (components, rows, columns)."""
         return _even(traction, self._symbol) if len(traction) == 1 else self._quarter(self._period(_mirrored(traction)))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction of a map that sticks everywhere, as for a period."""
+        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
         if len(displacement) == 1:
             return _even(displacement, self._inverse)
         return self._quarter(self._period.inverse(_mirrored(displacement)))
@@ -94,7 +94,7 @@ class MirroredShear:
 
 
 class FreeShear:
-    """Displacements of a map with no traction outside.
+    """Compute shear displacements of a map without traction outside.
 
     shape: (rows, columns); size: (y, x) [m]. Raises InputError for bodies with films.
     """
@@ -111,11 +111,11 @@ class FreeShear:
         self._stuck = PeriodicShear(compliance, shape, size)
 
     def __call__(self, traction: np.ndarray) -> np.ndarray:
-        """Return the displacement [m] under the traction [Pa], both (components, rows, columns)."""
+        """Return the displacement [m] caused by the traction [Pa], both (components, rows, columns)."""
         return _through(traction, self._doubled, self._symbol)[:, : self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the traction of a period that sticks everywhere; near enough to prepare conjugate gradients."""
+        """Return an approximate inverse, that of a periodic map that sticks everywhere (preconditioner)."""
         return self._stuck.inverse(displacement)
 
 
@@ -125,7 +125,7 @@ ShearOperator = PeriodicShear | MirroredShear | FreeShear
 
 
 def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the xx, xy and yy parts of across I + (along - across) k k^T/k^2; x, y: direction of the wave."""
+    """Return xx, xy and yy of the tensor `across` I + (`along` - `across`) k k^T/k^2; (x, y) is the unit vector of k."""
     both = (along - across) * x * y
     if shape[0] % 2 == 0:
         both[shape[0] // 2] = 0.0  # this wave and its opposite are one on the grid: the product of components has no sign
@@ -135,7 +135,7 @@ def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndar
 
 
 def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
-    """Multiply the zero-padded field with the symbol in wavevectors."""
+    """Zero-pad the field to the grid and multiply it by the symbol in Fourier space."""
     xx, xy, yy = symbol
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(field, s=grid, workers=workers)
@@ -151,7 +151,7 @@ def _workers(points: int) -> int:
 
 
 def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
-    """Multiply one component with the symbol in cosine waves."""
+    """Multiply a single component by the symbol in cosine-transform space."""
     workers = _workers(symbol.size)
     waves = dctn(field[0], workers=workers)
     waves *= symbol
@@ -159,7 +159,7 @@ def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
 
 
 def _mirrored(field: np.ndarray) -> np.ndarray:
-    """Return one period: the first component even about every side, the second odd about both."""
+    """Complete a period by mirror images: the first component is even about every side, the second odd."""
     parts = []
     for component, sign in zip(field, (1.0, -1.0), strict=False):
         rows = np.concatenate([component, sign * component[::-1]])
@@ -168,7 +168,7 @@ def _mirrored(field: np.ndarray) -> np.ndarray:
 
 
 def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (1) over q_x as xx and xy, and yy, on a periodic grid of distances."""
+    """Return xx, xy and yy of the displacement (1) per unit traction on a pixel, on the grid of FFT distances."""
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)
     for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):

@@ -1,9 +1,8 @@
-"""The force on a map that is moved aside step by step: strength that falls with slip, history, and the largest force.
+"""Friction force on a height map that is shifted step by step, with slip history and slip weakening.
 
-Points keep the slip that they have made. With strength tau(s) that falls with slip, the strengths of a step are found from its
-slip and the slip from the strengths, in turns, beginning with the slip before: slip only grows on that way, so that it ends at
-the first equilibrium that the map meets. Where the force leaps down at one shift the map has ruptured, as it does on a stiff
-machine.
+Each point keeps the slip of earlier steps. With slip weakening, the strength tau(s) falls with slip s. Each step then solves
+slip and strength alternately, starting from the earlier slip. Slip only grows in these iterations, so they end at the first
+equilibrium. If the force drops abruptly at one shift, the contact has ruptured, as it would on a stiff machine.
 """
 
 from collections.abc import Callable, Sequence
@@ -32,9 +31,10 @@ SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 @dataclass(frozen=True)
 class Weakening:
-    """Strength that falls with slip.
+    """Describe how the shear strength falls with slip.
 
-    slip: D_c [m], > 0; residual: share of the strength that stays, 0 to 1; shape: one of SHAPES. Raises InputError otherwise.
+    slip: characteristic slip D_c [m], > 0. residual: fraction of the strength that remains after large slip, 0 to 1. shape: a
+    key of SHAPES. Raises InputError for other values.
     """
 
     slip: float
@@ -50,17 +50,18 @@ class Weakening:
             raise InputError("weakening.shape", self.shape, nearest(self.shape, list(SHAPES)))
 
     def share(self, slip: np.ndarray) -> np.ndarray:
-        """Return the share of the strength that is left after slip [m] of any shape."""
+        """Return the fraction of the strength that remains after a slip [m]; arrays of any shape."""
         return self.residual + (1.0 - self.residual) * SHAPES[self.shape](slip / self.slip)
 
 
 @dataclass(frozen=True)
 class State:
-    """A map at one rigid shift.
+    """Store the state of a map at one rigid shift.
 
-    shift [m]; force: along x, sum of tractions over points [Pa]; traction [Pa], slip: since rest [m], (components, rows,
-    columns); slipped: length of the way of every point [m], slides: whether it is at its strength, both (rows, columns);
-    stick: share of the touching points; loss: work lost to slip since rest, sum over points [Pa m]; converged.
+    shift [m]. force: along x, sum of the traction over points [Pa]. traction [Pa] and slip since the start [m], both
+    (components, rows, columns). slipped: length of the slip path of each point [m], and slides: whether the point is at its
+    strength, both (rows, columns). stick: fraction of the touching points that stick. loss: work dissipated by slip so far,
+    summed over points [Pa m]. converged: whether all iterations ended.
     """
 
     shift: float
@@ -76,7 +77,10 @@ class State:
 
 @dataclass(frozen=True)
 class SlidingPath:
-    """States at all shifts, and the one with the largest force; strength: (rows, columns) [Pa]; pixel [m2]."""
+    """Store the states at all shifts and the state with the largest force.
+
+    strength: (rows, columns) [Pa]; pixel: area of a point [m2].
+    """
 
     states: tuple[State, ...]
     peak: State
@@ -85,20 +89,21 @@ class SlidingPath:
 
     @property
     def efficiency(self) -> float:
-        """Return the largest force over the sum of strengths."""
+        """Return the largest force divided by the sum of all strengths."""
         return self.peak.force / float(self.strength.sum())
 
     def array(self, name: str) -> np.ndarray:
-        """Return shift [m], stick [1], force [N] or loss [J] of all states."""
+        """Return the named value of all states: shift [m], stick [1], force [N] or loss [J]."""
         values = np.array([getattr(state, name) for state in self.states], dtype=float)
         return values * self.pixel if name in ("force", "loss") else values
 
 
 def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the displacement of a drive [m] that moves the map through a spring, and which states it meets.
+    """Return the displacement of a drive [m] that pulls the map through a spring, and a mask of the states it reaches.
 
-    stiffness: of the spring [N/m], > 0. The drive is at U + F/stiffness. States at which it would have to go back are not met:
-    the map leaps past them to the next state that is ahead of all before (slow drive, no inertia). Raises InputError.
+    stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at U + F/stiffness. The drive only moves forward.
+    A state that would need it to move back is not reached; the map jumps over it to the next reachable state (slow drive, no
+    inertia). Raises InputError for a stiffness that is not positive.
     """
     if not stiffness > 0.0:
         raise InputError("stiffness", stiffness, "> 0 N/m")
@@ -107,10 +112,10 @@ def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.
 
 
 def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pixel: float, directions: int = 1) -> State:
-    """Return the state of a map from rest under a force [N] along x, where points keep their strength.
+    """Return the state of an unloaded map after a force [N] is applied along x, at constant strength.
 
-    strength: (rows, columns) [Pa]; pixel [m2]; directions: as in `slide_map`. Raises InputError for a force that is not below
-    the sum of strengths.
+    strength: (rows, columns) [Pa]. pixel: area of a point [m2]. directions: as in `slide_map`. Raises InputError if the force
+    is negative or not below the sum of strengths.
     """
     most = float(strength.sum()) * pixel
     if not 0.0 <= force < most:
@@ -129,7 +134,7 @@ def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pix
 
 
 def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
-    """Return a rigid shift [m] at which every point has slipped, and, linearly, lost all it can lose.
+    """Return a rigid shift [m] at which every point slips. Linear weakening is then complete.
 
     strength: (rows, columns) [Pa].
     """
@@ -145,7 +150,10 @@ def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
 
 
 def weakening_length(operator: ShearOperator, strength: float, weakening: Weakening) -> float:
-    """Return the length [m] over which strength [Pa] is lost: l_c = D_c/(S (tau_p - tau_r)), S = sum 1/G_i of the faces."""
+    """Return the weakening length l_c = D_c/(S (tau_p - tau_r)) [m] for a strength tau_p [Pa].
+
+    S = sum 1/G_i of the two surface materials, tau_r is the residual strength.
+    """
     return weakening.slip / (operator.near * strength * (1.0 - weakening.residual))
 
 
@@ -154,12 +162,13 @@ def slide_map(
     weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,
     done: Callable[[State], None] | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Move a map aside through rigid shifts, in their order, from rest.
+    """Shift a map through the given rigid shifts, in their order, starting without traction.
 
-    strength: (rows, columns) [Pa], 0 outside of contact; shifts: along x [m]; pixel: area of a point [m2]; weakening: of
-    strength with slip, None: none; directions: 1 leaves out the traction across the sliding direction, 2 does not; tolerance,
-    most_steps: of the traction at every shift; done: called with each state. With weakening, the steps around the largest
-    force are repeated in finer ones. Raises InputError for strengths that are negative, not finite, or all 0.
+    strength: (rows, columns) [Pa], 0 outside of contact. shifts: along x [m]. pixel: area of a point [m2]. weakening: how
+    strength falls with slip; None for constant strength. directions: 1 neglects the traction across the sliding direction, 2
+    includes it. tolerance, most_steps: of the traction solver at each shift. done: called with each state. With weakening,
+    the steps around the largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not
+    finite, or all 0.
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
@@ -176,18 +185,18 @@ def slide_map(
         states.append(advance(states[-1], float(shift)))
         if done is not None:
             done(states[-1])
-    top = max(range(len(states)), key=lambda at: states[at].force)
+    top = max(range(len(states)), key=lambda index: states[index].force)
     peak = states[top]
     if weakening is not None and 0 < top < len(states) - 1:
         state = states[top - 1]
         for shift in np.linspace(state.shift, states[top + 1].shift, 2 * _FINER + 1)[1:-1]:
             state = advance(state, float(shift))
-            peak = max(peak, state, key=lambda one: one.force)
+            peak = max(peak, state, key=lambda state: state.force)
     return SlidingPath(tuple(states[1:]), peak, strength, pixel)
 
 
 def _advance(operator, strength, weakening, state: State, shift: float, tolerance: float, most: int) -> State:
-    """Return the state at the next shift."""
+    """Return the state at the next shift, starting from the given state."""
     moved = np.zeros_like(state.slip)
     moved[0] = shift
     moved -= state.slip
@@ -213,7 +222,7 @@ def _advance(operator, strength, weakening, state: State, shift: float, toleranc
 
 
 def _after(state: State, found: Sheared, left, touching, shift: float, settled: bool) -> State:
-    """Add the slip of a step to what was before."""
+    """Return the new state: the solved step's slip and loss added to those of the previous state."""
     way = np.where(touching, size_of(found.slip), 0.0)
     sliding = touching & (size_of(found.traction) >= left * (1.0 - 1e-9))
     stick = 1.0 - np.count_nonzero(sliding) / np.count_nonzero(touching)
