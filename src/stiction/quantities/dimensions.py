@@ -60,14 +60,14 @@ def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]
     return values.transpose([have.index(dim) for dim in wanted if dim in sizes]).reshape([sizes.get(dim, 1) for dim in wanted])
 
 
-def in_columns(data: "xarray.Dataset", dim: str, part: str, said: Callable[[Any], str] = str) -> "xarray.Dataset":
+def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[Any], str] = str) -> "xarray.Dataset":
     """Return the dataset with one variable for each point along the dimension `dim`.
 
-    With dim = part = "quantile", the variable NAME_quantile becomes NAME_q05 and NAME_q95. said: function that returns the
+    With dim = part = "quantile", the variable NAME_quantile becomes NAME_q05 and NAME_q95. text_of: function that returns the
     text for a point.
     """
     for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
-        each = {name.replace(part, said(one.item())): data[name].sel({dim: one}).drop_vars(dim) for one in data[dim]}
+        each = {name.replace(part, text_of(point.item())): data[name].sel({dim: point}).drop_vars(dim) for point in data[dim]}
         data = data.drop_vars(name).assign(each)
     return data.drop_vars(dim, errors="ignore")
 
@@ -93,7 +93,7 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     values label the points of its dimension. If several such arrays share a dimension with another name, they vary together,
     and each becomes a coordinate under its own name. Raises InputError if two arrays disagree about a dimension.
     """
-    found: dict[str, Any] = {}
+    by_name: dict[str, Any] = {}
     own: dict[str, list[tuple[str, Any]]] = {}
     first: dict[str, str] = {}
     arrays = list(arrays)
@@ -102,10 +102,10 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
             dim = str(coordinate)
             if _is_its_own(array, dim) and dim != name.rpartition(".")[2]:
                 own.setdefault(dim, []).append((name, values.variable))
-            elif dim in array.dims and dim in found and not np.array_equal(found[dim].values, values.values):
+            elif dim in array.dims and dim in by_name and not np.array_equal(by_name[dim].values, values.values):
                 raise _disagreement(name, dim, values.size, first[dim])
             else:
-                found.setdefault(dim, values.variable)
+                by_name.setdefault(dim, values.variable)
                 first.setdefault(dim, name)
         for dim, size in array.sizes.items():
             known = next((other for other in arrays if other[1].sizes.get(dim, size) != size), None)
@@ -113,10 +113,10 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
                 raise _disagreement(known[0], str(dim), known[1].sizes[dim], name)
     for dim, several in own.items():
         other = first.get(dim, "")
-        if other.rpartition(".")[2] == dim and not np.array_equal(several[0][1].values, found[dim].values):
+        if other.rpartition(".")[2] == dim and not np.array_equal(several[0][1].values, by_name[dim].values):
             raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is that quantity's own
-        found |= _own_coordinates(dim, several, dim in found)
-    return found
+        by_name |= _own_coordinates(dim, several, dim in by_name)
+    return by_name
 
 
 def labelled(value: Any, names: Mapping[str, Any]) -> Any:
@@ -143,7 +143,7 @@ def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> d
     dimension. Otherwise each array becomes a coordinate under its own name.
     """
     values = [variable.values for _, variable in several]
-    if not named and all(np.array_equal(one, values[0]) for one in values):
+    if not named and all(np.array_equal(array, values[0]) for array in values):
         return {dim: several[0][1]}
     short = [name.rpartition(".")[2] for name, _ in several]
     return {(last if short.count(last) == 1 else name): variable for last, (name, variable) in zip(short, several, strict=True)}

@@ -91,8 +91,8 @@ def nearest(word, known: Iterable[str]) -> str:
     Of more than 20 known words only the similar ones are listed, or the first three if none is similar.
     """
     known = list(known)
-    plain = {one.casefold(): one for one in known}
-    close = [plain[one] for one in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
+    plain = {name.casefold(): name for name in known}
+    close = [plain[name] for name in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
     if len(known) > _MANY:
         return " or ".join(close) if close else f"{', '.join(known[:3])} and {len(known) - 3} more"
     every = ", ".join(known)

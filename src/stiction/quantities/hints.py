@@ -28,18 +28,18 @@ def meant(number: str, unit: str, quantity: Quantity) -> str:
     if not unit:
         return _did_you_mean(number, usual) if quantity.unit == "Pa" else ""
     known = [usual, *(f"{prefix}{quantity.unit}" for prefix in _PREFIXES[::-1])]
-    alike = [one for one in known if one.casefold() == unit.casefold()]
+    alike = [symbol for symbol in known if symbol.casefold() == unit.casefold()]
     return _did_you_mean(number, alike[0]) if alike else ""
 
 
-def too_soft(given: object, pascals: float, quantity: Quantity) -> str:
+def too_soft(value: object, pascals: float, quantity: Quantity) -> str:
     """Return a hint that suggests a larger unit for a pressure below its lower bound, or "".
 
-    given: the value as the user wrote it. pascals: the value in Pa.
+    value: the value as the user wrote it. pascals: the value in Pa.
     """
     if quantity.unit != "Pa" or not 0.0 < pascals < quantity.lower:
         return ""
-    words = str(given).split()
+    words = str(value).split()
     if len(words) == 2 and words[1] == "mPa":
         return _did_you_mean(words[0], "MPa")
     return _did_you_mean(f"{pascals:g}", quantity.example.rpartition(" ")[2])

@@ -10,6 +10,6 @@ def table(title: str, rows: Iterable[tuple[str, str]], notes: Iterable[str] = ()
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{escape(text)}</td></tr>'
         for name, text in rows
     )
-    said = "".join(f"<li>{escape(note)}</li>" for note in notes)
-    below = f"<ul>{said}</ul>" if said else ""
+    items = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    below = f"<ul>{items}</ul>" if items else ""
     return f"<div><strong>{escape(title)}</strong><table><tbody>{cells}</tbody></table>{below}</div>"

@@ -23,10 +23,10 @@ def floats(value: Any, field: str, allowed: str) -> np.ndarray:
     Raises InputError for dates, bytes, complex numbers and booleans, some of which NumPy would convert.
     """
     try:
-        given = np.asarray(value)
-        if given.dtype.kind not in "iufUO":
+        array = np.asarray(value)
+        if array.dtype.kind not in "iufUO":
             raise TypeError
-        return given.astype(float, copy=False)
+        return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
         raise InputError(field, value, allowed) from None
 
@@ -60,10 +60,10 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _SAID_BY_NOTES = ("source", "range")
 
 
-def require_callable(given: Any, field: str) -> None:
+def require_callable(callback: Any, field: str) -> None:
     """Raise an InputError if the progress callback is not callable."""
-    if not callable(given):
-        raise InputError(field, given, "a function, or None")
+    if not callable(callback):
+        raise InputError(field, callback, "a function, or None")
 
 
 def require_names(table: Mapping, where: str = "") -> None:
@@ -91,8 +91,8 @@ class Input(BaseModel):
         if unnamed_values:
             names = ", ".join(f"{name}=..." for name, field in type(self).model_fields.items() if field.is_required())
             count = len(unnamed_values)
-            given = InWords(f"{count} value{'s' * (count > 1)} without a name")
-            raise InputError(type(self).__name__, given, f"values given by name: {names or 'see its fields'}")
+            shown = InWords(f"{count} value{'s' * (count > 1)} without a name")
+            raise InputError(type(self).__name__, shown, f"values given by name: {names or 'see its fields'}")
         require_names(data)
         try:
             super().__init__(**data)
@@ -104,8 +104,8 @@ class Input(BaseModel):
 
         Raises InputError for a bad field.
         """
-        given = {name: getattr(self, name) for name in self.model_fields_set}
-        return type(self)(**given | changes)
+        fields = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**fields | changes)
 
     def part(self, name: str) -> Any:
         """Return the field of this name, or None if the record has no such field."""
@@ -185,7 +185,8 @@ class Input(BaseModel):
                 rows.append((name, value))
             elif isinstance(value, dict) and name not in _SAID_BY_NOTES:
                 rows += [
-                    (f"{name}.{key}", str(one) if np.ndim(one) == 0 else f"{np.size(one)} values") for key, one in value.items()
+                    (f"{name}.{key}", str(entry) if np.ndim(entry) == 0 else f"{np.size(entry)} values")
+                    for key, entry in value.items()
                 ]
         return rows
 
@@ -259,8 +260,8 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
         known = nearest(path[-1], cls.model_fields)
-        given = InWords("a table") if isinstance(details["input"], dict) else details["input"]
-        return InputError(".".join(path), given, f"{known}; {path[-1]} is not a key here")
+        value = InWords("a table") if isinstance(details["input"], dict) else details["input"]
+        return InputError(".".join(path), value, f"{known}; {path[-1]} is not a key here")
     if details["type"] == "missing":
         return InputError(".".join(path), None, _wanted(path[-1], cls))
     allowed = details.get("ctx", {}).get("expected") or cls.model_fields[path[0]].description

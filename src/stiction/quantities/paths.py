@@ -46,6 +46,6 @@ def require_place(path: Path, allowed: str) -> None:
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or error
         raise InputError("--out", str(path), f"{allowed}; this path cannot be used ({why})") from None
-    above = next(one for one in path.absolute().parents if one.exists())
+    above = next(folder for folder in path.absolute().parents if folder.exists())
     if not os.access(above, os.W_OK | os.X_OK):
         raise InputError("--out", str(path), f"{allowed}; no permission to write in {above}")

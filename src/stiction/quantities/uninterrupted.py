@@ -17,11 +17,11 @@ def uninterrupted() -> Iterator[None]:
     if before is None or current_thread() is not main_thread():  # only the main one is interrupted
         yield
         return
-    asked: list[Any] = []
-    signal.signal(signal.SIGINT, lambda *of: asked.append(of))
+    interrupts: list[Any] = []
+    signal.signal(signal.SIGINT, lambda *signal_and_frame: interrupts.append(signal_and_frame))
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
-    if asked and callable(before):
-        before(*asked[0])
+    if interrupts and callable(before):
+        before(*interrupts[0])

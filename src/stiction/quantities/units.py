@@ -203,8 +203,8 @@ def _factor(unit: str, quantity: Quantity, text) -> Fraction:
     except _unit_errors() as error:
         problem = "has another dimension" if isinstance(error, _pint().DimensionalityError) else "is unknown"
         number = text.removesuffix(unit).strip()
-        told = f"{quantity.wanted} (the given unit {problem}){meant(number, unit, quantity)}"
-        raise InputError(quantity.name, text, told) from None
+        allowed = f"{quantity.wanted} (the given unit {problem}){meant(number, unit, quantity)}"
+        raise InputError(quantity.name, text, allowed) from None
 
 
 @cache
@@ -241,12 +241,12 @@ def _registry():
     pint release, is replaced.
     """
     pint = _pint()
-    kept = cache_folder(f"units-{pint.__version__}")
+    folder = cache_folder(f"units-{pint.__version__}")
     for _ in range(2):
         try:
-            return pint.UnitRegistry(non_int_type=Fraction, cache_folder=kept)
+            return pint.UnitRegistry(non_int_type=Fraction, cache_folder=folder)
         except Exception:  # of a damaged file, anything that unpickling may raise: it is made anew
-            shutil.rmtree(kept, ignore_errors=True)
+            shutil.rmtree(folder, ignore_errors=True)
     return pint.UnitRegistry(non_int_type=Fraction)
 
 
@@ -330,8 +330,8 @@ def _check(number, quantity: Quantity, given) -> None:
         place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
         worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
-        told = _as_given(given, place, worst)
-        raise InputError(quantity.name, told, allowed + too_soft(told, worst, quantity))
+        shown = _as_given(given, place, worst)
+        raise InputError(quantity.name, shown, allowed + too_soft(shown, worst, quantity))
 
 
 def _as_given(given, place: tuple[int, ...], worst: float):
