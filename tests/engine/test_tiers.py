@@ -1,5 +1,9 @@
 """Shared loops in stages and loops compiled for a regime give the same sums; which of them run is decided by counting."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -9,7 +13,7 @@ from stiction.contact.indices import Groups, stiffness_group
 from stiction.engine.at_loads import starts
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
-from stiction.engine.tiers import VARIABLE, all_compiled, interpreted, specialised
+from stiction.engine.tiers import VARIABLE, Allowance, all_compiled, interpreted, specialised
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
 
@@ -63,6 +67,28 @@ def test_python_gives_what_compiled_loops_give(monkeypatch, model):
     law = RNG.integers(0, 3, 6)
     plain, compiled = by_both(monkeypatch, lambda: scattered(parts, h, gaussian(), law), ("interpreted", "shared"))
     assert_same(plain, compiled, (0, 1))
+    plain, compiled = by_both(monkeypatch, lambda: starts(parts, np.full((3, 2), [0.01, 0.1])).h, ("interpreted", "shared"))
+    np.testing.assert_allclose(plain, compiled, rtol=1e-9, atol=1e-12)
+
+
+ALONE = """
+import sys
+import stiction as st
+st.solve(st.Indices(theta=40, lam=10), load=[0.5, 1.0])
+print(sorted({"numba", "dask.array", "pint"} & sys.modules.keys()))
+"""
+
+
+def test_one_contact_needs_no_compiler():
+    """Nor what takes long to import and is not used."""
+    given = {name: value for name, value in os.environ.items() if name != VARIABLE}
+    done = subprocess.run([sys.executable, "-c", ALONE], env=given, check=True, capture_output=True, text=True)
+    assert done.stdout == "[]\n"
+
+
+def test_much_work_ends_the_allowance_of_python():
+    allowance = Allowance(100)
+    assert allowance.take(60) and allowance.take(40) and not allowance.take(1) and not allowance.take(0)
 
 
 @pytest.mark.parametrize("model", MODELS)

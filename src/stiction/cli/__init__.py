@@ -5,7 +5,6 @@ Slow libraries are imported inside the commands that need them, so that `stictio
 
 import atexit
 import gc
-import sys
 
 from stiction.cli.interrupting import ended_by_interrupts
 
@@ -28,8 +27,7 @@ def main() -> None:
     Garbage collection is set to run rarely: a command ends within seconds, and collections during its imports took a third
     of its processor time.
     """
-    if "sweep" not in sys.argv:  # which alone shares its work by dask
-        leave_out("dask")
+    leave_out("dask")  # until a sweep is done by a cluster
     leave_out("pint")  # until a unit is read that the table of units does not have
     gc.set_threshold(200_000)
     atexit.register(gc.freeze)

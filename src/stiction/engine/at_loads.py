@@ -15,12 +15,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.engine.compiled import formula, kernel
+from stiction.engine.compiled import engine_kernel, formula
 from stiction.engine.heights import NEGLIGIBLE, gaussian_density, gaussian_window
 from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.summation import _COUNTS, _RULES
-from stiction.engine.tiers import specialised
+from stiction.engine.tiers import ENGINE, specialised
 from stiction.engine.vectorised import exponential
 
 # Separations of the way, even: beyond either end next to nothing touches, or no model claims anything.
@@ -36,9 +36,11 @@ _NEAR, _NEARER = 1e-5, 1e-7
 # Out of touch: less than this share of the largest load. No tension: less than this share, as of heights beyond nine sigma.
 NOTHING, NO_TENSION = 1e-12, 1e-20
 _MOST_STEPS = 60
+# So many pairs of a law and a separation take the interpreter as long as the starting values of one law (see `tiers.ENGINE`).
+_PAIRS = 8
 
 
-@kernel
+@engine_kernel
 def _sample(way, w_top, nodes):
     """Fill `loads` and `slopes` (n laws, H) with the load and its derivative by h.
 
@@ -68,7 +70,7 @@ def _sample(way, w_top, nodes):
             slopes[i, at] = -scale[at] * (first + h[at] * total)
 
 
-@kernel
+@engine_kernel
 def _sums(h, place, held, count):
     """Return the load of one law at h, its first and second derivative by h, and its size.
 
@@ -85,7 +87,7 @@ def _sums(h, place, held, count):
     return total, -first, second - total, size
 
 
-@kernel
+@engine_kernel
 def _turning_point(far, near, slope_far, slope_near, place, held, count):
     """Return the separation between `far` and `near` at which the slope of the load is zero.
 
@@ -107,7 +109,7 @@ def _turning_point(far, near, slope_far, slope_near, place, held, count):
     return x
 
 
-@kernel
+@engine_kernel
 def _find_lowest(way, lowest, nodes):
     """Fill `lowest` with the largest tension of each law on the grid of separations.
 
@@ -167,7 +169,7 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
     return far - span * t
 
 
-@kernel
+@engine_kernel
 def _root(target, far, near, x, place, held, count):
     """Return the separation at which the load equals the target, and the slope and size of the load there.
 
@@ -191,7 +193,7 @@ def _root(target, far, near, x, place, held, count):
     return x, slope, size
 
 
-@kernel
+@engine_kernel
 def _carried(h, loads, slopes, start, first, most, could, odd):
     """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
@@ -226,7 +228,7 @@ def _first_not_below(ascending, value):
     return low
 
 
-@kernel
+@engine_kernel
 def _find_roots(way, lowest, targets, nodes, roots):
     """Fill roots[i, k] with (separation, slope, size) of law i at the load targets[i, k].
 
@@ -295,6 +297,7 @@ def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
     """
     targets = np.ascontiguousarray(targets)
     w_low = max(min(regime.lowest for regime in regimes), _LOWEST)
+    ENGINE.take(_PAIRS * len(regimes) * len(targets))
     alone = specialised(len(targets))
     placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in regimes]
     room, shape = sum(one.room for one in placing), np.zeros(1)

@@ -4,19 +4,21 @@ A kernel that works for any law is made by a factory: a plain function that take
 that calls them. Numba then compiles the kernel as if the formulas were written inside it. The file name of a compiled kernel
 is a hash of the code of the kernel and of everything that this code refers to. A kernel is therefore compiled anew if, and
 only if, some of that code changes. `numba_internals` explains why Numba's own cache cannot do this.
+
+Plain Python runs the kernels at first. Numba is imported when the first kernel is compiled or loaded from the cache, because
+this takes longer than the answer for one contact.
 """
 
 import hashlib
 import types
 from collections.abc import Callable
+from functools import cache, cached_property
+from threading import Lock
 from typing import Any
 
-import numba
 import numpy as np
-from numba.extending import overload, register_jitable, typeof_impl
 
-from stiction.engine.numba_internals import keep_on_disk, to_fixed_tuple
-from stiction.engine.tiers import interpreted
+from stiction.engine.tiers import ENGINE, Allowance, interpreted
 
 # `contract` (fused multiply-add) is safe in every formula. Sums may also be reordered, which is what lets them vectorise;
 # formulas may not: a reordered range reduction in the exponential loses half its digits. A formula that is called, and not
@@ -33,13 +35,11 @@ def unpack(row, length):
     return tuple(row[:length].tolist())
 
 
-@overload(unpack, inline="always")
-def _unpack_compiled(row, length):
-    return lambda row, length: to_fixed_tuple(row, length)  # type: ignore[call-arg]
-
-
 # What the compiler knows by itself: their names say enough, and the version of the compiler, which the cache asks for.
 _KNOWN = ("numpy", "numba", "math")
+# Marked formulas that Numba was not told of yet.
+_waiting: list[Any] = []
+_registering = Lock()
 
 
 def formula(function: Callable) -> Any:
@@ -55,7 +55,47 @@ def loop(function: Callable) -> Any:
 def _inlined(function: Any, options: dict[str, Any]) -> Any:
     # The wrapper for C, which nothing calls, would take a tenth of the time of compilation.
     function.targetoptions = {**options, "forceinline": True, "no_cfunc_wrapper": True}
-    return register_jitable(**function.targetoptions)(function)
+    _waiting.append(function)
+    return function
+
+
+class Kernel:
+    """Represent a loop over many inputs that plain Python runs at first, and compiled code as soon as compiling pays.
+
+    allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the last argument, the
+    work of one call.
+
+    If plain Python raises an arithmetic error where compiled code would not (a division by zero that the formula handles
+    later), the compiled kernel repeats the whole call. A kernel with an allowance must therefore overwrite its output arrays,
+    never add to them.
+    """
+
+    def __init__(self, function: Callable, allowance: Allowance | None, size: Callable[[Any], int] = lambda last: 0):
+        self.py_func, self.targetoptions, self._allowance, self._size = function, KERNEL, allowance, size
+
+    @cached_property
+    def compiled(self) -> Any:
+        """Return the function that Numba compiles, or the plain one if NUMBA_DISABLE_JIT is set."""
+        import numba
+
+        from stiction.engine.numba_internals import keep_on_disk
+
+        with _registering:
+            _prepare_numba()
+        compiled: Any = numba.njit(**KERNEL)(self.py_func)
+        if compiled is not self.py_func:
+            keep_on_disk(compiled, digest)
+        return compiled
+
+    def __call__(self, *given: Any) -> Any:
+        if self._allowance is not None and interpreted(self._allowance.take(self._size(given[-1]))):
+            try:
+                with np.errstate(divide="raise", invalid="raise", over="raise"):
+                    return self.py_func(*given)
+            except (ArithmeticError, TypeError, ValueError):
+                self._allowance.end()
+        _register_formulas()
+        return self.compiled(*given)
 
 
 def kernel(function: Callable) -> Any:
@@ -63,51 +103,48 @@ def kernel(function: Callable) -> Any:
 
     The function may be a closure over formulas and constants.
     """
-    compiled: Any = numba.njit(**KERNEL)(function)
-    if compiled is not function:
-        keep_on_disk(compiled, digest)
-    return compiled
+    return Kernel(function, None)
 
 
-class LazyKernel:
-    """Represent a kernel that runs in plain Python until enough elements were computed for compiling to pay.
-
-    Compiling takes a third of a second or more; the interpreter needs a millisecond for one contact. If plain Python raises an
-    arithmetic error where compiled code would not (a division by zero that the formula handles later), the compiled kernel
-    repeats the whole call. A lazy kernel must therefore overwrite its output arrays, never add to them.
-    """
-
-    def __init__(self, function: Callable, worth: int):
-        self.compiled, self.py_func, self._left = kernel(function), function, worth
-        self.targetoptions = self.compiled.targetoptions
-
-    def __call__(self, *given: Any) -> Any:
-        last = given[-1]
-        self._left -= last.size if isinstance(last, np.ndarray) else 1
-        if interpreted(self._left >= 0):
-            try:
-                with np.errstate(divide="raise", invalid="raise", over="raise"):
-                    return self.py_func(*given)
-            except (ArithmeticError, TypeError, ValueError):
-                self._left = -1
-        return self.compiled(*given)
-
-
-@typeof_impl.register(LazyKernel)
-def _typeof_lazy(value, _):
-    return numba.types.Dispatcher(value.compiled)
+def engine_kernel(function: Callable) -> Any:
+    """Return a kernel that is compiled once the engine has used up its allowance (`tiers.ENGINE`)."""
+    return Kernel(function, ENGINE)
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator that makes a `LazyKernel`.
+    """Return a decorator that makes a kernel with an allowance of its own.
 
     worth: number of elements of the last argument, summed over all calls, after which the kernel is compiled.
     """
+    return lambda function: Kernel(function, Allowance(worth), lambda last: getattr(last, "size", 1))
 
-    def decorate(function: Callable) -> Any:
-        return function if numba.config.DISABLE_JIT else LazyKernel(function, worth)  # type: ignore[attr-defined]
 
-    return decorate
+@cache
+def _prepare_numba() -> None:
+    """Tell Numba how compiled kernels call other kernels and `unpack`."""
+    import numba
+    from numba.extending import overload, typeof_impl
+
+    from stiction.engine.numba_internals import to_fixed_tuple
+
+    @typeof_impl.register(Kernel)
+    def typeof_kernel(value, _):
+        return numba.types.Dispatcher(value.compiled)
+
+    @overload(unpack, inline="always")
+    def unpack_compiled(row, length):
+        return lambda row, length: to_fixed_tuple(row, length)  # type: ignore[call-arg]
+
+
+def _register_formulas() -> None:
+    """Tell Numba of all formulas that were marked since the last call."""
+    with _registering:
+        if _waiting:
+            from numba.extending import register_jitable
+
+            for function in _waiting:
+                register_jitable(**function.targetoptions)(function)
+            _waiting.clear()
 
 
 def digest(function: Callable) -> str:

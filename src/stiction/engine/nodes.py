@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from stiction.engine.compiled import kernel, lazy_kernel, unpack
+from stiction.engine.compiled import engine_kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
 
@@ -158,7 +158,7 @@ def cutting(window: Callable) -> Any:
 
     clip = clipping(window)
 
-    @kernel
+    @engine_kernel
     def cut(h, law, heights, laws, parts):
         """Fill `parts` for the law law[i] at the separation h[i], with owner i, and return the number of parts.
 
@@ -190,7 +190,7 @@ def cutting(window: Callable) -> Any:
     return cut
 
 
-@kernel
+@engine_kernel
 def place_nodes(parts, branch, two_sided, rules, nodes):
     """Fill the rows of `nodes` with coordinates and weights of all parts, and return the number of rows."""
     (law, owner, ends, _, rule, at_knot), (rule_table, counts) = parts, rules
@@ -259,7 +259,7 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
     put_ends(found, place[:count], parts.ends)
 
 
-@kernel
+@engine_kernel
 def list_asked(parts, w, law, place):
     """List the ends that are given as displacements, and return their number.
 
@@ -275,7 +275,7 @@ def list_asked(parts, w, law, place):
     return used
 
 
-@kernel
+@engine_kernel
 def put_ends(found, place, ends):
     """Store computed coordinates in `ends`, clipped to the piece; place: as in `list_asked`."""
     for at in range(place.size):
@@ -287,7 +287,7 @@ def put_ends(found, place, ends):
 def adding(density: Callable) -> Any:
     """Return the kernel that sums evaluated laws over a height density, one separation for each owner."""
 
-    @kernel
+    @engine_kernel
     def add(h, shape, evaluated, out):
         """Fill out (m, 5) with the five sums of each owner, in the order of `summation.QUANTITIES`."""
         owner, counts, weights, states = evaluated

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.compiled import kernel, loop
+from stiction.engine.compiled import engine_kernel, loop
 from stiction.engine.nodes import Laws, Parts, Rows, Rules, displacements, evaluate_parts
 from stiction.engine.regime import Regime
 from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
@@ -20,7 +20,7 @@ def spanning(window: Callable) -> Any:
 
     parts_of = reaching(window)
 
-    @kernel
+    @engine_kernel
     def span(reach, shape, laws, parts):
         """Fill `parts` for every law, with the index of the law as owner, and return the number of parts.
 
@@ -63,7 +63,7 @@ def _weigh(weight, state, count, quantity, out):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
 
 
-@kernel
+@engine_kernel
 def append_nodes(evaluated, nodes):
     """Append evaluated nodes to the table of nodes of each law.
 

@@ -24,7 +24,7 @@ from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
 from stiction.engine.sum_kernels import LONGEST, scattering, summing
-from stiction.engine.tiers import specialised
+from stiction.engine.tiers import ENGINE, specialised
 from stiction.quantities.errors import InputError
 
 QUANTITIES = ("touching", "load", "area", "slip_limited", "yield_limited")
@@ -94,6 +94,7 @@ def scattered(
     h = np.ascontiguousarray(h, dtype=float)
     law = np.arange(h.size) if law is None else np.ascontiguousarray(law)
     out = np.empty((len(regimes), h.size, len(QUANTITIES)))
+    ENGINE.take(len(regimes) * h.size)
     for regime, sums in zip(regimes, out, strict=True):
         fill = (_summing_alone if specialised(len(regime.edges), h.size) else _summing_in_stages)(regime, heights)
 
@@ -196,6 +197,7 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     rows, totals = sums.shape[1], sums.shape[1] == len(_TOTALS)
     signed = (_TOTALS if totals else QUANTITIES).index("load")
     sum_rows = summing(heights.density, totals)
+    ENGINE.take(len(regimes) * len(sums) * h.size)
     alone = specialised(len(sums), len(sums) * h.size)
     placing = [Placing.of(one, heights.window, w_high - w_low, sums.shape[1], alone) for one in regimes]
     room = sum(one.room for one in placing)

@@ -15,6 +15,25 @@ VARIABLE = "STICTION_LOOPS"
 _WORTH_COMPILING = 100_000
 _PAIRS_OF_A_LAW = 8  # at least: a law is summed more than once until its load is found
 
+
+class Allowance:
+    """Work that Python may do in this process before compiled code pays."""
+
+    def __init__(self, worth: int):
+        self._left = worth
+
+    def take(self, work: int) -> bool:
+        """Take work from the allowance, and return whether Python may do it."""
+        self._left -= work
+        return self._left >= 0
+
+    def end(self) -> None:
+        self._left = -1
+
+
+# Pairs of a law and a separation, of one regime: Python sums them in the time in which Numba and compiled loops are loaded.
+ENGINE = Allowance(400)
+
 _compiled = ContextVar("compiled", default=False)
 
 

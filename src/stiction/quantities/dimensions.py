@@ -15,6 +15,7 @@ from stiction.quantities.errors import InputError, InWords
 
 if TYPE_CHECKING:
     import xarray
+    from numpy.typing import ArrayLike
 
 
 def without_indexes(array: Any) -> Any:
@@ -117,6 +118,23 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
             raise _disagreement(several[0][0], dim, several[0][1].size, other)  # the dimension is that quantity's own
         by_name |= _own_coordinates(dim, several, dim in by_name)
     return by_name
+
+
+# xarray imports dask, pint and others to see whether an array belongs to them, which takes half of the time of a first result.
+# It does not ask with `fastpath`, nor of an index of pandas.
+def variable(dims: Sequence[str], values: "ArrayLike", attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
+    """Return numbers with named dimensions."""
+    import xarray
+
+    return xarray.Variable(dims, np.asarray(values), attributes, fastpath=True)
+
+
+def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
+    """Return the numbers along a dimension."""
+    import pandas
+    import xarray
+
+    return xarray.Variable((dim,), pandas.Index(values), attributes)
 
 
 def labelled(value: Any, names: Mapping[str, Any]) -> Any:

@@ -16,7 +16,7 @@ import numpy as np
 
 from stiction.quantities import foreign
 from stiction.quantities.cache import cache_folder
-from stiction.quantities.dimensions import check_names, without_indexes
+from stiction.quantities.dimensions import check_names, coordinate, variable, without_indexes
 from stiction.quantities.errors import InputError, InWords, nearest
 from stiction.quantities.extras import bring_back
 from stiction.quantities.hardness import from_hardness_test
@@ -155,8 +155,8 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
     if not isinstance(dimension, str):
         raise InputError("dimension", dimension, "a name, as text")
     attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
-    coordinate = xarray.DataArray(numbers, dims=(dimension,), attrs=attributes)
-    return xarray.DataArray(numbers, dims=(dimension,), coords={dimension: coordinate}, name=name, attrs=attributes)
+    along = {dimension: coordinate(dimension, numbers, attributes)}
+    return xarray.DataArray(variable((dimension,), numbers, attributes), coords=along, name=name)
 
 
 def from_series(series, name: str):

@@ -14,7 +14,7 @@ from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.engine.blocks import in_blocks
 from stiction.engine.summation import FARTHEST
-from stiction.quantities.dimensions import aligned, coordinates, dimensions
+from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, variable
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
@@ -98,7 +98,9 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
         if row and not hasattr(value, "dims"):
             return axis(name, value)
     read = subject.read(value, name)
-    return xarray.DataArray(read, dims=(name,), coords={name: read}) if isinstance(read, np.ndarray) else read
+    if not isinstance(read, np.ndarray):
+        return read
+    return xarray.DataArray(variable((name,), read), coords={name: coordinate(name, read)})
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from stiction.contact.subject import Subject
 from stiction.laws.validity import as_attributes
-from stiction.quantities.dimensions import aligned, dimensions
+from stiction.quantities.dimensions import aligned, dimensions, variable
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import span
 from stiction.records.registry import JUNCTIONS, Addition
@@ -94,11 +94,15 @@ def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | Non
 
 
 def as_dataset(variables: Mapping[str, tuple], coords: Mapping[str, Any]) -> "xarray.Dataset":
-    """Return a dataset built in one step, because assigning variables one by one would align all of them each time."""
+    """Return a dataset built in one step, because assigning variables one by one would align all of them each time.
+
+    variables: dimensions, numbers and attributes by name.
+    """
     import xarray
 
-    data = xarray.Dataset({name: variable for name, variable in variables.items() if name not in coords}, coords=coords)
-    again = {name: variable for name, variable in variables.items() if name in coords}
+    made = {name: variable(*given) for name, given in variables.items()}
+    data = xarray.Dataset({name: variable for name, variable in made.items() if name not in coords}, coords=coords)
+    again = {name: variable for name, variable in made.items() if name in coords}
     return data.assign(again) if again else data
 
 

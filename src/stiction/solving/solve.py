@@ -7,6 +7,7 @@ import numpy as np
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.laws.validity import with_warnings
+from stiction.quantities.dimensions import coordinate
 from stiction.quantities.errors import InputError
 from stiction.quantities.keywords import with_keywords
 from stiction.records.registry import RoughSurface, find
@@ -118,7 +119,7 @@ def _at_points(
     variables = variables_of(points, solved, tables)
     coords = points.coords
     if given in getattr(points.value, "dims", ()):
-        coords[given] = (given, points.value.values, variables.pop(given)[2])
+        coords[given] = coordinate(given, points.value.values, variables.pop(given)[2])
     data = as_dataset(variables, coords).assign_attrs(summary_of(problem.subject, problem, tables))
     if solved.found is None or solved.carried is None:
         return data if problem.record.of_map is None else _with_interruption(data)

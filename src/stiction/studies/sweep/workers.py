@@ -9,6 +9,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.extras import bring_back
 
 if TYPE_CHECKING:
     from stiction.studies.sweep.store import Store
@@ -115,6 +116,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
     Raises InputError where there is no cluster, or its workers die again and again.
     """
+    bring_back("dask")
     from distributed import Client, as_completed
     from distributed.scheduler import KilledWorker
 
