@@ -1,1 +1,1 @@
-"""Measured and made surfaces: reading, preparing, statistics, asperities."""
+"""Measured and generated rough surfaces: reading, preparation, statistics and asperities."""

@@ -31,7 +31,10 @@ _MOST_POINTS = 1024  # along a side, for the autocorrelation
 
 @dataclass(frozen=True)
 class ArealParameters:
-    """Parameters of a map: lengths in m, ratios as numbers (0.1 for 10 %); None where the map does not determine one."""
+    """Store the areal parameters of a map.
+
+    Lengths are in m and ratios are fractions (0.1 for 10 %). A parameter that the map does not determine is None.
+    """
 
     Sp: float
     Sv: float
@@ -46,7 +49,7 @@ class ArealParameters:
 
 
 def areal_parameters(surface: HeightMap) -> ArealParameters:
-    """Return the parameters of a map, not of a profile."""
+    """Return the areal parameters of a map; profiles are not supported."""
     depth = surface.heights - np.nanmean(surface.heights)
     shortest, longest = _decay(depth, surface.pitch)
     aspect = None if shortest is None or longest is None else shortest / longest
@@ -62,7 +65,10 @@ def _developed(heights: np.ndarray, pitch: tuple[float, float]) -> float:
 
 
 def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None, float | None]:
-    """Return the shortest and longest distance [m] at which the autocorrelation crosses its limit, None where it does not."""
+    """Return the shortest and longest distance [m] at which the autocorrelation falls to its limit.
+
+    A distance is None if the autocorrelation does not fall so far within the map.
+    """
     from scipy.ndimage import label
     from scipy.signal import fftconvolve
 

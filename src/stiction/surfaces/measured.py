@@ -147,7 +147,7 @@ class Measured:
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return the contact with the roughness of each method, the chosen one first."""
+        """Return copies of the contact with the roughness found by each method, the chosen method first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
@@ -170,7 +170,7 @@ class Measured:
         return list(dict.fromkeys(source.key for name in self.by_method for source in known[name].sources))
 
     def record(self) -> dict[str, Any]:
-        """Return everything as plain numbers in SI units, for JSON."""
+        """Return all fields as plain numbers in SI units, for JSON."""
         by_method = {
             name: {
                 "sigma": one.asperity_height_deviation,
@@ -289,7 +289,7 @@ def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None
 
 
 def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
-    """Return the map that stands for both faces; None where there is none."""
+    """Return the map that represents both faces, or None if no single map does."""
     try:
         return solvable.one()
     except InputError:
@@ -307,11 +307,11 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 
 
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """Return the method to use where none is named.
+    """Return the default method for finding asperities.
 
-    It is the first that finds enough, or only computes averages, among those that agree with Nayak's summits where the waves
-    are resolved (docs/surfaces.md), so that their moments can be added for two bodies. Profiles only have averages. Otherwise
-    the first of the others.
+    Methods that agree with Nayak's summits on resolved surfaces come first, because moments can then be added for two bodies
+    (docs/surfaces.md). The result is the first of them that finds enough asperities or only computes averages, otherwise the
+    first of the other methods. On profiles only averages are available.
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods

@@ -1,4 +1,4 @@
-"""Memory that a map needs, checked before it is allocated."""
+"""Memory needed to solve a map, checked before any array is allocated."""
 
 import os
 from pathlib import Path
@@ -12,16 +12,16 @@ _GIGA = 1e9
 
 
 def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> int:
-    """Return the bytes that `solve_map` needs besides the heights.
+    """Return the bytes of memory that `solve_map` needs in addition to the heights.
 
-    free: no pressure outside the map; kept: number of stored pressure maps.
+    free: whether there is no pressure outside the map; kept: number of stored pressure maps.
     """
     rows, columns = shape
     return rows * columns * _NUMBER * ((_FREE if free else _PERIODIC) + kept)
 
 
 def available_memory() -> int | None:
-    """Return the bytes available without swapping; None where the system has no figure."""
+    """Return the bytes available without swapping, or None if the system does not report them."""
     try:
         for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
             if line.startswith("MemAvailable:"):
@@ -43,7 +43,7 @@ def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1)
 
 
 def require_arrays(shape: tuple[int, int], arrays: int) -> None:
-    """Raise InputError unless so many arrays of this shape fit into memory."""
+    """Raise InputError unless this number of arrays of this shape fits into memory."""
     _require(shape, shape[0] * shape[1] * _NUMBER * arrays)
 
 

@@ -1,7 +1,7 @@
-"""Preparing a measured surface: level, remove form, fill, crop, filter to a band.
+"""Preparation of a measured surface: level, remove form, fill, crop, and filter to a wavelength band.
 
-Each step takes a HeightMap and returns another, with the step in its history. Missing points stay missing unless filled; fits
-and filters use the points with heights.
+Each step takes a HeightMap and returns a new one, with the step added to its history. Missing points stay missing unless
+filled. Fits and filters use only the points that have heights.
 """
 
 import math
@@ -80,10 +80,10 @@ def prepared(
 def prepared_period(
     surface: HeightMap, spikes: float | None = None, fill: str | None = None, shortest: Any = None, longest: Any = None
 ) -> HeightMap:
-    """Return one period of a surface, without mean and waves outside a band.
+    """Return one period of a surface with zero mean, filtered to a wavelength band.
 
-    It stays a period and has no form to remove. Other arguments as in `prepared`; missing points stay missing unless filled,
-    and then no band is filtered.
+    A period has no form to remove. Other arguments as in `prepared`. Missing points stay missing unless filled; a map with
+    missing points is not filtered.
     """
     if spikes is not None:
         surface = mask_spikes(surface, spikes)
@@ -95,9 +95,9 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return a remark where the ends of a stated period do not meet.
+    """Return a warning text if opposite edges of a stated period do not match, otherwise an empty text.
 
-    They do not where the mean square step from one end to the other is much larger than between neighbours.
+    They do not match if the mean square step across the seam is much larger than between neighbours.
     """
     heights = surface.heights
     far = 0.0
@@ -112,7 +112,7 @@ def _seam(surface: HeightMap) -> str:
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
-    """Raise InputError if only round-off remains without form and spikes."""
+    """Raise InputError if only round-off remains after form and spikes are removed."""
     if surface is raw or not np.isfinite(surface.heights).any():
         return
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
@@ -125,7 +125,7 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
 
 
 def level(surface: HeightMap) -> HeightMap:
-    """Subtract the least-squares mean plane (of a profile the mean line)."""
+    """Subtract the least-squares mean plane of a map, or the mean line of a profile."""
     fitted = "line" if surface.is_profile else "plane"
     return surface.with_heights(_without_polynomial(surface, 1), f"levelled: least-squares {fitted} removed").alone()
 
@@ -172,10 +172,7 @@ def _unit(count: int) -> np.ndarray:
 
 
 def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, terms) -> np.ndarray:
-    """Sum the products of all pairs of terms (i, j) = P_i(x) P_j(y).
-
-    The sums run over the points with heights.
-    """
+    """Return the matrix of sums of products of all pairs of terms P_i(x) P_j(y), over points with heights."""
     n = along_x.shape[1]
     pairs_x = (along_x[:, :, None] * along_x[:, None, :]).reshape(-1, n * n)
     pairs_y = (along_y[:, :, None] * along_y[:, None, :]).reshape(-1, n * n)
@@ -191,11 +188,11 @@ def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, te
 
 
 def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) -> HeightMap:
-    """Cut out the part between two positions along y and along x.
+    """Return the part of the map between two positions along y and along x.
 
-    Positions (start, stop) count from the first row and column, in metres or as text with unit ("2 um"); point i lies at i
-    times the pitch and is kept if start <= i pitch < stop. None keeps all. The new size is count times pitch. Raises InputError
-    if a position is outside the map or nothing is left.
+    Positions (start, stop) count from the first row and column, in metres or as text with a unit ("2 um"). Point i lies at i
+    times the pitch and is kept if start <= i pitch < stop. None keeps all points. The new size is count times pitch. Raises
+    InputError if a position is outside the map or no point is left.
     """
     kept, sizes, words = [], [], []
     for name, given, count, pitch in zip("yx", (y, x), surface.heights.shape, surface.pitch, strict=True):
@@ -209,7 +206,7 @@ def crop(surface: HeightMap, *, y: tuple | None = None, x: tuple | None = None) 
 
 
 def _range(name: str, given, count: int, pitch: float) -> tuple[int, int]:
-    """Return the first point to keep, and the one past the last. Raises InputError."""
+    """Return the index of the first point to keep and the index after the last; raise InputError if invalid."""
     allowed = f"(start, stop) with 0 m <= start < stop <= {count * pitch:.6g} m and a point between them"
     if not isinstance(given, tuple | list) or len(given) != 2:
         raise InputError(f"crop {name}", given, allowed)
@@ -264,9 +261,9 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
 
 
 def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None, float | None, str]:
-    """Return both cutoffs [m], None where there is none, and the filter in words.
+    """Return both cutoffs [m], None for an open end, and a description of the filter.
 
-    Raises InputError.
+    Raises InputError for cutoffs out of range.
     """
     low = None if shortest is None else metres(shortest, "shortest")
     high = None if longest is None else metres(longest, "longest")
@@ -316,9 +313,9 @@ _AT_ONCE = 1 << 21  # numbers transformed together: the memory that a filter tak
 
 
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:
-    """Convolve with a Gaussian along an axis, in place, with zeros beyond the ends.
+    """Convolve the lines with a Gaussian along an axis, in place, with zeros beyond the ends.
 
-    The cutoff is in points. Lines are padded, transformed some at a time, and multiplied by the transmission.
+    cutoff: wavelength in points. Lines are padded, transformed in groups, and multiplied by the filter's transmission.
     """
     lines = np.moveaxis(values, axis, 1)
     count = lines.shape[1]

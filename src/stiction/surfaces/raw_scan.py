@@ -1,4 +1,4 @@
-"""Content of a scan file, before units and size are settled, and its reader."""
+"""Content of a scan file before its units and size are settled, and the interface of a file reader."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -49,9 +49,9 @@ def no_channel(channel) -> None:
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:
-    """Return a remark on a text file whose last line has no end.
+    """Return a warning text if the last line of a text file has no line end.
 
-    No other sign shows that digits of its last number are missing.
+    Digits of its last number may then be missing, which nothing else reveals.
     """
     with path.open("rb") as file:
         file.seek(max(0, path.stat().st_size - 2))

@@ -57,9 +57,9 @@ def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
 
 
 def _rises(lines: np.ndarray, level: float) -> float:
-    """Return the share of neighbours between which the height rises through the level.
+    """Return the fraction of neighbouring point pairs between which the height rises through the level.
 
-    lines: (lines, points).
+    lines: heights (lines, points).
     """
     rises = np.count_nonzero((lines[:, :-1] <= level) & (lines[:, 1:] > level + rounding(lines)))  # never beside NaN
     known = np.isfinite(lines)
@@ -67,9 +67,9 @@ def _rises(lines: np.ndarray, level: float) -> float:
 
 
 def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
-    """Yield the stretches of every line without missing points, at least three long.
+    """Yield each run of at least three points without a gap.
 
-    Each is the line, its first point, and its heights.
+    Each item holds the index of the line, the index of the first point, and the heights.
     """
     known = np.isfinite(lines)
     whole = known.all(axis=1)

@@ -61,7 +61,7 @@ _MISSING = -1
 
 @cache
 def _groups() -> np.ndarray:
-    """Return the number of connected groups of the neighbours in a mask; (256,).
+    """Return the number of connected groups of neighbours for each of the 256 neighbour masks.
 
     Neighbours are connected at sides or corners.
     """
@@ -93,9 +93,9 @@ def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
 
 @kernel
 def _uphill(heights, groups):
-    """Return for every point (n,) a higher neighbour, and a mask of the saddles.
+    """Return a higher neighbour of every point (n,), and a mask of the saddle points.
 
-    The point itself if no neighbour is higher, _MISSING if it has no height.
+    The neighbour is the point itself at a maximum, and _MISSING where the height is missing.
     """
     rows, columns = heights.shape
     parent = np.empty(heights.size, dtype=np.int32)
@@ -118,7 +118,7 @@ def _uphill(heights, groups):
 
 @formula
 def _above(heights, one, other):
-    """Return whether one point is higher than another in the order of all."""
+    """Return whether one point ranks higher than another; equal heights are ranked by index."""
     return heights[one] > heights[other] or (heights[one] == heights[other] and one > other)
 
 
@@ -126,7 +126,7 @@ def _above(heights, one, other):
 def _top(parent, point):
     """Return the highest point of the hill that a point belongs to.
 
-    The path uphill is halved for the next call.
+    The search shortens the stored path, so that later calls are faster.
     """
     while parent[point] != point:
         parent[point] = parent[parent[point]]

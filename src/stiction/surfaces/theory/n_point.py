@@ -43,11 +43,11 @@ _gauss = cache(leggauss)
 
 @dataclass(frozen=True)
 class NPointAsperities:
-    """The n-point asperities of a profile at a level, from left to right; arrays of one length.
+    """Store the n-point asperities of a profile at one level, from left to right, as arrays of one length.
 
-    points: n, with the two neighbours below the level; height: of the highest point over the level; radius: of the parabola
-    through it over the chord between the neighbours. Lengths in the unit of the profile. middle: which point of the profile is
-    in the middle of the row.
+    points: number of points n, including the two neighbours below the level. height: of the highest point above the level.
+    radius: of the parabola with this height over the chord between the two neighbours. Lengths have the unit of the profile.
+    middle: index of the point in the middle of the asperity.
     """
 
     points: np.ndarray
@@ -85,15 +85,15 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
 
 def rate_of_rows(level, correlation):
-    """Return n-point asperities of any n per sampled point: P(y0 < D < y1).
+    """Return the number of n-point asperities, of any n, per sampled point: P(y0 < D < y1).
 
-    Numbers or arrays; 0 <= correlation < 1.
+    level: in standard deviations; correlation: of neighbouring points, 0 <= correlation < 1. Numbers or arrays.
     """
     return 2.0 * owens_t(level, np.sqrt((1.0 - correlation) / (1.0 + correlation)))
 
 
 def points_above(level):
-    """Return the share of the sampled points above the level."""
+    """Return the fraction of the sampled points above the level (in standard deviations)."""
     return ndtr(-np.asarray(level, dtype=float))
 
 
@@ -121,13 +121,13 @@ LARGEST_CORRELATION = 1.0 - _SMALLEST * _SMALLEST
 
 
 def _unit_level(level):
-    """Map levels of the table to -1..1, denser below."""
+    """Map the levels of the table to -1..1, with a finer scale at low levels."""
     share = (level - _LOWEST) / (level - _LOWEST + _FOLD)
     return 2.0 * share * (_HIGHEST - _LOWEST + _FOLD) / (_HIGHEST - _LOWEST) - 1.0
 
 
 def _unit_roughness(correlation):
-    """Map correlations of the table to 1..-1, even in (1 - correlation)^(1/4)."""
+    """Map the correlations of the table to 1..-1, as an even function of (1 - correlation)^(1/4)."""
     least = math.sqrt(_SMALLEST)
     return 2.0 * ((1.0 - correlation) ** 0.25 - least) / (1.0 - least) - 1.0
 
@@ -179,9 +179,9 @@ def solved_mean_height(level: float, correlation: float, heights: int = 48, fine
 
 
 def _kernel(x, y, correlation):
-    """Return the joint density of two neighbours over sqrt(phi(x) phi(y)).
+    """Return the joint density of two neighbouring heights divided by sqrt(phi(x) phi(y)).
 
-    It is the symmetric form of the step from one point to the next.
+    The division makes the kernel of the Markov chain symmetric.
     """
     variance = 1.0 - correlation * correlation
     spread = correlation / (2.0 * variance) * (x - y) ** 2
@@ -202,9 +202,9 @@ def _falls(x, level, correlation):
 
 
 def peaks_per_point(correlation):
-    """Return the share of sampled points higher than both neighbours.
+    """Return the fraction of sampled points that are higher than both neighbours.
 
-    The two steps down are Gaussian with the correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
+    The differences to the two neighbours are Gaussian, with correlation (1 - rho)/2. Source: Whitehouse & Archard 1970.
     """
     return 0.25 + np.arcsin((1.0 - correlation) / 2.0) / (2.0 * math.pi)
 

@@ -1,8 +1,8 @@
-"""Tables of approximate separations, from which the search at a load starts.
+"""Tables of approximate separations, used as starting values when solving for a given load.
 
-Lone spheres under a Gaussian of heights carry F_3/2(x) at the separation x (Greenwood & Williamson 1966). By how much another
-theory's separation at the same load is larger varies slowly, with x and with the one group that the theory depends on: a
-bicubic spline through a few thousand values has it to 1e-4 or better, which is enough for a start.
+Independent spheres with Gaussian heights carry the load F_3/2(x) at the separation x (Greenwood & Williamson 1966). At the
+same load, the separation of another theory differs from x by an amount that varies slowly, with x and with the one
+dimensionless group of that theory. A bicubic spline through a few thousand values gives it to 1e-4 or better.
 """
 
 from collections.abc import Callable
@@ -19,7 +19,7 @@ _LONE = np.linspace(-12.0, 20.0, 257)
 
 @cache
 def _inverse():
-    """Return separations of lone spheres against the logarithm of their load, as a spline."""
+    """Return the separation of independent spheres as a spline of the logarithm of their load."""
     from scipy.interpolate import CubicSpline
 
     x = np.linspace(-40.0, 36.0, 2001)
@@ -27,9 +27,9 @@ def _inverse():
 
 
 def lone_separation(load: np.ndarray) -> np.ndarray:
-    """Return separations x with F_3/2(x) = load, to 1e-6 or so.
+    """Return the separation x with F_3/2(x) = load, accurate to about 1e-6.
 
-    NaN beyond -40 and 36, and for loads of 0 or less.
+    Returns NaN for loads of 0 or less, and where x is outside -40 to 36.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         return _inverse()(np.log(load))
@@ -59,9 +59,9 @@ def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callabl
 
 
 def separation_of_summits(load: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> np.ndarray:
-    """Return approximate separations (n, m) at which summits carry loads (n, m).
+    """Return approximate separations (n, m) at which summits carry the loads (n, m).
 
-    The surfaces have the roughness parameters (n,); shapes: as in `summits.curve`.
+    density: N R sigma (n,) of the surfaces; shapes: as in `summits.curve`.
     """
     require_gaussian(density)
     return _of_shapes(shapes)(load, np.arcsin(np.minimum(LEAST_DENSITY / density, 1.0)))

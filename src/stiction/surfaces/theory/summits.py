@@ -40,9 +40,9 @@ _MOST_PANELS = 200
 
 @cache
 def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients of F_n.
+    """Return the Chebyshev coefficients of F_n in two ranges of h.
 
-    They are times exp(h^2/2) (1 + h)^(n+1) on 0..FAR, and over (1 - h)^n on DEEP..0.
+    On 0..FAR the series is of F_n exp(h^2/2) (1 + h)^(n+1), on DEEP..0 of F_n / (1 - h)^n.
     """
     node, weight = leggauss(200)
     y = 7.0 * (1.0 + node) / 2.0  # v = y^2, up to 49
@@ -99,7 +99,7 @@ def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
 
 
 def _asymptotic(n, depth):
-    """Return the mean of (depth + z)^n over all z, by its moments. Arrays."""
+    """Return the mean of (depth + z)^n over a standard Gaussian z, from its moments; depth is an array."""
     total = term = 1.0
     for k in range(1, 12):  # binomial(n, 2k) (2k - 1)!! / depth^(2k)
         term = term * (n - 2 * k + 2) * (n - 2 * k + 1) / (2 * k) / (depth * depth)
@@ -114,9 +114,9 @@ _asymptotic_one = formula(_asymptotic)
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """Load and area of a summit of flatness t = r / kappa, at Gauss points of t.
+    """Store load and area factors of a summit of flatness t = r / kappa at the Gauss points of t.
 
-    Arrays (m,) over 0..1. weight: of the Gauss point; load: C_P(t); area: C_A(t), both 1 at t = 0.
+    Arrays (m,), t from 0 to 1. weight: of the Gauss point. load: C_P(t) and area: C_A(t), both 1 for a round summit (t = 0).
     """
 
     t: np.ndarray

@@ -1,4 +1,4 @@
-"""Share of touching asperities, from their elastic contact area (Gaussian heights)."""
+"""Fraction of asperities in contact, estimated from their elastic contact area (Gaussian heights)."""
 
 import math
 from functools import cache
@@ -10,10 +10,10 @@ _SEPARATIONS = np.linspace(-8.0, 37.0, 2000)
 
 
 def expected_share(area: np.ndarray) -> np.ndarray:
-    """Return the share of asperities that touch, from area over pi R sigma per asperity.
+    """Return the fraction of asperities in contact for a contact area per asperity, divided by pi R sigma.
 
-    It is F_0 where F_1(h) = area, for elastic spheres with Gaussian heights (Greenwood & Williamson 1966, eqs 5 and 6).
-    Theories without asperities use it.
+    It is F_0(h) at the separation h with F_1(h) = area, for elastic spheres with Gaussian heights (Greenwood & Williamson
+    1966, eqs 5 and 6). Theories without asperities use it.
     """
     log_area, log_share = _tables()
     small = np.log(np.maximum(area, 1e-300))

@@ -20,29 +20,32 @@ MEETING = 3.5  # (5)
 
 
 def widened(pressure, c):
-    """Evaluate (1); pressure: over E* h', of the local slope."""
+    """Return the contact area fraction by (1).
+
+    pressure: mean pressure divided by E* and the rms gradient h'.
+    """
     plain = erf(math.sqrt(2.0) * pressure)
     return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - np.sqrt(plain))))
 
 
 def with_hardness(elastic, pressure, hardness):
-    """Evaluate (5): share of the area of bodies that flow.
+    """Return the contact area fraction of plastically deforming bodies by (5).
 
-    elastic: share without flow; pressure, hardness: in the same unit, hardness may be infinite. From p = H on all is in
-    contact.
+    elastic: area fraction of elastic bodies. pressure, hardness: in one unit; hardness may be infinite. The fraction is 1 if
+    the pressure reaches the hardness.
     """
     flowing = np.minimum(pressure / hardness, 1.0)
     return np.minimum((elastic**MEETING + flowing**MEETING) ** (1.0 / MEETING), 1.0)
 
 
 def of_moments(pressure, alpha):
-    """Evaluate (2): share of the area in contact.
+    """Return the elastic contact area fraction by (2) for Gaussian isotropic surfaces.
 
-    pressure: mean, over E* h', >= 0; alpha: Nayak's. Gaussian isotropic surfaces.
+    pressure: mean pressure divided by E* and the rms gradient h', >= 0. alpha: Nayak's bandwidth parameter.
     """
     return widened(pressure, width_by_moments(alpha))
 
 
 def width_by_moments(alpha):
-    """Return c of (2)."""
+    """Return the coefficient c of (2); alpha is Nayak's bandwidth parameter."""
     return 0.617 - 0.041 * np.log(alpha)

@@ -23,9 +23,10 @@ DIRECTIONS = Parameter("along which the profiles run; of a single profile only x
 
 
 def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
-    """Return (lines (lines, points) [m] over the mean plane, pitch [m]) per direction.
+    """Return the profiles along each direction and their pitch.
 
-    Raises InputError if they are too short.
+    Each item holds the heights (lines, points) [m] above the mean plane and the pitch [m]. Raises InputError if the profiles
+    are too short.
     """
     heights = over_mean_plane(surface)
     dy, dx = surface.pitch
@@ -37,7 +38,7 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 
 
 def directions_of(surface: HeightMap, directions: str) -> str:
-    """Return the directions, among a value of DIRECTIONS, that the surface has."""
+    """Return those of the requested directions that the surface has."""
     return "x" if surface.is_profile else directions
 
 
@@ -52,8 +53,8 @@ def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMa
 
 
 def per_area(per_length: Sequence[float]) -> float:
-    """Apply equation (1) to asperities per length [1/m] along two directions.
+    """Return asperities per area [1/m2] by equation (1) from asperities per length [1/m] in two directions.
 
-    A single direction stands for both.
+    A single value is used for both directions.
     """
     return _SUMMITS_PER_PEAKS_SQUARED * per_length[0] * per_length[-1]

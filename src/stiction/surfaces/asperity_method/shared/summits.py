@@ -16,7 +16,7 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def areal(surface: HeightMap) -> np.ndarray:
-    """Return heights over the mean plane [m]. Raises InputError without inner points."""
+    """Return the heights above the mean plane [m]; raise InputError if the map has no inner points."""
     if min(surface.heights.shape) < 3:
         shape = f"shape {surface.heights.shape}"
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
@@ -47,9 +47,9 @@ def fitted(
 
 
 def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarray:
-    """Return where the square of points up to `reach` away is on the map and known.
+    """Return a mask of the points whose surrounding square, `reach` points to each side, is complete.
 
-    Booleans, of the shape of the heights.
+    A square is complete if it lies on the map and has no missing point.
     """
     known = np.ones(heights.shape, dtype=bool) if complete else np.isfinite(heights)
     if complete:
@@ -76,7 +76,7 @@ def _square(reach: int) -> Callable[[float, float], np.ndarray]:
 
 
 def _cross(dy: float, dx: float) -> np.ndarray:
-    """Return weights of the paraboloid through a point and its four nearest neighbours."""
+    """Return the weights that give the curvature of the paraboloid through a point and its four nearest neighbours."""
     along = np.array([[0.0, 0.0, 0.0], [1.0, -2.0, 1.0], [0.0, 0.0, 0.0]]) / 2.0
     return -(along / (dx * dx) + along.T / (dy * dy))
 
