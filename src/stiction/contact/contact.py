@@ -1,4 +1,4 @@
-"""From two materials, a film and a rough surface to the dimensionless groups (docs/theory.md)."""
+"""Compute the dimensionless groups of a contact from materials, film and roughness (docs/theory.md)."""
 
 from functools import cached_property
 from math import pi
@@ -107,7 +107,7 @@ class Contact(Subject):
         return self
 
     def _check_adhesion(self) -> None:
-        """Raise InputError where only some adhere, as no group stands for both cases."""
+        """Raise InputError if an array parameter mixes contacts with and without adhesion, which need different groups."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
             raise InputError("work_of_adhesion", "a sweep from 0", "above 0 all along, or 0 all along: then nothing adheres")
@@ -119,7 +119,7 @@ class Contact(Subject):
 
     @property
     def adheres(self) -> bool:
-        """Return whether there is a work of adhesion."""
+        """Return whether the contact has a work of adhesion."""
         return bool(np.any(np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion) > 0.0))
 
     def indices(self) -> Indices:
@@ -141,7 +141,7 @@ class Contact(Subject):
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
     def known(self, name: str) -> Any:
-        """Return a property or group of this name, where the contact decides it; else None."""
+        """Return the property or dimensionless group of this name; None if the contact does not determine it."""
         is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only where one of them is asked
         return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
 
@@ -171,7 +171,7 @@ class Contact(Subject):
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
-        """Return theta, lambda and Tabor parameter, or without adhesion the hardness group."""
+        """Return theta, lambda and Tabor's parameter; without adhesion, the hardness group only."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
         if not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
@@ -245,7 +245,7 @@ class Contact(Subject):
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
-        """Return the film and the body that meets it where that is softer, of sweeps anywhere; else None."""
+        """Return the film and its counterbody if the counterbody is softer, at any point of a sweep; else None."""
         if self.coating is None or self.coating.bodies == "both":
             return None
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
@@ -331,11 +331,11 @@ class Contact(Subject):
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
-        """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for one that is not known.
+        """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for an unknown one.
 
-        level: quantile levels of the state of the interface, 0.5 for its medians; stated numbers are the same at every level. A
-        strength over hardness or shear modulus is relative to the softer of the bodies that touch, as hard as asperities find
-        it. Raises InputError for a level that is not between 0 and 1.
+        level: quantile levels of the state of the interface, 0.5 for its medians; stated numbers are the same at every
+        level. A strength over hardness or shear modulus is relative to the softer of the touching bodies, with the hardness
+        at the size of the asperities. Raises InputError for a level that is not between 0 and 1.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -355,7 +355,7 @@ class Contact(Subject):
 
     @property
     def kelvin_radius_over_confirmed(self):
-        """Return that radius over the smallest confirmed by experiment, None if dry."""
+        """Return the Kelvin radius over the smallest one confirmed by experiment; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
@@ -376,12 +376,12 @@ class Contact(Subject):
 
     @cached_property
     def _bare(self) -> Pair:
-        """Return both bodies without a film, as hard as asperities find them."""
+        """Return both bodies without a film, with the hardness at the size of the asperities."""
         return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
 
     @property
     def size_effect(self):
-        """Return the largest R*/R of all bodies, None where no hardness depends on size."""
+        """Return the largest R*/R of all bodies; None if no hardness depends on size."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 
@@ -394,5 +394,5 @@ class Contact(Subject):
         return self.roughness.asperity_radius
 
     def _against_film(self, coating: Coating) -> Material:
-        """Return the counterface of the film: a film too, or the bare body."""
+        """Return the material that the film touches: the film of the other body, or the bare body."""
         return {"both": coating.material, "first": self.second, "second": self.first}[coating.bodies]

@@ -1,4 +1,4 @@
-"""The dimensionless groups that decide a contact: as a user gives them, and as laws take them."""
+"""Represent the dimensionless groups of a contact: Indices for users, Groups as arrays for laws."""
 
 import math
 from typing import Any, Self
@@ -26,15 +26,15 @@ _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", 
 
 
 def hardness_group(theta, lam):
-    """Return eta = pi H sqrt(R/sigma) / K from theta and lambda.
+    """Return eta = pi H sqrt(R/sigma) / K from arrays of theta and lambda.
 
-    eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2) (half the 7.3 of eq 1). Arrays.
+    eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2), with half the coefficient 7.3 of eq 1.
     """
     return math.sqrt(math.pi) * 18.0**0.25 * lam**0.25 / np.sqrt(theta)
 
 
 def stiffness_group(nu):
-    """Return K beta = (8/3)(2 - nu)/(1 - nu) of like bodies, or where one is rigid.
+    """Return K beta = (8/3)(2 - nu)/(1 - nu), for bodies of one material or if one body is rigid.
 
     6.4762 at nu = 0.3 (theory 1).
     """
@@ -42,7 +42,10 @@ def stiffness_group(nu):
 
 
 def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
-    """Raise InputError unless the film alone, as a half-space, has groups within the bounds of theta and lambda. Arrays."""
+    """Raise InputError unless theta and lambda of the film as a half-space are within their bounds.
+
+    All arguments may be arrays.
+    """
     with np.errstate(over="ignore"):
         alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
     for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
@@ -180,7 +183,7 @@ class Indices(Subject):
 
     @property
     def eta(self) -> Any:
-        """Return the hardness group: a mean pressure H on the area x is the load eta x."""
+        """Return the hardness group eta: a contact with normalised area x and mean pressure H carries the load eta x."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
@@ -192,7 +195,7 @@ class Indices(Subject):
 
     @property
     def film_plasticity_index(self) -> Any:
-        """Return (E*/H) sqrt(sigma/R) of the film as a half-space, (3/4) pi/eta.
+        """Return the plasticity index (E*/H) sqrt(sigma/R) = (3/4) pi/eta of the film as a half-space.
 
         None without a film.
         """
@@ -200,9 +203,9 @@ class Indices(Subject):
 
     @property
     def film_stiffness(self) -> Any:
-        """Return n_E sqrt(R sigma)/t, infinite for a film without thickness.
+        """Return n_E sqrt(R sigma)/t, infinite for a film of zero thickness.
 
-        None without a film, or where R is not known.
+        None without a film, or if R is unknown.
         """
         if not self.has_film or self.film_aspect is None:
             return None
@@ -228,10 +231,10 @@ class Indices(Subject):
 
     @property
     def film_modulus(self) -> Any:
-        """Return E'_f/E*, the plane-strain modulus of the film over the contact modulus.
+        """Return E'_f/E*, the plane-strain modulus of the film over the contact modulus of the bodies without film.
 
-        The contact modulus is of the bodies without the film. n_E is of the film against its counterface: E'_f/2
-        where that is a film too, in series with the other body where not.
+        It follows from n_E, which refers to the film against its counterface. That modulus is E'_f/2 against another film,
+        or E'_f in series with an uncoated body.
         """
         whole = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -239,23 +242,23 @@ class Indices(Subject):
 
     @property
     def body_shear_strength(self) -> Any:
-        """Return the shear strength Y/sqrt(3) of the weaker of the surfaces that meet, over H of the bodies (von Mises)."""
+        """Return the shear strength Y/sqrt(3) of the weaker touching surface, over H of the bodies (von Mises)."""
         return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
 
     @property
     def strength_over_bodies(self) -> Any:
-        """Return the strength of the interface over the weaker surface's, None if unknown."""
+        """Return the interfacial strength over the shear strength of the weaker surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
     def interface_strength(self) -> Any:
-        """Return shear_strength, capped at the weaker surface's; None if unknown."""
+        """Return shear_strength, capped at the shear strength of the weaker surface; None if unknown."""
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:
         """Return whether a group that a law needs is known.
 
-        Without adhesion theta and lambda are not.
+        Without adhesion theta and lambda are unknown.
         """
         return group in _FOLLOWS or getattr(self, group) is not None
 
@@ -287,8 +290,8 @@ class Indices(Subject):
 
         theta n_E/n_g and lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.
 
-        Source: section 2 of the 2015 paper (theory 4); n_g is this project's. Forces are then in the film's unit, n_E times
-        less. Raises InputError without a film.
+        Source: section 2 of the 2015 paper (theory 4); n_g is an addition of this project. Forces are then normalised with
+        the film's unit of force, which is n_E times smaller. Raises InputError without a film.
         """
         if not self.has_film:
             raise InputError("tau", None, "n_E, n_H and tau: there is no film")
@@ -309,7 +312,7 @@ class Indices(Subject):
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
     def with_changes(self, **changes: Any) -> Self:
-        """Return the groups with these replaced."""
+        """Return the indices with these groups replaced."""
         return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
 
     def read(self, value: Any, name: str) -> Any:
@@ -345,9 +348,10 @@ class Indices(Subject):
 
 
 class Groups(Indices):
-    """Groups of n contacts as laws take them: arrays (n,), None where unknown.
+    """Hold the groups of n contacts as laws take them: arrays (n,), None where unknown.
 
-    Values are not checked again. Groups of a film are None for a bare contact. film_aspect is infinite where R is not known.
+    Values are not validated again. Groups of a film are None for a bare contact. film_aspect is infinite if R is
+    unknown.
     """
 
     def __init__(self, /, **arrays: Any):
@@ -360,7 +364,10 @@ class Groups(Indices):
 
     @classmethod
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
-        """Flatten indices over all combinations of their named dimensions; return both."""
+        """Flatten indices over all combinations of their named dimensions.
+
+        Returns the groups, and the sizes of the dimensions.
+        """
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}
         if not whole.has_film:
@@ -374,7 +381,7 @@ class Groups(Indices):
         return len(self.hardness_group if self.theta is None else self.theta)
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
-        """Return the groups of some of the contacts."""
+        """Return the groups of selected contacts."""
         columns = {name: getattr(self, name) for name in type(self).model_fields}
         return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns.items()})
 

@@ -1,4 +1,4 @@
-"""States of an interface: distributions of its shear strength, from interface_data/ (one file for each family of states)."""
+"""States of an interface with distributions of shear strength, read from interface_data/ (one file per family)."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -21,16 +21,16 @@ STRENGTHS = ("interfacial_shear_strength", "shear_strength", "strength_over_shea
 
 
 class Interface(Input):
-    """A state of an interface: the distribution of its shear strength, tau_0 + alpha p at the pressure p.
+    """Hold the state of an interface: distributions of tau_0 and alpha in the shear strength tau_0 + alpha p.
 
-    One of the three strengths is given, its median; of a strength over hardness or shear modulus, these are those of the softer
-    body (of the film, where one meets the other body). pressure_coefficient: its median; left out, the strength does not depend
-    on the pressure. range: 5 and 95 % quantiles; a number without a range is certain. source, grade: of each number, see
-    data_files.GRADES. pairs: prior weight for each pair of material classes, "metal, ceramic" or "polymer, any"; 0: only if it
-    is stated. only_with: materials, one required. of_film: whether pairs of weight 0 need a film. not_for: where the state must
-    not be used.
+    p is the pressure. Exactly one of the three strengths is stated, as its median. A strength over hardness or shear
+    modulus is relative to the softer body, or to the film if it touches the other body. pressure_coefficient: median of
+    alpha; if absent, the strength does not depend on pressure. range: 5 and 95 % quantiles; a number without a range is
+    exact. source, grade: of each number, see data_files.GRADES. pairs: prior weight for each pair of material classes,
+    "metal, ceramic" or "polymer, any"; 0: used only if the user states it. only_with: materials, one of which is
+    required. of_film: whether pairs of weight 0 need a film. not_for: where the state must not be used.
 
-    Nothing here is capped by the strength of the bodies. Raises InputError.
+    The strength of the bodies does not cap these values. Raises InputError.
     """
 
     name: str = Field(default="unnamed", description="what to call it")
@@ -59,14 +59,14 @@ class Interface(Input):
 
     @property
     def strength(self) -> str:
-        """Return the name of the given strength, one of STRENGTHS."""
+        """Return the name of the stated strength, one of STRENGTHS."""
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
     def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None) -> Any:
         """Return tau_0 [Pa] at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; only the one that the strength is given over is used. Raises
-        InputError for a level that is not between 0 and 1, and where that one is not given.
+        hardness, shear_modulus: of the softer body [Pa]; only the reference of a relative strength is used. Raises
+        InputError for a level that is not between 0 and 1, and if the reference is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -77,11 +77,14 @@ class Interface(Input):
         return scale * self._quantile(self.strength, level)
 
     def pressure_coefficient_at(self, level: Any) -> np.ndarray:
-        """Return alpha at quantile levels between 0 and 1; 0 where the state has none. Raises InputError."""
+        """Return alpha at quantile levels between 0 and 1; 0 if the state has no pressure coefficient. Raises InputError."""
         return self._quantile("pressure_coefficient", level)
 
     def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
-        """Return tau_0 [Pa] and alpha (None where there is none) between two bodies at quantile levels. Raises InputError."""
+        """Return tau_0 [Pa] and alpha between two bodies at quantile levels; alpha is None if the state has none.
+
+        Raises InputError for a level that is not between 0 and 1.
+        """
         softer = first_is_softer(first, second)
         hardness = choose(softer, first.hardness, second.hardness)
         modulus = choose(softer, first.shear_modulus, second.shear_modulus)
@@ -89,9 +92,9 @@ class Interface(Input):
         return self.strength_at(level, hardness, modulus), slope
 
     def allows(self, first: Material, second: Material, *, coated: bool = True) -> bool:
-        """Return whether the state may be stated for two bodies; coated: whether one of them is a film.
+        """Return whether a user may select the state for two bodies; coated: whether one of them is a film.
 
-        A state without pairs, as users give it, may be stated for any.
+        A state without pairs, such as one defined by a user, is allowed for any bodies.
         """
         weight = self.weight_of(first, second)
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
@@ -102,9 +105,9 @@ class Interface(Input):
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
     def replace(self, **changes: Any) -> Self:
-        """Return a state with these fields in place of its own.
+        """Return a copy of the state with these fields changed.
 
-        A number that is replaced loses source, grade and range. Raises InputError.
+        A changed number loses its source, grade and range. Raises InputError.
         """
         kept = {field: grade for field, grade in self.grade.items() if field not in changes}
         return super().replace(**{"grade": kept} | changes | notes_left(self.source, self.range, changes))
@@ -140,19 +143,22 @@ def interface_names() -> list[str]:
 
 
 def interface(name: str, /) -> Interface:
-    """Return the state of that name. Raises InputError for an unknown name, listing those near to it."""
+    """Return the state of this name. Raises InputError for an unknown name, with similar names."""
     if not isinstance(name, str) or name not in _states():
         raise InputError("interface", name, "a state: " + nearest(name, interface_names()))
     return _states()[name]
 
 
 def allowed_interfaces(first: Material, second: Material, *, coated: bool) -> list[str]:
-    """Return the names of the states that may be stated for two bodies, in alphabetical order; coated: as of `allows`."""
+    """Return the names of the states that are allowed for two bodies, in alphabetical order.
+
+    coated: whether one of the bodies is a film.
+    """
     return [name for name in interface_names() if interface(name).allows(first, second, coated=coated)]
 
 
 def check_interface(contact: Input, state: Interface, first: Material, second: Material) -> None:
-    """Raise InputError for a state given with numbers of the interface, or one that the bodies do not allow."""
+    """Raise InputError if both a state and strength numbers are stated, or if the bodies do not allow the state."""
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
         allowed = f"nothing where {name} is stated: leave out interface to keep the number, or {name} to keep the state"
@@ -165,9 +171,10 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
 
 
 def interface_weights(first: Material, second: Material) -> dict[str, float]:
-    """Return the states that two bodies allow where none is stated, each with its prior weight; the weights sum to 1.
+    """Return the prior weight of each state that two bodies allow if the user states none; the weights sum to 1.
 
-    Of a coated body the film counts. The class of the weaker body rules (the order of MATERIAL_CLASSES).
+    A coated body counts with the material of its film. The class of the weaker body, in the order of MATERIAL_CLASSES,
+    decides.
     """
     found = {name: state.weight_of(first, second) for name, state in _states().items()}
     weights = {name: weight for name, weight in found.items() if weight}
@@ -240,7 +247,7 @@ def _states() -> dict[str, Interface]:
 
 
 def _as_interface(value: Any) -> Any:
-    """Return the state of this name; leave records and tables to the checks of the record."""
+    """Return the state of this name; records and tables are returned unchanged for validation."""
     if isinstance(value, Interface | dict | None):
         return value
     with field_named(""):

@@ -1,4 +1,4 @@
-"""A vapour that condenses where two bodies are near each other."""
+"""A vapour that condenses to menisci between two bodies."""
 
 import numpy as np
 from pydantic import model_validator
@@ -73,7 +73,7 @@ class Liquid(Input):
 
     @property
     def wetting(self):
-        """Return (cos theta_1 + cos theta_2)/2."""
+        """Return the wetting factor c = (cos theta_1 + cos theta_2)/2."""
         return (np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)) / 2
 
     @property
@@ -89,7 +89,7 @@ class Liquid(Input):
 
     @property
     def kelvin_radius(self):
-        """Return the radius [m] of a meniscus that neither grows nor dries up.
+        """Return the Kelvin radius [m], the radius of a meniscus in equilibrium with the vapour.
 
         gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871).
         """
@@ -98,24 +98,24 @@ class Liquid(Input):
 
     @property
     def kelvin_radius_over_confirmed(self):
-        """Return Kelvin's radius over the smallest confirmed by experiment.
+        """Return the Kelvin radius over the smallest one confirmed by experiment.
 
-        Confirmed for water or for other liquids; a liquid with a default number counts as water.
+        Water and other liquids have different confirmed values. A liquid with a default property counts as water.
         """
         of_water = self.molar_volume is None or self.surface_tension is None
         return self.kelvin_radius / (CONFIRMED_OF_WATER if of_water else CONFIRMED)
 
     @property
     def height(self):
-        """Return the gap that a meniscus just bridges [m], 2 r c."""
+        """Return the largest gap that a meniscus bridges [m], 2 r c."""
         return 2 * self.kelvin_radius * self.wetting
 
     @property
     def suction(self):
-        """Return the pressure by which a meniscus pulls [Pa], Laplace's gamma_L/r."""
+        """Return the Laplace pressure of a meniscus [Pa], gamma_L/r."""
         return self.tension / self.kelvin_radius
 
     @property
     def work(self):
-        """Return the energy of parting a wetted area [J/m^2], 2 gamma_L c."""
+        """Return the energy to separate a wetted area [J/m^2], 2 gamma_L c."""
         return 2 * self.tension * self.wetting

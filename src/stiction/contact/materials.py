@@ -1,4 +1,7 @@
-"""Materials, given by numbers or taken from the presets in material_data/ (one file per source of data)."""
+"""Materials with their properties, stated by the user or read from the presets in material_data/.
+
+Each file there holds the presets of one source.
+"""
 
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -78,9 +81,9 @@ class Material(Input):
         return self
 
     def replace(self, **changes: Any) -> Self:
-        """Return another material, with these fields in place of its own.
+        """Return a copy of the material with these fields changed.
 
-        A number that is replaced loses its source and its range. Raises InputError.
+        A changed number loses its source and its range. Raises InputError.
         """
         return super().replace(**changes | notes_left(self.source, self.range, changes))
 
@@ -99,7 +102,7 @@ class Material(Input):
         return [*(f"{field}: {text}" for field, text in self.source.items() if text), *ends]
 
     def is_own(self, field: str) -> bool:
-        """Return whether this field was given and differs from the preset of this name."""
+        """Return whether the user stated this field with a value that differs from the preset of this name."""
         value = getattr(self, field)
         of_this_name = _presets().get(self.name)
         preset = None if of_this_name is None else of_this_name.numbers.get(field)
@@ -107,10 +110,7 @@ class Material(Input):
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):
-        """Add the form of a file that starts from a preset.
-
-        {preset = "silver", hardness = "0.5 GPa"}.
-        """
+        """Add to the schema the table that changes a preset: {preset = "silver", hardness = "0.5 GPa"}."""
         schema = super().__get_pydantic_json_schema__(core_schema, handler)
         schema["properties"]["preset"] = {
             "description": "preset, or material of the case, whose numbers hold wherever none is given here",
@@ -202,8 +202,8 @@ def work_of_adhesion(
 def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) -> str:
     """Return the name of the preset that a name, chemical symbol or formula stands for: "silver" for "Ag".
 
-    Upper and lower case count only where they tell presets apart: "tin" is the metal, "TiN" the nitride. others: names that
-    would be accepted in place of a preset. Raises InputError, with the name of the field, for an unknown or ambiguous word.
+    Case matters only where it distinguishes presets: "tin" is the metal, "TiN" the nitride. others: further accepted
+    names. Raises InputError, with the name of the field, for an unknown or ambiguous word.
     """
     if isinstance(word, str) and word in _presets():
         return word
@@ -220,13 +220,13 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
-    """Return the chemical symbols, formulas and designations that mean this preset and no other, the usual one first."""
+    """Return the chemical symbols, formulas and designations of this preset only, the most common one first."""
     every = [symbol for preset in _presets().values() for symbol in preset.symbols]
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
 def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return source and range of a changed record: its own wherever nothing is changed, and what the changes say."""
+    """Return source and range of a changed record: those of unchanged numbers, and those that the changes state."""
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
     given = changes.get("range", {})
@@ -235,10 +235,7 @@ def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any])
 
 
 def as_material(value):
-    """Validate a field that holds a body.
-
-    A Material, the name of a preset, or a table of numbers.
-    """
+    """Convert the value of a field to a Material, from a Material, the name of a preset, or a table of numbers."""
     if isinstance(value, str):
         value = {"preset": value}
     if isinstance(value, dict) and "preset" in value:
@@ -249,9 +246,10 @@ def as_material(value):
 
 
 def class_of(body: Material) -> str:
-    """Return the class of a material; guess it where none is stated.
+    """Return the stated class of a material, or guess it from its numbers.
 
-    Elastomers below 0.1 GPa, polymers below 10 GPa, ceramics from H/E = 0.038 on, metals else.
+    Elastomers have a Young's modulus below 0.1 GPa, polymers below 10 GPa. Ceramics have H/E of 0.038 or more. All
+    others are metals.
     """
     if body.material_class is not None:
         return body.material_class
@@ -262,7 +260,7 @@ def class_of(body: Material) -> str:
 
 
 class _Preset(NamedTuple):
-    """A preset as its file states it: numbers, sources, ranges, symbols and class."""
+    """Hold a preset as its file states it: numbers, sources, ranges, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]

@@ -1,4 +1,4 @@
-"""Two half-spaces in contact: stiffnesses of both, strength of the softer."""
+"""Two half-spaces in contact: the elastic properties of both, and the strength of the softer one."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +11,7 @@ from stiction.contact.materials import Material
 
 @dataclass(frozen=True)
 class Pair:
-    """Two half-spaces in contact (theory 1): stiffnesses of both, strength of the softer."""
+    """Represent two half-spaces in contact (theory 1): elastic properties of both, strength of the softer one."""
 
     K: Any
     beta: Any
@@ -43,9 +43,9 @@ def compliance_of(body: Material):
 def first_is_softer(first: Material, second: Material) -> Any:
     """Return whether the first body decides the strength of the contact, elementwise.
 
-    The softer body decides. Of two equally hard bodies the one that yields first decides, whatever their order: the lower
-    yield stress, then the lower Poisson's ratio, where the pressure at first yield is less (Chang, Etsion & Bogy 1987); and
-    if these are equal too, the lower tangent modulus over Young's, an unknown one before a known one.
+    The softer body decides. Of two equally hard bodies the one with the lower yield stress decides. If these are equal
+    too, the lower Poisson's ratio decides, because such a body yields at a lower pressure (Chang, Etsion & Bogy 1987).
+    The last criterion is the lower tangent modulus over Young's modulus; an unknown one precedes a known one.
     """
     keys = (
         (first.hardness, second.hardness),
@@ -59,13 +59,13 @@ def first_is_softer(first: Material, second: Material) -> Any:
 def more_compliant(first: Material, second: Material) -> Any:
     """Return whether the first body is the more compliant, elementwise.
 
-    Of two alike the one of the lower Poisson's ratio counts as more compliant.
+    Of two equally compliant bodies, the one with the lower Poisson's ratio counts as more compliant.
     """
     return _before(((-compliance_of(first), -compliance_of(second)), (first.poissons_ratio, second.poissons_ratio)))
 
 
 def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Return whether the first precedes the second in the first pair that differs."""
+    """Compare pairs of keys in order; return whether the first body precedes at the first pair that differs."""
     (one, other), *rest = keys
     equal = one == other
     if not rest or not np.any(equal):
@@ -88,7 +88,8 @@ def _hardening(body: Material):
 def choose(condition, one, other):
     """Return `one` where the condition holds, else `other`.
 
-    Elementwise if the condition is a labelled array. A value that is unknown (None) somewhere along a sweep is unknown.
+    Elementwise if the condition is a labelled array. The result is None if a selected value is None anywhere along a
+    sweep.
     """
     if hasattr(condition, "dims"):
         if one is None or other is None:

@@ -29,22 +29,19 @@ _FACE = radians(90.0 - 70.3)
 
 
 def radius_of(depth):
-    """Return R* [m] of a sphere for h* [m] of a pyramid."""
+    """Return R* [m] of a sphere from h* [m] of a pyramid."""
     return 2.0 / 3.0 * depth / tan(_FACE) ** 2
 
 
 def size_ratio(body: Material, radius):
-    """Return R*/R of a body under asperities of this radius.
-
-    0 where it has no characteristic depth.
-    """
+    """Return R*/R of a body under asperities of this radius; 0 without a characteristic depth."""
     return 0.0 if body.characteristic_depth is None else radius_of(body.characteristic_depth) / radius
 
 
 def at_radius(body: Material, radius) -> Material:
-    """Return the material as asperities of this radius [m] find it.
+    """Return the material with the hardness that it has under asperities of this radius [m].
 
-    Its moduli are unchanged, its hardness and strength are higher.
+    Hardness and yield stress are higher; elastic moduli are unchanged.
     """
     if body.characteristic_depth is None:
         return body

@@ -1,4 +1,4 @@
-"""The interface of a subject: a contact of bodies (Contact), or its dimensionless groups (Indices)."""
+"""Common interface of Contact (two bodies) and Indices (their dimensionless groups)."""
 
 from abc import abstractmethod
 from dataclasses import dataclass
@@ -11,10 +11,11 @@ from stiction.quantities.units import several_in_words
 
 @dataclass(frozen=True)
 class Scales:
-    """Factors that turn dimensionless results of a contact into SI units.
+    """Hold the factors that convert dimensionless results of a contact to SI units.
 
-    load [N] and contact_area [m^2] per asperity, separation [m], asperities: their number on the nominal area, nominal_area
-    [m^2], None where it is not known. The load of the whole contact is its dimensionless value times load times asperities.
+    load [N], contact_area [m^2]: per asperity; separation [m]; asperities: their number on the nominal area;
+    nominal_area [m^2], None if unknown. The load of the whole contact is the dimensionless load times `load` times
+    `asperities`.
     """
 
     load: Any = 1.0
@@ -24,10 +25,7 @@ class Scales:
     nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
-        """Return the factor of results for each scale of the table of quantities.
-
-        A scale is an SI unit, or "count".
-        """
+        """Return the factor for results of each scale, which is an SI unit or "count"."""
         pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
         return pressure | {
             "N": self.load * self.asperities,
@@ -40,7 +38,7 @@ class Scales:
 
 
 class Subject(Input):
-    """Two rough surfaces in contact, with all that a model needs.
+    """Represent two rough surfaces in contact, with the inputs of a model.
 
     Numbers may be arrays with named dimensions.
     """
@@ -56,21 +54,21 @@ class Subject(Input):
     @property
     @abstractmethod
     def has_film(self) -> bool:
-        """Return whether there is a film."""
+        """Return whether the contact has a film."""
 
     def require_single(self, allowed: str) -> None:
-        """Raise InputError where a number of the contact is an array."""
+        """Raise InputError if a number of the contact is an array; allowed: the text of what is allowed."""
         for name, array in self.arrays():
             raise InputError(name, several_in_words(array, name), allowed)
 
     def inputs(self) -> list[tuple[str, str]]:
-        """Return dotted name and value, with its unit, of all given inputs."""
+        """Return the dotted name and the value with its unit of every stated input."""
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """Return the given optional inputs: dotted name -> group that it decides.
+        """Return the stated optional inputs: dotted name -> the group that the input determines.
 
-        The group is "" where no law needs the input.
+        The group is "" if no law needs the input.
         """
         names = (
             "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "ageing_rate",
@@ -80,7 +78,7 @@ class Subject(Input):
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}
 
     def remarks(self) -> list[str]:
-        """Return remarks on the groups of this contact, known before a solution."""
+        """Return remarks on the dimensionless groups of this contact, which need no solution."""
         return []
 
     @property
@@ -95,60 +93,54 @@ class Subject(Input):
 
     @property
     def measured(self) -> Any:
-        """Return the measured roughness where it comes from scans; else None."""
+        """Return the measured roughness if it comes from scans; else None."""
         return None
 
     @property
     def map(self) -> Any:
-        """Return the map that stands for both faces, where scans give one; else None."""
+        """Return the height map that represents both surfaces, if the scans give one; else None."""
         return None
 
     def as_numbers(self) -> "Subject":
-        """Return the same contact with the roughness numbers of the chosen method.
-
-        The scans are dropped.
-        """
+        """Return the same contact with the roughness numbers of the selected method, without its scans."""
         return self
 
     def with_surface_moments(self) -> "Subject":
-        """Return the contact with asperities that have the surface's spectral moments.
+        """Return the contact with asperity numbers that reproduce the spectral moments of the surface.
 
-        Theories of the whole surface take these.
+        Theories of the whole surface take these numbers.
         """
         return self
 
     def groups(self) -> dict[str, float]:
-        """Return name -> value of every known dimensionless group that is one number."""
+        """Return every known dimensionless group with a single value, by name."""
         return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
 
     def all_groups(self) -> dict[str, Any]:
-        """Return name -> number or labelled array of every known dimensionless group."""
+        """Return every known dimensionless group, a number or labelled array, by name."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
     def known(self, name: str) -> Any:
-        """Return a property or group of this name, None where it is not known."""
+        """Return the property or dimensionless group of this name; None if unknown."""
         value = getattr(self, name, None)
         return value() if callable(value) else value
 
     def given_as(self, group: str) -> str:
-        """Return the name under which a user gives the input of a group."""
+        """Return the name of the input by which a user states a group."""
         return group
 
     @abstractmethod
     def read(self, value: Any, name: str) -> Any:
-        """Read a separation or load as a user writes it, in SI units or normalised.
+        """Convert a separation or load stated by a user, a number or an array, to SI units or normalised values.
 
-        A number or an array. Raises InputError.
+        Raises InputError.
         """
 
     @abstractmethod
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """Read one point of a case file, in which every number has its unit.
-
-        where: its place in the file.
-        """
+        """Read one point of a case file, in which every number has its unit; where: its place in the file."""
 
     @abstractmethod
     def show(self, value: float, name: str, digits: int = 6) -> str:

@@ -1,4 +1,4 @@
-"""Pack the tables of a case into the address of the page, and refuse any other address in a line."""
+"""Pack the tables of a case into the address of the page, and read them back."""
 
 import base64
 import binascii
@@ -17,13 +17,13 @@ _STATE = "a case, as this page writes it into its address"
 
 
 def packed(tables: Mapping[str, Any]) -> str:
-    """Return the tables as text for an address; "" where they are too large for one."""
+    """Return the tables as text for an address; "" if they are too large for an address."""
     text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 
 def unpacked(text: str) -> dict[str, Any]:
-    """Return the tables in the text of an address; memory is bounded by the largest case. Raises InputError."""
+    """Return the tables in the text of an address. Raises InputError for damaged text, or more than the largest case."""
     if len(text) > _LONGEST:
         raise InputError("address", f"{len(text)} characters", f"{_LONGEST} at most")
     try:
@@ -60,9 +60,9 @@ def _files_in(value: Any) -> Iterator[str]:
 
 
 def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
-    """Raise InputError where the tables name a file that is neither of the served case nor uploaded.
+    """Raise InputError if the tables name a file other than those of the served case and the uploaded ones.
 
-    Anybody writes an address, which may not ask for the files of this machine.
+    Anybody can write an address, so it must not give access to other files of this machine.
     """
     known = set(allowed)
     for name in files_named(tables):

@@ -1,4 +1,4 @@
-"""The answer card above every tab: mu, its interval, how sure it is and what decides it; "Why" unfolds the rest."""
+"""The answer card above every tab: mu, its interval, its reliability and main cause; "Why" shows details."""
 
 from html import escape
 
@@ -18,7 +18,7 @@ from stiction.web.query import Answer, predicted_beside, remarks
 
 
 class AnswerCard:
-    """Show every new answer; for a named model also the prediction."""
+    """Show every new result as a card; for a named model also show the prediction."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -36,7 +36,7 @@ class AnswerCard:
         self.show()
 
     def show(self) -> None:
-        """Show the newest answer; after an error the one before, marked as old."""
+        """Show the newest answer; after an error keep the previous one, marked as old."""
         answer = self._explorer.answer
         self._old.set_visibility(self._explorer.error is not None)
         if answer is not self._before:
@@ -70,7 +70,7 @@ class AnswerCard:
         self._draw()
 
     def _show_moved_load(self, answer: Answer) -> None:
-        """State that the load moved, where separations are given and the contact changed."""
+        """State that the load changed, if the case states separations and the contact was changed."""
         pair, self._before = (self._before, answer), answer
         before, after = (one.query.tables for one in pair)
         solve = after.get("solve", {})
@@ -84,9 +84,10 @@ class AnswerCard:
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the answer card of the page, in few words: without commands, as a visitor has no case file.
+    """Return the short answer card of the page, without commands, because a visitor has no case file.
 
-    A warning that the next step repeats is left out; with a named model, all but the two numbers and the main warning.
+    A warning that the next step repeats is omitted. With a named model only the two numbers and the main warning
+    remain.
     """
     card = card_of(prediction, named)
     if named:

@@ -1,4 +1,4 @@
-"""The tab One asperity: the stresses under it in section, where it yields first, film and body to scale."""
+"""The tab One asperity: a section of the stresses below it, its point of first yield, and the film to scale."""
 
 import math
 from typing import Any

@@ -24,9 +24,9 @@ async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) 
 
 
 class Latest(Generic[_T]):
-    """Call a function one query at a time; of queries that arrive meanwhile only the newest is answered.
+    """Call a function for one query at a time; of the queries that arrive meanwhile, answer only the newest.
 
-    work: runs in a thread. show: takes its result, in the loop. refuse: takes its InputError.
+    work: runs in a thread. show: receives its result, in the event loop. refuse: receives its InputError.
     """
 
     def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[InputError], object] = print):
@@ -59,7 +59,7 @@ class Latest(Generic[_T]):
 
 
 class Progress:
-    """Report the progress of a study, and stop it when asked or after so many seconds."""
+    """Report the progress of a study, and stop it on request or after a time limit in seconds."""
 
     def __init__(self, seconds: float = LONGEST) -> None:
         self._seconds = seconds
@@ -72,14 +72,14 @@ class Progress:
         self._guard = threading.Lock()
 
     def stop(self) -> None:
-        """End the study, also within a step."""
+        """Stop the study, even within a step."""
         self._stop.set()
         self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
-        """Return the result of a function, run in this thread and interrupted when stopped or when its time is over.
+        """Return the result of a function that runs in this thread, and interrupt it when stopped or timed out.
 
-        The time begins here, not while other studies run. Raises KeyboardInterrupt.
+        The time limit starts here, not while other studies run. Raises KeyboardInterrupt.
         """
         self._end = time.monotonic() + self._seconds
         late = threading.Timer(self._seconds, self._interrupt)
@@ -96,7 +96,7 @@ class Progress:
                 self._thread = None
 
     def _interrupt(self) -> None:
-        """Raise KeyboardInterrupt in the thread of the work, as a step may take minutes while others wait."""
+        """Raise KeyboardInterrupt in the working thread, because one step may take minutes while other studies wait."""
         with self._guard:
             if self._thread is not None:
                 self.too_long = time.monotonic() > self._end
@@ -104,13 +104,13 @@ class Progress:
                 self._thread = None
 
     def check(self) -> None:
-        """Raise KeyboardInterrupt, as a user at a terminal does, where the study is to end."""
+        """Raise KeyboardInterrupt, as Ctrl+C in a terminal does, if the study is to stop."""
         self.too_long = time.monotonic() > self._end
         if self._stop.is_set() or self.too_long:
             raise KeyboardInterrupt
 
     def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
-        """Return a wrapper of a list of steps."""
+        """Return a function that wraps a list of steps and reports each step."""
 
         def wrapped(steps: Iterable) -> Iterator:
             listed = list(steps)
@@ -123,6 +123,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Take the number of designs that were tried, and the best of them in words."""
+        """Report the number of designs that were tried, and the best one in words."""
         self.check()
         self.text, self.share = f"{count} designs tried: {text}", 0.0

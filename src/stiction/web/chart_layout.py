@@ -1,4 +1,4 @@
-"""Fit charts to their width: margins, ticks and legends of a wide chart, and of one on a telephone."""
+"""Fit the margins, ticks and legends of charts to a wide page or a telephone."""
 
 import math
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ _SCALE = 52  # pixels for the scale of colours below a narrow chart
 
 
 def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
-    """Return options of `charts.chart` that fit at every width; others, without axes in a plane, are returned unchanged.
+    """Return options of `charts.chart` that fit at every width; options without plane axes are returned unchanged.
 
     room: pixels for the legend of a wide chart.
     """
@@ -25,7 +25,7 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 
 def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, Any]:
-    """Return the options that differ between a narrow chart and a wide one; each sets all, so that no old ones remain."""
+    """Return the options that differ between narrow and wide charts; all are set, so that none of the other width remains."""
     x, y, size = options["xAxis"], options["yAxis"], 11 if narrow else 12
     width, lines = _columns(options, room)
     beside = not (narrow and y["type"] == "category")  # else names stand above what is drawn in their row: there is room
@@ -55,9 +55,9 @@ def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, 
 
 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
-    """Return pixels of each name of the legend, as many as the longest takes, and the lines that they take in so much room.
+    """Return the width of each legend entry in pixels, that of the longest name, and the number of legend lines.
 
-    A name that is longer than the room is broken.
+    A name that is longer than the room is broken into lines.
     """
     names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
     wanted = [_LETTER * len(name) for name in names] or [0.0]

@@ -38,7 +38,7 @@ def axis_name(variable: xarray.DataArray) -> str:
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
-    """Return the options of a chart with named axes; ECharts describes it to screen readers by the title."""
+    """Return the options of a chart with named axes; screen readers read its title."""
     ink, grid = INK[dark], _GRID[dark]
     look = {
         "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
@@ -62,7 +62,7 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
 
 
 def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
-    """Return a line with the colour and dashes of a place in the legend; points without a number are omitted."""
+    """Return a line with the colour and dashes of its place in the legend; NaN points are omitted."""
     points = [[a, b] for a, b in zip(numbers(x), numbers(y), strict=True) if a is not None]
     look = {"color": COLOURS[at % len(COLOURS)], "type": _DASHES[at % len(_DASHES)], "width": 2.5}
     return {
@@ -72,7 +72,7 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
 
 
 def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour: str = RED) -> dict[str, Any]:
-    """Return one point, drawn above all else."""
+    """Return a single point, drawn above all other series."""
     return {"name": name, "type": "scatter", "data": [list(map(float, point))], "symbol": symbol, "symbolSize": size, "z": 6,
             "itemStyle": {"color": colour, "borderColor": "white", "borderWidth": 1.5}}  # fmt: skip
 
@@ -80,9 +80,10 @@ def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour:
 def add_cells(
     options: dict[str, Any], name: str, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: tuple[float, str, str]
 ) -> None:
-    """Add coloured cells of values (x, y) below all else, and their colour scale.
+    """Add coloured cells of values (x, y) below all other series, with their colour scale.
 
-    x, y: evenly spaced, on logarithmic axes by ratio. scale: its largest value, from 0, and the words at both ends.
+    x, y: evenly spaced; on logarithmic axes at a constant ratio. scale: largest value (the smallest is 0), and the
+    labels of both ends.
     """
     log = options["xAxis"]["type"] == "log"
     halves = [float((at[1] / at[0]) ** 0.5 if log else (at[1] - at[0]) / 2.0) for at in (x, y)]
@@ -119,7 +120,7 @@ def _positive(values: Any) -> np.ndarray:
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return values and axis of the variable that the curve is drawn against."""
+    """Return values and axis options of the variable on the horizontal axis."""
     values = np.asarray(curve[against].values, dtype=float)
     axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
     if against == "load":
@@ -155,7 +156,7 @@ def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark:
 
 
 def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[dict[str, Any]]:
-    """Return the ends of a band, thin lines that its legend does not name, and its area."""
+    """Return the series of a band: its two ends as thin lines without a legend entry, and the area between them."""
     thin = {"lineStyle": {"color": BLUE, "width": 0.5}}
     edges = [line(f"{end} end", x, values, 0) | thin for end, values in (("low", low), ("high", high))]
     outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
@@ -169,7 +170,7 @@ def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[d
 
 
 def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
-    """Draw parts as stacked shares of the sum of their sizes."""
+    """Draw the parts of a result as stacked shares of the sum of their absolute values."""
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)
     series = []

@@ -1,4 +1,4 @@
-"""The tab Compare: models that fit the contact, that do not, and that cannot be right, each by mu; it follows the form."""
+"""The tab Compare: models that are suitable, unsuitable or impossible for the contact, each sorted by mu."""
 
 import re
 from collections.abc import Iterator
@@ -27,7 +27,7 @@ _PARTS = {"These fit the contact": (True, True), "These do not fit": (False, Tru
 
 
 class CompareTab:
-    """Compare when the tab is opened, and after every change while it is open; an old comparison is grey."""
+    """Compare models when the tab is opened and after every change while it is open; an outdated comparison is grey."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -42,7 +42,7 @@ class CompareTab:
             await self._study.start()
 
     def _mark(self) -> None:
-        """Grey an old comparison, and compare soon: every change puts it off."""
+        """Grey the outdated comparison, and schedule a new one; each further change postpones it."""
         old = not self._study.is_current
         self._body.classes(**{"add" if old else "remove": "old"})
         self._later.deactivate()
@@ -90,7 +90,7 @@ class CompareTab:
 
 
 def tables_of(data: xarray.Dataset, groups: list[Group]) -> Iterator[tuple[str, Table]]:
-    """Yield title and table of the models that fit, that do not and that cannot be right, each sorted by mu."""
+    """Yield title and table of suitable, unsuitable and impossible models, each sorted by mu."""
     for title, kind in _PARTS.items():
         some = sorted((one for one in groups if (one.fits, one.possible) == kind), key=lambda one: one.low)
         rows = [[_title(one), group_row(one)[1], _why(data, one)] for one in some]
@@ -104,7 +104,7 @@ def _title(group: Group) -> str:
 
 
 def _why(data: xarray.Dataset, group: Group) -> str:
-    """Return the error of the area of models that fit; of others, the claimed range that the contact leaves."""
+    """Return the area error of suitable models; for others the claimed range that the contact violates."""
     if group.fits:
         return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
     warnings = read_warnings(data["validity_warnings"].sel(model=group.names[0]).item())

@@ -1,4 +1,4 @@
-"""Elements of the page that follow what they show, and a button that uploads a file."""
+"""Page elements that follow their content, and a button that uploads a file."""
 
 from collections.abc import Awaitable, Callable
 from typing import Any
@@ -11,9 +11,9 @@ from stiction.web.explorer import Explorer
 
 
 def attributes(element: Any, **given: Any) -> Any:
-    """Set attributes of an element, an underscore for a hyphen; return the element.
+    """Set HTML attributes of an element, with hyphens for underscores; return the element.
 
-    They are set as values and never parsed, as they may hold text of a user.
+    Values are set directly and never parsed, because they may contain text of a user.
     """
     changed = {name.replace("_", "-"): value for name, value in given.items()}
     if any(element.props.get(name) != value for name, value in changed.items()):
@@ -23,7 +23,7 @@ def attributes(element: Any, **given: Any) -> Any:
 
 
 class Rows:
-    """Hold an element whose content is made anew when it changes; add makes the elements of one row."""
+    """Hold an element whose rows are rebuilt when they change; add: function that makes the elements of one row."""
 
     def __init__(self, element: Any, add: Callable[[Any], object]):
         self._element, self._add = element, add
@@ -42,7 +42,7 @@ class Rows:
 class Picture:
     """Show a chart, hidden while there is nothing to draw.
 
-    name: for a visitor who does not see it. height: as a style, "" where a class has it. room: pixels for its legend on a
+    name: description for screen readers. height: CSS height, "" if a class sets it. room: pixels for the legend on a
     wide page.
     """
 
@@ -52,7 +52,7 @@ class Picture:
         attributes(self.element, role="img", aria_label=name)
 
     def show(self, options: dict[str, Any] | None) -> None:
-        """Draw these options, fitted to its width; None for nothing."""
+        """Draw a chart with these options, fitted to the page width; None hides the chart."""
         self.element.set_visibility(options is not None)
         options = options and fitted(options, self._room)
         if options is not None and options != dict(self.element.options):
@@ -69,9 +69,9 @@ def upload_button(
     refuse: Callable[[str], object],
     most: int,
 ) -> None:
-    """Add a button that uploads a file of at most so many bytes.
+    """Add a button that uploads a file of at most `most` bytes.
 
-    uploaded: takes the path of the file and its name on the machine of the visitor. refuse: takes a sentence.
+    uploaded: receives the path of the stored file and its original name. refuse: receives an error message.
     """
 
     async def arrived(event: UploadEventArguments) -> None:

@@ -1,4 +1,4 @@
-"""Hold what one visitor has open: a case, its answer, and how the answer is shown; visitors share nothing."""
+"""Hold the state of one visitor: a case, its answer, and how the answer is shown; visitors share nothing."""
 
 import tempfile
 import time
@@ -19,8 +19,8 @@ from stiction.web.query import Answer, Query, headline, solved
 class View:
     """Hold how the answer is shown.
 
-    against: "load" or "mean_separation". point: of the curve, None for the middle one. tab: which is open. narrow: as on a
-    telephone.
+    against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the
+    middle one. tab: the open tab. narrow: whether the page is as narrow as on a telephone.
     """
 
     against: str = "load"
@@ -35,7 +35,7 @@ _open: "WeakSet[Explorer]" = WeakSet()
 
 
 def close_all() -> None:
-    """Forget every visitor, where a signal ends the server and Python has no time to clean up."""
+    """Delete the data of every visitor when a signal ends the server, because Python then runs no clean-up."""
     for explorer in list(_open):
         explorer.close()
 
@@ -61,11 +61,11 @@ class Explorer:
         _open.add(self)
 
     def listen(self, listener: Callable[[], object]) -> None:
-        """Call this after every new answer."""
+        """Register a listener that is called after every new answer."""
         self._listeners.append(listener)
 
     def redraw(self) -> None:
-        """Show the same answer anew."""
+        """Show the same answer again."""
         with self.client:
             for listener in self._listeners:
                 listener()
@@ -113,7 +113,7 @@ class Explorer:
 
     @property
     def point(self) -> int:
-        """Return the point of the curve that the answer is about, in a prediction its working load."""
+        """Return the index of the shown point of the curve; for a prediction, that of its working load."""
         if self.view.point is None or self.answer.is_prediction:
             return self.answer.middle()
         return min(self.view.point, self.answer.curve["load"].size - 1)
@@ -125,11 +125,11 @@ class Explorer:
 
     @property
     def headline(self) -> tuple[str, str]:
-        """Return mu with the digits that its uncertainty leaves it, and where it holds."""
+        """Return mu with the digits that its uncertainty justifies, and the operating point in words."""
         return headline(self.answer, self.point)
 
     def upload(self, name: str, content: bytes) -> str:
-        """Write an uploaded file into a folder of this visitor; return its path, which takes only the suffix of the name."""
+        """Write an uploaded file into the folder of this visitor; return its path, which keeps only the suffix of the name."""
         if self._uploads is None:
             self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")
         suffix = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
@@ -139,7 +139,7 @@ class Explorer:
         return str(path)
 
     def close(self) -> None:
-        """Forget the visitor and delete their uploads."""
+        """Remove the visitor and delete their uploads."""
         self._listeners.clear()
         if self._uploads is not None:
             self._uploads.cleanup()
@@ -147,7 +147,7 @@ class Explorer:
 
 
 def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables with the title of a case that has the same contact, else with one that names the bodies."""
+    """Return the tables with the title of a case that has the same contact, or with a title that names the bodies."""
     same = all(tables.get(name) == titled.get(name) for name in ("contact", "indices"))
     title = titled.get("title") if same else _described(tables)
     rest = {name: value for name, value in tables.items() if name != "title"}
@@ -155,7 +155,7 @@ def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str,
 
 
 def _described(tables: Mapping[str, Any]) -> str:
-    """Name the bodies, and the film with its thickness, of a contact; or dimensionless groups."""
+    """Describe a contact by its bodies and film thickness, or as dimensionless groups."""
     if "contact" not in tables:
         return "Dimensionless groups"
     bodies = " on ".join(_material(tables, body) for body in ("first", "second"))

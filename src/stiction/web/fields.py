@@ -37,7 +37,7 @@ _WORDS: dict[str, tuple[tuple[str, ...], str]] = {
 
 @dataclass(frozen=True)
 class Knob:
-    """Hold the ends and the step of a slider, of the number or, if log, of its decimal logarithm."""
+    """Hold range and step of a slider, for the number or, if log is True, for its decimal logarithm."""
 
     low: float
     high: float
@@ -45,17 +45,17 @@ class Knob:
     log: bool
 
     def place(self, value: float) -> float:
-        """Return the place of a value in SI on the slider."""
+        """Return the slider position of a value in SI units."""
         return math.log10(value) if self.log and value > 0.0 else self.low if self.log else value
 
     def value(self, place: float) -> float:
-        """Return the value, in SI, at a place of the slider."""
+        """Return the value in SI units at a slider position."""
         return 10.0**place if self.log else place
 
 
 @dataclass(frozen=True)
 class Number:
-    """Hold the path of a number in the tables of a case, its quantity, and whether it is required."""
+    """Hold one number of the form: its path in the tables of a case, its quantity, and whether it is required."""
 
     path: Path
     quantity: Quantity
@@ -72,11 +72,11 @@ class Number:
         return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
-        """Return a value in SI as a case file has it, to four digits."""
+        """Format a value in SI units as in a case file, with four digits."""
         return show(value, self.quantity.name, 4)
 
     def written(self, text: str) -> Any:
-        """Return a typed text as the table of a case has it: a number, a text with a unit, a list or a distribution."""
+        """Convert typed text to an entry of a case table: a number, a text with a unit, a list or a distribution."""
         try:
             if text.startswith(("[", "{")):
                 return tomllib.loads(f"given = {text}")["given"]
@@ -89,7 +89,10 @@ class Number:
             return text  # the case will refuse it
 
     def si(self, given: Any) -> float | None:
-        """Return the value in SI of an entry of a table, of an uncertain number the nominal one; None if it is no number."""
+        """Return an entry of a table as a value in SI units; None if it is not a number.
+
+        An uncertain number gives its nominal value.
+        """
         try:
             if with_error(given):
                 return float(read_distribution(given, self.quantity.name, "").nominal)
@@ -99,7 +102,7 @@ class Number:
         return value if isinstance(value, float) else None
 
     def moved(self, given: Any, value: float) -> Any:
-        """Return an entry of a table, moved to another value in SI; an error keeps its ratio to the value."""
+        """Return an entry of a table with a new value in SI units; an uncertainty keeps its ratio to the value."""
         before = self.si(given)
         if not with_error(given) or not before or not isinstance(given, str | Mapping):
             return self.written(self.text(value))
@@ -125,7 +128,10 @@ class Number:
 
 @dataclass(frozen=True)
 class Choices:
-    """Hold a word of the case, one of a few. default: holds where it is left out; NOT_STATED leaves it out."""
+    """Hold a field of the case with a few allowed words.
+
+    default: the word that applies if the field is absent; NOT_STATED removes the field.
+    """
 
     path: Path
     values: tuple[str, ...]
@@ -134,9 +140,9 @@ class Choices:
 
 @dataclass(frozen=True)
 class Part:
-    """Hold a table of the case with its fields; optional: it may be left out as a whole.
+    """Hold one table of the case with its form fields; optional: whether the case may omit the table.
 
-    A part in a part holds the numbers of a body, or the numbers that replace the state of an interface.
+    A part inside a part holds the numbers of a body, or numbers that replace the state of an interface.
     """
 
     path: Path
@@ -145,7 +151,7 @@ class Part:
 
 
 def numbers_of(part: Part) -> Iterator[Number]:
-    """Yield the numbers of a part, with those of its bodies and its interface."""
+    """Yield the numbers of a part, including those of its bodies and its interface."""
     for one in part.fields:
         if isinstance(one, Part):
             yield from numbers_of(one)
@@ -195,7 +201,7 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 
 
 def as_written(given: Any) -> str:
-    """Return an entry of the tables as a line of text; "" for nothing."""
+    """Return an entry of the tables as one line of text; "" for None."""
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         return f"{given['median']} within a factor {given['factor']}"
     if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
@@ -204,7 +210,7 @@ def as_written(given: Any) -> str:
 
 
 def got(tables: Any, path: Path) -> Any:
-    """Return the entry at a path of the tables; None for nothing."""
+    """Return the entry at a path of the tables; None if there is no entry."""
     for key in path:
         if isinstance(tables, str) and key == "preset":
             return tables
@@ -215,7 +221,10 @@ def got(tables: Any, path: Path) -> Any:
 
 
 def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
-    """Return the tables with a value at a path, None for nothing; a material that was a name becomes a table with it."""
+    """Return the tables with a value at a path; None removes the entry.
+
+    A material that was only a name becomes a table that names the preset.
+    """
     key, rest = path[0], path[1:]
     inner = tables.get(key)
     if rest:
@@ -228,7 +237,7 @@ def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
 
 
 def with_points(tables: Mapping[str, Any], points: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables at other loads or separations."""
+    """Return the tables with other loads or separations."""
     solve = {name: value for name, value in tables.get("solve", {}).items() if name not in ("load", "separation")}
     return {**tables, "solve": {**solve, **points}}
 

@@ -1,4 +1,4 @@
-"""The form: load, bodies, film, roughness, adhesion and interface, each with fields, sliders and its errors."""
+"""The form of a case: load, bodies, film, roughness, adhesion and interface, with fields, sliders and errors."""
 
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import contextmanager
@@ -47,7 +47,7 @@ _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # pe
 
 
 class Form:
-    """Show the form of one visitor, made anew where the case gets other fields, and left as it is while a slider moves."""
+    """Show the form of one visitor; it is rebuilt if the case gets other fields, and kept while a slider moves."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -61,7 +61,7 @@ class Form:
         explorer.listen(self.show)
 
     def build(self) -> None:
-        """Make all fields from the tables of the case."""
+        """Build all fields from the tables of the case."""
         self._inputs.clear()
         self._follow: Callable[[], None] = lambda: None  # shows the load of the newest answer
         self._rare: list[Number] = []  # numbers that may be left out
@@ -164,9 +164,10 @@ class Form:
         searched: bool = False,
         named: bool = True,
     ) -> None:
-        """Add a menu, with its value where that is none of its own; a choice makes the form anew.
+        """Add a menu, including its present value if that is not among the choices; a choice rebuilds the form.
 
-        choose: takes the choice, by default puts it at the path. searched: a name may be typed. named: its label is shown.
+        choose: receives the choice; by default the choice is stored at the path. searched: whether a name can be typed.
+        named: whether the label is shown.
         """
 
         async def chosen(event: Any) -> None:
@@ -186,7 +187,7 @@ class Form:
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
-        """Add a choice between separations and loads, with their ends and their number."""
+        """Add a choice between separations and loads, with the ends and the number of points."""
         tables = self._explorer.query.tables
         solve = tables.get("solve", {})
         by = "load" if "load" in solve else "separation"
@@ -215,7 +216,7 @@ class Form:
         spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
     def _optional(self, part: Part, head: Any = None) -> None:
-        """Add a switch, with its name or below a head, and where it is on the fields of the part."""
+        """Add a switch for an optional part, and the fields of the part if it is on; head: heading above the switch."""
         given = got(self._explorer.query.tables, part.path)
         title = ENDINGS.get(part.path[-1], part.path[-1])
         with head or ui.element("div"):
@@ -226,7 +227,7 @@ class Form:
             self._fields(part)
 
     def _fields(self, part: Part) -> None:
-        """Add the fields of a part; numbers that may be left out, and are, come later."""
+        """Add the fields of a part; optional numbers without a value follow last."""
         tables = self._explorer.query.tables
         for one in part.fields:
             if isinstance(one, Part):
@@ -270,7 +271,10 @@ class Form:
         self.build()
 
     def _with_allowed_interface(self, tables: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the tables without a state of the interface that the bodies do not allow; it comes back with them."""
+        """Return the tables without a state of the interface that the bodies do not allow.
+
+        The state is restored when the bodies allow it again.
+        """
         state = got(tables, INTERFACE) or self._switched_off.get(INTERFACE)
         if not isinstance(state, str):
             return tables
@@ -279,7 +283,7 @@ class Form:
         return placed(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
-        """Add a menu of states, and in place of a state the numbers of a stated strength."""
+        """Add a menu of interface states; without a state, add the numbers of a stated strength."""
         tables, numbers = self._explorer.query.tables, list(numbers_of(part))
         stated = any(got(tables, one.path) is not None for one in numbers)
         state = got(tables, part.path)
@@ -301,7 +305,7 @@ class Form:
                 self._number(number)
 
     def _number(self, number: Number, otherwise: str = "") -> None:
-        """Add a number; otherwise: the number that holds where the text is empty."""
+        """Add the field of a number; otherwise: the number that applies if the text is empty."""
         self._inputs[number.path] = draw_number(self._explorer, number, otherwise)
 
     def _material(self, part: Part) -> None:
@@ -340,7 +344,7 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """Return a number where the text is one; else the text, which the case will refuse."""
+    """Return a number if the text is one; else the text, which the case then refuses."""
     try:
         return kind(text)
     except ValueError:
@@ -348,7 +352,7 @@ def _read(text: str, kind: Callable[[str], float]) -> float | str:
 
 
 def _is_of(error: InputError, path: tuple[str, ...]) -> bool:
-    """Return whether an error is of the field at a path of the tables."""
+    """Return whether an error concerns the field at a path of the tables."""
     where = error.field.removeprefix("contact.").removeprefix("indices.").removeprefix("solve.")
     here = ".".join(path[1:])
     return where == here or error.field == here

@@ -1,4 +1,4 @@
-"""Typeset the formulas of the models with matplotlib; a formula with an unknown sign stays text."""
+"""Typeset the formulas of the models with matplotlib; a formula with an unknown symbol stays text."""
 
 import base64
 import io
@@ -15,7 +15,7 @@ _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
 def typeset(text: str) -> str:
-    """Return Markdown with its formulas as pictures, those on lines of their own line by line."""
+    """Return Markdown with its formulas as images; displayed formulas are set line by line."""
     drawn: list[str] = []
 
     def display(found: re.Match[str]) -> str:
@@ -38,7 +38,7 @@ def typeset(text: str) -> str:
 
 @cache
 def _picture(tex: str, scale: float = _INLINE) -> str:
-    """Return an image of a formula, "" where a sign is not known."""
+    """Return the image of a formula; "" if it contains an unknown symbol."""
     import matplotlib
     from matplotlib.font_manager import FontProperties
     from matplotlib.mathtext import MathTextParser, math_to_image
@@ -61,7 +61,7 @@ def _picture(tex: str, scale: float = _INLINE) -> str:
 
 
 def _plain(tex: str) -> str:
-    """Return a formula in the signs of matplotlib, every argument in braces."""
+    """Rewrite a formula with commands that matplotlib supports, every argument in braces."""
     tokens = [_RENAMED.get(one[1:]) if one[0] == "\\" and one[1:] in _RENAMED else one for one in _TOKEN.findall(tex)]
     tokens = [f"\\{one}" if one in _RENAMED.values() and one else one or "" for one in tokens]
     return "".join(_braced(list(filter(None, tokens))))
@@ -79,7 +79,7 @@ def _braced(tokens: list[str]) -> list[str]:
 
 
 def _argument(tokens: list[str]) -> list[str]:
-    """Take the next argument from the tokens, without its braces."""
+    """Remove the next argument from the tokens and return it without its braces."""
     while tokens and tokens[0].isspace():
         tokens.pop(0)
     if not tokens:

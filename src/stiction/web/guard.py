@@ -12,7 +12,10 @@ Scope = MutableMapping[str, Any]
 
 
 class Guard:
-    """Stand before an ASGI application. names: host names under which the server may be called; None for any."""
+    """Refuse bad requests before they reach an ASGI application.
+
+    names: host names under which the server may be called; None for any.
+    """
 
     def __init__(
         self, app: Callable[..., Awaitable[None]], names: frozenset[str] | None = None, visitors: Callable[[], int] = int
@@ -35,7 +38,7 @@ class Guard:
             await send({"type": "http.response.body", "body": body})
 
     def _refusal(self, scope: Scope) -> tuple[int, str]:
-        """Return the status and the sentence with which a request is refused, "" for one that passes."""
+        """Return status and message if a request is refused; the message is "" if it is accepted."""
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
         if self._names is not None and urlsplit(f"//{host}").hostname not in self._names:  # without its port

@@ -1,4 +1,4 @@
-"""Add the fields of numbers to the form: a name, a text and a slider; and the field of the working load."""
+"""Add number fields to the form, each with name, text and slider, and the field of the working load."""
 
 from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
@@ -32,9 +32,9 @@ def draw_line(
     moved: Callable[[float], Awaitable[None]],
     otherwise: str = "",
 ) -> tuple[ui.input, Any, Any]:
-    """Add a name, a text and, where there is a value, a slider; return text, slider and knob.
+    """Add a name, a text field and, if there is a value, a slider; return text field, slider and knob.
 
-    typed: takes the text. moved: takes the value of the slider. otherwise: stands where the text is empty.
+    typed: receives the text. moved: receives the value of the slider. otherwise: placeholder of the empty text field.
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
@@ -52,7 +52,10 @@ def draw_line(
 
 
 def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.input:
-    """Add the text of a number and, where it has a value, a slider; return the text. An uncertain number keeps its error."""
+    """Add the text field of a number and, if it has a value, a slider; return the text field.
+
+    An uncertain number keeps its relative uncertainty when it is moved.
+    """
 
     def given() -> Any:
         return got(explorer.query.tables, number.path)
@@ -74,9 +77,9 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
 
 
 def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callable[[], None]:
-    """Add the field of the working load, with its text to the inputs that show errors.
+    """Add the field of the working load, and register its text field in the inputs that show errors.
 
-    Returns a function that shows the load of the newest answer, which follows from separations where these are given.
+    Returns a function that shows the load of the newest answer. If separations are stated, that load follows from them.
     """
     if not explorer.load > 0.0:
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
@@ -110,7 +113,7 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
-    """Return the tables at another working load: a single load is replaced, a range is moved with it."""
+    """Return the tables at another working load; a single load is replaced, a range is scaled with it."""
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
         return with_points(tables, {"load": [_LOAD.text(load)]})

@@ -98,7 +98,7 @@ async def make_page(query: Query, state: str) -> None:
 
 
 def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
-    """Return the answer of the case in the address, else of the case that is served, and why the address was not used."""
+    """Return the answer for the case in the address, or for the served case with the error of the address."""
     if not state:
         return solved(query), None
     try:

@@ -1,4 +1,4 @@
-"""Show a view on the page: its tables, sentences and pictures."""
+"""Show a view of a study on the page: tables, sentences and drawings."""
 
 from collections.abc import Callable
 from itertools import count
@@ -25,7 +25,7 @@ _CARD = """<q-card flat bordered class="w-full q-pa-sm q-mb-sm">HEAD<div v-for="
 
 
 class Shown(NamedTuple):
-    """Hold what the page shows of a view: tables and sentences, drawings, and warnings."""
+    """Hold the tables and sentences, drawings and warnings that the page shows of a view."""
 
     parts: list[Any]
     drawings: list[str]
@@ -38,7 +38,7 @@ class Shown(NamedTuple):
         return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
-        """Add tables, sentences and drawings to the page; opened takes the name of a model chosen in a table."""
+        """Add tables, sentences and drawings to the page; opened: receives the name of a model selected in a table."""
         for text in self.warnings:
             ui.label(text).classes("text-lg text-negative").props('role="alert"')
         for table in (part for part in self.parts if isinstance(part, Table)):
@@ -70,7 +70,7 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
 
 
 def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
-    """Draw a figure in the colours of the page, light or dark; told describes it in words."""
+    """Return a figure as a drawing in the light or dark colours of the page; told: its description for screen readers."""
     if narrow and figure.get_figwidth() > _NARROW:
         _make_narrow(figure)
     width = _PIXELS * figure.get_figwidth()
@@ -78,7 +78,7 @@ def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
 
 
 def _make_narrow(figure: Any) -> None:
-    """Place panels that stand alone below one another, with fewer ticks and a broken title."""
+    """Place the panels of a figure below one another, with fewer ticks and a broken title."""
     from matplotlib.ticker import AutoLocator, MaxNLocator
 
     width, height = figure.get_size_inches()

@@ -1,4 +1,4 @@
-"""The tab Regime: the plane of the adhesion indices with the contact in it; claims and figures of the 2015 paper."""
+"""The tab Regime: the contact in the plane of the adhesion indices, with claims and figures of the 2015 paper."""
 
 from functools import cache
 from typing import Any
@@ -33,7 +33,7 @@ def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
 
 
 class PlaceTab:
-    """Draw the plane after every answer, and a figure when it is chosen."""
+    """Draw the plane after every answer, and a figure when it is selected."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -71,7 +71,7 @@ class PlaceTab:
             _claims.append(claim_map(progress=progress("Judging the claims")))
 
     def show(self) -> None:
-        """Draw the plane with the newest contact, and the share of cases for which the chosen claim holds."""
+        """Draw the plane with the present contact, and the share of cases in which the selected claim holds."""
         place = None
         try:
             place = place_of(self._explorer.answer.case.subject)

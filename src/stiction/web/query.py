@@ -1,4 +1,4 @@
-"""Solve a case of the page, compare models on it, and put the answer in words; any thread may call."""
+"""Solve a case of the page, compare models for it, and describe the answer; safe to call from any thread."""
 
 import math
 from collections.abc import Mapping
@@ -35,7 +35,7 @@ _MORE = "on a page; `stiction run` takes more"
 
 @dataclass(frozen=True)
 class Query:
-    """Hold a case as the page has it: its tables, the folder of its files, and the files that it may read."""
+    """Hold a case as the page edits it: tables, folder of its files, and the files that it may read."""
 
     tables: Mapping[str, Any]
     folder: Path = Path()
@@ -54,7 +54,7 @@ class Query:
 class Answer:
     """Hold the result of a case.
 
-    data: a prediction or, where the case names a model, the result of that model. input_warnings: about improbable inputs.
+    data: a prediction or, if the case names a model, the result of that model. input_warnings: about improbable inputs.
     """
 
     query: Query
@@ -64,12 +64,12 @@ class Answer:
 
     @property
     def is_prediction(self) -> bool:
-        """Return whether the case names no model."""
+        """Return whether the result is a prediction, which it is if the case names no model."""
         return is_predicted(self.case)
 
     @property
     def curve(self) -> xarray.Dataset:
-        """Return the result along one dimension, a prediction by its loads; of a parameter sweep, the first of each array."""
+        """Return the result over its loads or separations; for a parameter sweep, at the first value of each array."""
         *arrays, along = self.data["load"].dims or (None,)
         curve = self.data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve
@@ -80,7 +80,7 @@ class Answer:
         return curve.isel(dict.fromkeys(curve["load"].dims, point))
 
     def middle(self) -> int:
-        """Return the point of the working load of a prediction, else the middle one of those with a compressive load."""
+        """Return the index of the working load of a prediction, or of the middle compressive load."""
         load = np.atleast_1d(self.curve["load"].values)
         if "working_load" in self.curve.attrs:
             return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))
@@ -89,7 +89,7 @@ class Answer:
 
 
 def read_query(query: Query) -> Case:
-    """Read the case of a query. Raises InputError, also for a case that is too large for a page."""
+    """Read the case of a query. Raises InputError for an invalid case or one that is too large for the page."""
     refuse_other_files(query.tables, query.files)
     case = case_in(query.tables, query.folder)
     points = case.load if case.load is not None else case.separation
@@ -104,16 +104,16 @@ def read_query(query: Query) -> Case:
 
 
 def solved(query: Query) -> Answer:
-    """Predict the case of a query or, with a model named, solve it. Raises InputError."""
+    """Predict the case of a query or, if it names a model, solve it. Raises InputError."""
     case = read_query(query)
     data = predict(case) if is_predicted(case) else solve_case(case)
     return Answer(query, case, data, list(map(str, input_warnings(case.subject))))
 
 
 def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
-    """Return the case, its comparison of models, and its prediction, None where there is none. Raises InputError.
+    """Return the case, its model comparison and its prediction; None if no prediction is possible. Raises InputError.
 
-    load: in SI or normalised as the case is; by default the middle one of the case.
+    load: in SI units, or normalised as in the case; by default the middle load of the case.
     """
     case = read_query(query)
     load = load if load is not None else working_load(case, None)
@@ -123,7 +123,7 @@ def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xar
 
 
 def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
-    """Return the prediction at a load for the case of a named model; None where there is none."""
+    """Return the prediction at a load for a case that names a model; None if no prediction is possible."""
     try:
         return prediction_of(answer.case, load) if load > 0.0 else None
     except InputError:
@@ -131,7 +131,7 @@ def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
 
 
 def law_names(case: Case) -> dict[str, list[str]]:
-    """Return the models that apply to a case and the laws of every kind, by the key of the table [solve]."""
+    """Return the models that apply to a case and the laws of every kind, by key of the table [solve]."""
     names: dict[str, list[str]] = {choice: [] for choice in LAWS}
     for kind in kinds():
         names.get(kind.keyword, []).extend(of_kind(kind))
@@ -139,7 +139,7 @@ def law_names(case: Case) -> dict[str, list[str]]:
 
 
 def states_of(query: Query) -> list[str]:
-    """Return the states of the interface that the bodies of a query allow; all where the bodies are not known."""
+    """Return the interface states that the bodies of a query allow; all states if the bodies are unknown."""
     try:
         subject = read_query(query.with_tables(placed(query.tables, INTERFACE, None))).subject
     except InputError:
@@ -148,7 +148,7 @@ def states_of(query: Query) -> list[str]:
 
 
 def option_values(data: xarray.Dataset) -> dict[str, tuple[str, ...]]:
-    """Return the options of the model and the laws of a result, with the values of each."""
+    """Return the options of the model and laws of a result, with the allowed values of each."""
     named = str(data.attrs.get("options", "")).split()
     return {name: values for name, values in all_options().items() if name in named}
 
@@ -158,7 +158,10 @@ _WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_sep
 
 
 def headline(answer: Answer, point: int) -> tuple[str, str]:
-    """Return mu and where it holds: of a prediction its interval, of one model the load, area and separation."""
+    """Return mu and the operating point in words, for a prediction with its interval.
+
+    For one model the operating point is load, area and separation.
+    """
     if answer.is_prediction:
         return answer_lines(answer.data)[0]
     here = answer.at(point)
@@ -172,7 +175,7 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
 
 
 def remarks(answer: Answer) -> list[str]:
-    """Return sentences on the model, its grade, improbable inputs, and inputs that change nothing."""
+    """Return sentences on the model, its grade, improbable inputs, and inputs without effect."""
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
     lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]

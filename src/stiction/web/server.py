@@ -22,8 +22,8 @@ _PATIENCE = 600.0  # seconds for a page: models have kernels that are compiled o
 def query_of(case: Path | None) -> Query:
     """Return the case of a file, or the default case. Raises InputError.
 
-    The case is solved before there is a page: errors of the file are reported at once, and kernels are compiled and laws
-    imported here, so that the server, once it answers, answers soon.
+    The case is solved before the server starts. This reports errors of the file at once, compiles kernels and imports
+    laws, so that the first page loads fast.
     """
     if case is None:
         query = Query(first_case())

@@ -1,4 +1,4 @@
-"""The tab Share: the address of this page, and files made by the same functions as those of the command line."""
+"""The tab Share: the address of this page, and the same files as the command line writes."""
 
 import tempfile
 from pathlib import Path
@@ -27,7 +27,7 @@ def _view(answer: Answer) -> View:
 
 
 def content(answer: Answer, name: str) -> bytes:
-    """Return one of KINDS as bytes."""
+    """Return a file of one of KINDS as bytes."""
     if name == "case.toml":
         return as_toml(answer.query.tables).encode()
     with tempfile.TemporaryDirectory(prefix="stiction-") as folder:
@@ -37,7 +37,7 @@ def content(answer: Answer, name: str) -> bytes:
 
 
 def report_of(answer: Answer, progress: Progress) -> bytes:
-    """Return the page of `stiction report`. Raises InputError, and KeyboardInterrupt where it is stopped."""
+    """Return the HTML report that `stiction report` writes. Raises InputError, and KeyboardInterrupt if stopped."""
     from stiction.report.html_report import case_as_html
 
     return case_as_html(answer.case, as_toml(answer.query.tables), progress=progress).encode()

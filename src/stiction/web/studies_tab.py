@@ -1,4 +1,7 @@
-"""The tab Studies: what to measure better, design for a target, calibration; each ends after a minute."""
+"""The tab Studies: which input to measure better, design for a target mu, and calibration.
+
+Each study is limited to one minute.
+"""
 
 import math
 from collections.abc import Callable
@@ -34,7 +37,7 @@ def what_matters(query: Query, progress: Progress) -> View:
 
 
 def designed(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
-    """Return the numbers, within their limits, at which mu meets a target at a load. Raises InputError."""
+    """Return values of the free numbers, within their limits, at which mu meets a target at a load. Raises InputError."""
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
     from stiction.studies.design.run import run_design
@@ -48,7 +51,7 @@ def designed(query: Query, load: str | float, target: float, free: dict[str, Any
 
 
 def calibrated(query: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
-    """Return numbers of the case that fit measured series; load: at which a prediction is made. Raises InputError."""
+    """Fit free numbers of the case to measured series; load: where to predict mu afterwards. Raises InputError."""
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
     from stiction.studies.fit.plan import make_fit_plan
@@ -93,7 +96,7 @@ class StudiesTab:
         below = ui.column().classes("w-full")
 
     def _load(self, query: Query) -> str | float:
-        """Return the load of the Contact tab as a case has it."""
+        """Return the load selected in the Contact tab, as a case file states it."""
         load = self._explorer.load
         return load if "indices" in query.tables else f"{load!r} N"
 
@@ -108,9 +111,9 @@ class StudiesTab:
         self._study("Sensitivity", work)
 
     def _free_number(self, *likely: str, alone: str = "") -> Callable[[], dict[str, Any]]:
-        """Ask for a free number and its limits; return a function that gives them as a table of a case file.
+        """Add fields for a free number and its limits; return a function that returns them as a table of a case file.
 
-        likely: the numbers that stand first, where the case has them. alone: the text for no free number.
+        likely: numbers to list first, if the case has them. alone: text of the choice without a free number.
         """
 
         def numbers() -> dict[str, tuple[Number, float]]:
@@ -181,7 +184,7 @@ class StudiesTab:
 
 
 def _human_name(number: Number) -> str:
-    """Return the label of a number, and its body."""
+    """Return the label of a number, with the body that it belongs to."""
     return ", ".join([label_of(number.path), *(ENDINGS[key] for key in number.path[1:-1] if key in ENDINGS)])
 
 

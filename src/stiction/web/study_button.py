@@ -14,10 +14,10 @@ _EVERY = 0.3  # seconds between looks at the progress
 
 
 class Study:
-    """Run one study at a time for each visitor, and mark its result as old once the case has changed.
+    """Run one study at a time for each visitor, and mark its result as old after the case has changed.
 
-    explorer: has the case, None for a result that does not depend on it. work(progress) runs in a thread; show takes its
-    result in the loop. done: the text after it.
+    explorer: state of the visitor, None if the result does not depend on the case. work(progress): runs in a thread.
+    show: receives the result in the event loop. done: text after the run.
     """
 
     def __init__(
@@ -46,12 +46,12 @@ class Study:
 
     @property
     def is_current(self) -> bool:
-        """Return whether the last run was of the present answer and point."""
+        """Return whether the last run used the present answer and point."""
         return bool(self._asked == self._present())
 
     @property
     def is_running(self) -> bool:
-        """Return whether it runs."""
+        """Return whether the study is running."""
         return self._progress is not None
 
     def _present(self) -> Any:
@@ -61,7 +61,7 @@ class Study:
         self._old.set_visibility(self._shown is not None and self._shown != self._present())
 
     def _watched(self, progress: Progress) -> Any:
-        """Note the numbers of the case first, so that the result is never taken for one of later numbers."""
+        """Run the study; first record the answer, so that a change of the case during the run marks the result as old."""
         self._asked = self._present()
         return self._work(progress)
 
@@ -85,7 +85,7 @@ class Study:
             self._text.set_text(text)
 
     def stop(self) -> None:
-        """End the study."""
+        """Stop the study."""
         if self._progress is not None:
             self._progress.stop()
 

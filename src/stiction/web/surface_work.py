@@ -1,4 +1,4 @@
-"""Analyse and draw a scan for the tab Surface: a band of its waves, its spectrum, and friction with it."""
+"""Analyse and draw a scan for the tab Surface: a band of its wavelengths, its spectrum, and its friction."""
 
 import math
 from collections.abc import Mapping
@@ -37,20 +37,20 @@ _MOST_POINTS = 1_500_000  # of a scan on the page
 
 @dataclass(frozen=True)
 class Band:
-    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept, None for no cutoff."""
+    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept; None for no cutoff."""
 
     form: int = 1
     shortest: float | None = None
     longest: float | None = None
 
     def of(self, surface: HeightMap) -> HeightMap:
-        """Return a surface in this band."""
+        """Return the surface filtered to this band."""
         return prepared(surface, self.form, None, None, self.shortest, self.longest)
 
 
 @dataclass(frozen=True)
 class Scan:
-    """Hold a scan of a visitor: its heights, its file, and what was stated of it, as in a case file."""
+    """Hold a scan of a visitor: its heights, its file, and the properties stated for it, as in a case file."""
 
     surface: HeightMap
     file: str
@@ -63,7 +63,7 @@ class Scan:
 
 
 def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
-    """Read a scan. Raises InputError, also for one that is too large for a page."""
+    """Read a scan. Raises InputError for an invalid file or one that is too large for the page."""
     surface = read_scan(path, **stated)  # type: ignore[arg-type]  # texts
     if surface.heights.size > _MOST_POINTS:
         raise InputError(
@@ -73,13 +73,13 @@ def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
 
 
 def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
-    """Return the radially averaged spectrum of a scan in a band, its gaps filled. Raises InputError."""
+    """Return the radially averaged spectrum of a scan filtered to a band, with gaps filled. Raises InputError."""
     inside = band.of(surface)
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
 def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
-    """Predict friction at a load [N], with the scan in a band as the first body of the case; return HTML."""
+    """Predict friction at a load [N], with the filtered scan as roughness of the first body; return HTML."""
     if "contact" not in query.tables:
         return "Friction with this surface needs a case in units: choose an example."
     tables = placed(query.tables, ("contact", "roughness"), scan.roughness(band))
@@ -91,28 +91,31 @@ def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
-    """Analyse a scan in a band; draw the heights of its asperities, and its map with those of a method. Raises InputError."""
+    """Analyse a filtered scan; return the analysis, a drawing of its asperity heights, and its map with asperities.
+
+    method: the asperity method whose asperities are marked. Raises InputError.
+    """
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
     return found, heights, map_picture(found, method, narrow)
 
 
 def map_picture(found: Analysis, method: str, narrow: bool) -> str:
-    """Draw the map with the asperities of a method, "" for none."""
+    """Draw the height map with the asperities of a method; method "" draws none."""
     named = methods().get(method)
     told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
     return drawing_of(map_figure(found.surface, asperities=found.asperities.get(method)), told, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
-    """Write a generated self-affine surface, 256 points over 40 um; return what has to be stated to read it."""
+    """Write a generated self-affine surface, 256 x 256 points over 40 um; return the properties needed to read it."""
     made = gaussian_surface((256, 256), (40e-6, 40e-6), SelfAffine(0.8, 10e-6, 0.8e-6, 50e-9), 1)
     np.save(path, made.heights * 1e9)
     return {"size": "40 um", "unit": "nm"}
 
 
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
-    """Draw numbers of the asperities, and friction, against the shortest wave. Raises InputError."""
+    """Draw the asperity numbers, and friction, against the shortest wavelength kept. Raises InputError."""
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
     return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
@@ -131,7 +134,7 @@ def wavevectors(surface: HeightMap) -> tuple[float, float]:
 def spectrum_chart(
     whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
 ) -> dict[str, Any]:
-    """Draw the spectrum before and after the filter, between the ends [rad/m]; shaded where waves are removed."""
+    """Draw the spectrum before and after the filter, between the ends [rad/m]; removed wavelengths are shaded."""
     top = math.ceil(math.log10(whole.density.max()))
     limits = [10.0 ** (top - _DECADES), 10.0**top]
     left_out = []
@@ -157,7 +160,7 @@ def spectrum_chart(
 
 
 def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
-    """Draw the heights of some points in three dimensions; the vertical is stretched."""
+    """Draw the heights of a selection of points in three dimensions, with a stretched vertical axis."""
     rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
     heights = surface.heights[::rows, ::columns] * 1e9
     along_y, along_x = surface.pitch[0] * rows * 1e6, surface.pitch[1] * columns * 1e6
