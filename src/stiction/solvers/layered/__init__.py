@@ -1,1 +1,1 @@
-"""Elastic bodies that carry a film: their compliance, and a sphere pressed against them."""
+"""Elastic bodies with a film: compliance, stresses, and contact with a sphere."""

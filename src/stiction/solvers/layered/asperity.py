@@ -37,16 +37,16 @@ def _place(u, per_root):
 
 @formula
 def _next(z, sums, coefficient):
-    """Advance Horner's scheme of a polynomial and its derivative by one step."""
+    """Advance Horner's scheme by one coefficient, for a polynomial and its derivative."""
     value, slope = sums
     return value * z + coefficient, slope * z + value
 
 
 @formula
 def _polynomial(z, c):
-    """Return Sum c_k z^k and its derivative.
+    """Return Sum c_k z^k and its derivative by z.
 
-    Written out step by step: a loop over a tuple is not unrolled in time to be vectorised.
+    The terms are written out because the compiler does not vectorise a loop over a tuple.
     """
     sums = _next(z, _next(z, _next(z, (c[18], 0.0), c[17]), c[16]), c[15])
     sums = _next(z, _next(z, _next(z, sums, c[14]), c[13]), c[12])
@@ -75,7 +75,7 @@ def _hertzian(u, row):
 
 @formula
 def plain(u, *row):
-    """Return displacement, its slope, load less pull, and area, without edge energy."""
+    """Return displacement, its slope, load minus pull, and area of a contact without edge energy (Hertz or DMT)."""
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
     return D * u3 * u, D * u3 * (4.0 + approach_slope), E_P * u3 * u3 - row[2], u3 * u
@@ -83,7 +83,7 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) and its logarithm's derivative by ln u."""
+    """Return 1/sqrt(B) and the derivative of its logarithm by ln u."""
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
 
@@ -104,7 +104,10 @@ def parted(u, row):
 
 @formula
 def edged(u, *row):
-    """Return the same as `plain` with edge energy; the pull is s."""
+    """Return displacement, its slope, load and area of a contact with edge energy (JKR), in the form of `plain`.
+
+    The parameter pull of the row is s.
+    """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
     u3, back = u * u * u, row[2] * softness
@@ -115,9 +118,9 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Solve for u at the displacement w.
+    """Return u at the displacement w, without edge energy.
 
-    By Newton's method in logarithms, where ln w_H rises with ln u by slopes near 4.
+    Newton's method on logarithms: ln w_H rises with ln u at a slope close to 4.
     """
     if not w > 0.0:
         return 0.0
@@ -135,9 +138,9 @@ def plain_coordinate(w, *row):
 
 @formula
 def _approached(w, row):
-    """Solve for u at the displacement w >= 0 with edge energy.
+    """Return u at the displacement w >= 0, with edge energy.
 
-    With w + v in place of w_H, v the edge's part, ln(w_H/(w + v)) rises with ln u, which suits Newton's method.
+    Newton's method on ln(w_H/(w + v)), where v is the edge term of the displacement. This function rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
@@ -154,7 +157,7 @@ def _approached(w, row):
 
 @formula
 def touch(row):
-    """Return u at w = 0 under the edge energy, where contact is made."""
+    """Return u at the displacement 0 with edge energy, where two approaching bodies make contact."""
     return _approached(0.0, row)
 
 
@@ -177,7 +180,7 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 
 @formula
 def edged_coordinate(w, *row):
-    """Solve for u at the displacement w on the branch where it grows with u."""
+    """Return u at the displacement w, on the branch where the displacement grows with u."""
     if w == math.inf:
         return math.inf
     if w >= 0.0:
@@ -190,9 +193,9 @@ def edged_coordinate(w, *row):
 
 @formula
 def pulled_off(row):
-    """Return u at which a contact under withdrawal detaches.
+    """Return u at which a contact detaches when the bodies are moved apart.
 
-    At a given displacement dw/du = 0; it is the first such point on the way back from where contact was made.
+    There dw/du = 0 at fixed displacement. It is the first such point, starting from where contact was made.
     """
     low = high = touch(row)
     while not _comes_off(low, row):

@@ -20,16 +20,19 @@ _DEEPEST = 1e3  # from there on no body below yields before its film does
 
 
 def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the pressure over the hardness at which a body flows whose surface is at this depth over the radius. Arrays."""
+    """Return the pressure at which the body below flows, divided by its hardness.
+
+    depth: of the body's surface divided by the contact radius; nu: Poisson's ratio. Arrays.
+    """
     largest = _stress(_NEAR, np.asarray(nu)[..., None])
     deepest = _NEAR[largest.argmax(axis=-1)]
     return largest.max(axis=-1) / _stress(np.clip(depth, deepest, _DEEPEST), nu)
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the pressure at which the body below flows, over the hardness H (n, m).
+    """Return the pressure at which the body below the film flows, divided by the hardness H, shape (n, m).
 
-    For spots of an area (n, m) over pi R sigma.
+    spot: contact area divided by pi R sigma, shape (n, m).
     """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2
@@ -38,5 +41,5 @@ def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _stress(z: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the von Mises stress on the axis, over the largest pressure, at the depth z a."""
+    """Return the von Mises stress on the axis at the depth z a, divided by the largest pressure."""
     return 1.5 / (1.0 + z * z) - (1.0 + nu) * (1.0 - z * np.arctan2(1.0, z))

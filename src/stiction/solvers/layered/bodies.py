@@ -1,4 +1,4 @@
-"""The elastic bodies that the groups of a contact stand for: which pair meets, and which of the two carry a film."""
+"""Elastic bodies of a contact with films, derived from its dimensionless groups."""
 
 from typing import NamedTuple
 
@@ -15,11 +15,11 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
 
 class Bodies(NamedTuple):
-    """Bodies of a layered contact.
+    """Describe the two bodies of a contact with films.
 
-    pair: the two bodies, as their compliance counts; coated: those with a film, with elastic constants of their own. Numbers:
-    plane-strain modulus of the film over the modulus of both bodies without a film; share of the other body, where bare, in the
-    compliance, and its Poisson's ratio.
+    pair: compliance of the two bodies. coated: the bodies that carry a film, with their elastic constants. The remaining
+    numbers: ratio of the film's plane-strain modulus to the modulus of both bodies without a film; the uncoated body's share
+    of the compliance, and its Poisson's ratio.
     """
 
     pair: Pair
@@ -30,16 +30,16 @@ class Bodies(NamedTuple):
 
 
 def per_root(groups: Groups) -> np.ndarray:
-    """Return (R sigma)^(1/4)/sqrt(t_1) (n,) of complete groups.
+    """Return (R sigma)^(1/4)/sqrt(t_1) (n,); multiplied by x^(1/4) it is sqrt(a/t_1).
 
-    t_1: thickness of one film; times x^(1/4) it is sqrt(a/t_1).
+    t_1: thickness of one film.
     """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
 
 
 def columns_of(groups: Groups) -> np.ndarray:
-    """Return the columns (6, n) of complete groups that decide the bodies."""
+    """Return the six dimensionless groups (6, n) that determine the bodies."""
     return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
 
 

@@ -1,19 +1,18 @@
-r"""How an elastic half-space that carries a film yields to pressure, wave by wave; and two bodies that meet.
+"""Elastic compliance of a half-space with a film at each wavenumber, and of two such bodies in contact.
 
 A pressure p cos(kx) on the bonded film displaces its surface by u = C(k) p cos(kx). With x = k t, t the thickness,
 
     C = (2/(E1 k)) c(x),  c = [1 + 4 x K e - L K e^2] / [1 - (L + K + 4 K x^2) e + L K e^2],  e = exp(-2 x),
 
-E1 the film's plane-strain modulus E/(1 - nu^2). Source: the frequency response of a layered half-space as Nogi & Kato (1997)
-and O'Sullivan & King (1988) have it, known here from secondary sources; derived again from displacements and tractions that
-are continuous at the interface (reference/make_layered.py solves these six equations one wave at a time). L and
-K, like everything that the surface of a bilayer shows under given pressure, depend on the elastic constants through Dundurs'
-two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L = (alpha + beta)/(1 + beta). c is 1 for short waves,
-which know the film only, and E1/E2 for long ones, which know the substrate only.
+E1 is the film's plane-strain modulus E/(1 - nu^2). Source: the frequency response of a layered half-space of Nogi & Kato
+(1997) and O'Sullivan & King (1988), taken from secondary sources. It was derived again from the continuity of displacements
+and tractions at the interface (reference/make_layered.py solves these six equations for one wave at a time). L and K depend
+on the elastic constants through Dundurs' two parameters only (Dundurs 1969): K = (alpha - beta)/(1 - beta), L = (alpha +
+beta)/(1 + beta). c tends to 1 for short waves, which depend on the film alone, and to E1/E2 for long waves, which depend on
+the substrate alone.
 
-Without friction both bodies feel the same pressure and their displacements add: whatever they are, and whichever carries a
-film, a contact of two has the sum of their compliances. No approximation is needed for an elastic counterbody, nor for films on
-two unlike bodies.
+Without friction both bodies bear the same pressure and their displacements add. The compliance of a contact is therefore the
+sum of the two compliances. This is exact for an elastic counterbody, and for films on two different bodies.
 """
 
 from dataclasses import dataclass
@@ -23,11 +22,11 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Layer:
-    """A film on one of the two bodies.
+    """Describe a film on one of the two bodies.
 
-    share: of this film in the compliance of the two surfaces that meet, above 0, at most 1. ratio: plane-strain modulus of the
-    film over the body below, finite; 0 if that is rigid. excess: how Poisson's ratios enter, -1 to 1: 4 beta - alpha of
-    Dundurs' parameters, see `of`.
+    share: of this film in the compliance of the two surface materials, above 0, at most 1. ratio: plane-strain modulus of the
+    film over the body below, finite; 0 if that body is rigid. excess: 4 beta - alpha of Dundurs' parameters, -1 to 1; it
+    holds the effect of Poisson's ratios (see `of`).
     """
 
     share: float
@@ -59,7 +58,7 @@ def poisson_excess(ratio, nu, nu_below):
 
 
 def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
-    """Return c(x) of one film."""
+    """Return the relative compliance c(x) of one film at wavenumbers x = k t."""
     alpha = (ratio - 1.0) / (ratio + 1.0)
     beta = (excess + alpha) / 4.0
     K, L = (alpha - beta) / (1.0 - beta), (alpha + beta) / (1.0 + beta)
@@ -70,7 +69,7 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Return the compliance (n,) of both bodies at wavenumbers x = k t (n,).
 
-    Relative to 2/(E1 k), the two surfaces as half-spaces; t is the thickness of one film.
+    It is divided by 2/(E1 k), the compliance of half-spaces of the two surface materials. t is the thickness of one film.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
@@ -79,9 +78,9 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the plane-strain modulus of both bodies without any film.
+    """Return the plane-strain modulus of both bodies without films, divided by that of the two surface materials.
 
-    Relative to the modulus of the two surfaces that meet; infinite if both bodies are rigid.
+    It is infinite if both bodies are rigid.
     """
     long_waves = 1.0 - sum(layer.share * (1.0 - layer.ratio) for layer in pair)
     return 1.0 / long_waves if long_waves > 0.0 else np.inf

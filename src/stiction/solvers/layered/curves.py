@@ -1,17 +1,17 @@
-r"""The response of a pair of bodies at every contact radius, as three smooth curves.
+"""Response of a pair of layered bodies at every contact radius, as three smooth curves.
 
-ln E_P, ln D and ln B of `sphere.Response` against z = (q - 1)/(q + 1), q = sqrt(a/t), which is -1 where only the film is felt
-and 1 where only what is below it:
+The curves are ln E_P, ln D and ln B of `sphere.Response` against z = (q - 1)/(q + 1), q = sqrt(a/t). At z = -1 only the film
+matters, at z = 1 only the body below:
 
     ln E = (1 + z)/2 ln(E at z = 1) + (1 - z^2) Sum_k c_k z^k
 
-(D is 1 at both ends). The c_k are fitted to exact solutions and to their slopes, so that load, approach and stiffness belong
-together: with e and d the derivatives of ln E_P and ln D by ln a, dP/d delta = S is an identity of the curves,
+(D is 1 at both ends). The c_k are fitted to exact solutions and to their slopes, so that load, approach and stiffness are
+consistent. With e and d the derivatives of ln E_P and ln D by ln a, dP/d delta = S becomes an identity of the curves,
 
     E_S = E_P (1 + e/3)/(D (1 + d/2)).
 
-Nothing is cut off: all is continuous with its slopes from a/t = 0 to infinity, where film and substrate alone are exact. In
-between it is within 0.2 % in E_P, D and E_S, 0.5 % in B, for a ratio of moduli of 0.01 to 100 and a/t up to 1000
+The curves and their slopes are continuous from a/t = 0 to infinity. The film alone and the substrate alone are exact. Between
+them the error is at most 0.2 % in E_P, D and E_S, and 0.5 % in B, for a ratio of moduli of 0.01 to 100 and a/t up to 1000
 (tests/contact/test_layered_sphere.py).
 """
 
@@ -42,9 +42,9 @@ def _solved(pair: Pair) -> tuple[float, ...]:
 
 
 def curves(pair: Pair) -> np.ndarray:
-    """Return coefficients (CURVES, TERMS) of ln E_P, ln D and ln B.
+    """Return the coefficients (CURVES, TERMS) of ln E_P, ln D and ln B for a pair of bodies.
 
-    From exact solutions, which are cached for each pair. Two rigid bodies are excluded: their modulus without a film is
+    Exact solutions are cached for each pair. Two rigid bodies are not supported, because their modulus without films is
     infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
@@ -63,7 +63,7 @@ def fit(solved: np.ndarray, below: float) -> np.ndarray:
 def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
     """Fit the coefficients (TERMS,) of one curve to its values and slopes at RADII.
 
-    Slopes are by ln a; the curve rises from 0 by a given total.
+    slopes: by ln a. rise: total rise of the curve, which starts at 0.
     """
     root = np.sqrt(RADII)
     z = (root - 1.0) / (root + 1.0)

@@ -1,11 +1,12 @@
-r"""The von Mises stress of a film at the trailing edge of a sphere that is pressed and sheared.
+"""Von Mises stress of a film at the trailing edge of a sphere that is pressed and sheared.
 
-There the square of the von Mises stress is a square form in the mean pressure s and the mean traction q,
+At this edge the square of the von Mises stress is a quadratic form in the mean pressure s and the mean traction q,
 
-    M = D (A s^2 + 2 B s q + q^2),
+    M = D (A s^2 + 2 B s q + q^2).
 
-A, B and D functions of the radius over the thickness: those of a half-space of the film for small contacts, those of a film
-that is stretched as the surface below it for wide ones. Under them all is `Stresses`, at one place of the surface.
+A, B and D depend on the contact radius divided by the film thickness. For small contacts they are those of a half-space of
+film material. For wide contacts the film is stretched like the surface below it. `Stresses` supplies the values between these
+limits.
 """
 
 from functools import lru_cache
@@ -32,11 +33,11 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return ln D, A and B as rows (FORMS, 2 + EDGE_TERMS).
+    """Return the curves of ln D, A and B as rows (FORMS, 2 + EDGE_TERMS).
 
-    Each row holds the values f and g of a half-space of the film and of a film without thickness, and c_k in (1 - z)/2 f + (1
-    + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. Of two unlike bodies the one is taken, at every radius, whose film the
-    traction stresses more.
+    Each row holds the limits f (a half-space of film material) and g (a film of zero thickness), and the c_k in (1 - z)/2 f +
+    (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. If the two bodies differ, each radius takes the body whose film has
+    the higher stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)
@@ -53,18 +54,18 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 
 
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
-    """Return ln D, A and B (radii + 2, FORMS) without end, at the radii and at t = 0."""
+    """Return ln D, A and B (radii + 2, FORMS): for an infinitely thick film, at the radii, and at t = 0."""
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
 
 
 @lru_cache(maxsize=64)
 def half_space(nu: float) -> Radial:
-    """Return the stresses of a half-space at the edge."""
+    """Return the stresses at the contact edge of a half-space."""
     return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return the forms ahead of the trailing edge, where the traction stresses most."""
+    """Return ln D, A and B at the trailing edge, the place of highest stress under traction."""
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

@@ -1,14 +1,14 @@
-r"""Where a sphere that is pressed and dragged first makes its film, or the body below, yield: von Mises.
+"""First yield, by von Mises, of the film or the body below under a sphere that is pressed and sheared.
 
-The square of the von Mises stress at a place is a square form in the mean pressure s and the mean traction q. At depth z and
-radius r, in the direction theta from that of the traction,
+The square of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z
+and radius r, at the angle theta from the direction of the traction,
 
-    M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2,
+    M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2.
 
-of which the largest over theta has a closed form; the largest over r and z is looked for on a grid that is dense where
-stresses change, and between its points by parabolas. Its root N(s, q) is a norm, of the film and of the body: they yield where
-N reaches their yield stress. Without end it is a film's (or, for a contact much wider than the film, the body's) own half-space
-that is felt; a film on a wide contact is stretched as the surface below it.
+The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary,
+and refined by parabolas. Its root N(s, q) is a norm, one for the film and one for the body; each yields where its N reaches
+its yield stress. For very small contacts the film acts as a half-space. For contacts much wider than the film the body acts
+as a half-space, and the film is stretched like the surface below it.
 """
 
 from functools import lru_cache
@@ -42,10 +42,10 @@ Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
-    """First yield under a mean pressure of 1 and a proportional traction.
+    """Store the first yield at a mean pressure of 1 with a proportional traction.
 
-    excess: von Mises stress over the yield stress of the film; where: "film", "interface" (on either side) or "body"; x ahead
-    of the axis and z below the surface, over the contact radius.
+    excess: von Mises stress divided by the film's yield stress. where: "film", "interface" (either side) or "body". x:
+    position ahead of the axis, and z: depth below the surface, both divided by the contact radius.
     """
 
     excess: float
