@@ -13,6 +13,7 @@ import pytest
 
 import stiction
 from stiction.engine.compiled import digest, formula, kernel, lazy_kernel, loop
+from stiction.quantities.cache import is_private
 from stiction.quantities.notices import Notice, notice
 
 FORMULAS = '''
@@ -179,6 +180,31 @@ def test_a_damaged_file_is_made_anew(plug_in, damage):
     assert run("first")["first"][1:] == [1, 0]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="folders have owners and modes on POSIX systems")
+@pytest.mark.parametrize("mode", [0o777, 0o770, 0o702])
+def test_kernels_are_not_loaded_from_a_folder_that_others_can_write(plug_in, mode):
+    folder, run = plug_in
+    run("first")
+    kernels = folder / "cache" / "kernels"
+    assert kernels.stat().st_mode & 0o777 == 0o700
+    (file,) = kernels.iterdir()
+    before = file.stat().st_mtime_ns
+    kernels.chmod(mode)
+    values, hits, misses = run("first", said=(said := []))["first"]
+    np.testing.assert_allclose(values, np.sin(X) + 1.0, rtol=1e-15)
+    assert (hits, misses) == (0, 1) and file.stat().st_mtime_ns == before
+    assert said[0].count("is not used: it belongs to another user, or others can write to it") == 1
+    kernels.chmod(0o700)
+    assert run("first")["first"][1:] == [1, 0]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="folders have owners on POSIX systems")
+def test_a_folder_of_another_user_is_not_private(tmp_path, monkeypatch):
+    assert is_private(tmp_path) and is_private(tmp_path / "none")
+    monkeypatch.setattr(os, "geteuid", lambda: tmp_path.stat().st_uid + 1)
+    assert not is_private(tmp_path)
+
+
 def test_a_file_that_could_not_be_finished_is_not_left(tmp_path, monkeypatch):
     """As on a full disk."""
 
@@ -325,6 +351,7 @@ DIGESTS = """
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic
 from stiction.laws.piece import displaced
 from stiction.engine.compiled import digest, formula, kernel, loop
+from stiction.quantities.cache import is_private
 from stiction.quantities.notices import Notice, notice
 from stiction.laws.tangential.shared.slip_or_yield import _fill_kinks
 from stiction.laws.tangential.soft_coating_2015 import resistance

@@ -19,7 +19,8 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple as to_fixed_tuple
 
-from stiction.quantities.cache import cache_folder, keep_file
+from stiction.quantities.cache import cache_folder, is_private, keep_file
+from stiction.quantities.notices import notice
 
 _MOST = 500_000_000  # bytes of all kernels: those of every model take a third of it
 # Bytes at the end of a file of the cache, by which it is known to be whole.
@@ -54,6 +55,8 @@ class _KernelCache(NullCache):
             self._digest = self._digest_of(self._compiled)
             self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
         target_context.refresh()
+        if not _is_trusted():
+            return None
         file = self._file(sig, target_context.codegen())
         try:
             content = file.read_bytes()
@@ -69,7 +72,7 @@ class _KernelCache(NullCache):
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted):
+        if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted) or not _is_trusted():
             return
         file = self._file(sig, data.codegen)
         made = dumps(data._reduce())
@@ -80,3 +83,12 @@ class _KernelCache(NullCache):
         key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
         function = self._compiled.py_func
         return cache_folder("kernels") / f"{function.__module__}.{function.__name__}-{key}.nbi"
+
+
+def _is_trusted() -> bool:
+    """Return whether compiled kernels may be loaded: unpickling runs what is in a file, so nobody else may write one."""
+    folder = cache_folder("kernels")
+    trusted = is_private(folder)
+    if not trusted:
+        notice(f"{folder} is not used: it belongs to another user, or others can write to it; loops are compiled anew")
+    return trusted

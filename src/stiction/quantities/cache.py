@@ -18,6 +18,15 @@ def cache_folder(part: str) -> Path:
     return Path(root) / part
 
 
+def is_private(folder: Path) -> bool:
+    """Return whether only this user can write to a folder; True where there is none yet, and on systems without owners."""
+    try:
+        about = folder.stat()
+    except OSError:
+        return True
+    return not hasattr(os, "geteuid") or (about.st_uid == os.geteuid() and not about.st_mode & 0o022)
+
+
 def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
     """Write a file to the cache and delete its oldest files of the same kind beyond `most` bytes.
 
@@ -26,7 +35,7 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         with part.open("wb") as file:
             write(file)
         part.replace(path)
