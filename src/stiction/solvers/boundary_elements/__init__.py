@@ -1,1 +1,1 @@
-"""The contact of a map itself, solved point by point: the measure of every model of asperities."""
+"""Contact of a height map, solved point by point by boundary elements; the reference for asperity models."""

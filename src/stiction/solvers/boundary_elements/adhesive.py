@@ -55,13 +55,14 @@ _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 
 @dataclass(frozen=True)
 class AdhesiveContact:
-    """Adhesive contact of a map at one load.
+    """Store the adhesive contact of a map at one load.
 
-    load [N], > 0 pressing; area: of the points that touch, corrected for pixels [m2]; area_pixels: as counted [m2]; points:
-    number that touch; perimeter: of the area [m]; mean_gap [m]; attraction: of all points, including those that touch [N];
-    detached: True where there is no contact at this load, with area 0; residual: largest pressure left where faces do not
-    touch, over w/rho; points_at_edge: number along the length over which the edge is pulled; pressure: of contact less
-    attraction, (rows, columns) of the grid that was solved, at least as fine as the map [Pa].
+    load [N], > 0 if pressed together. area: of the touching points, corrected for pixel size [m2]. area_pixels: without this
+    correction [m2]. points: number of touching points. perimeter: of the area [m]. mean_gap [m]. attraction: of all points,
+    including the touching ones [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest
+    pressure error where faces do not touch, divided by w/rho. points_at_edge: number of points along the length over which
+    the edge is pulled. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is at
+    least as fine as the map.
     """
 
     load: float
@@ -117,9 +118,9 @@ def solve_adhesive(
 
 @dataclass(frozen=True)
 class _Grid:
-    """Numbers that all loads share.
+    """Store the quantities that are the same at all loads.
 
-    size: (y, x) [m]; largest: attraction, w/rho [Pa]; reach: rho [m]; points: number at the edge.
+    size: (y, x) [m]. largest: largest attraction w/rho [Pa]. reach: rho [m]. points: number of points at the contact edge.
     """
 
     size: tuple[float, float]
@@ -133,7 +134,7 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """Return c of (2)."""
+        """Return the coefficient c of (2), which corrects the area for pixel size."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     @property
@@ -149,7 +150,7 @@ def _pitch(shape: tuple[int, ...], size: tuple[float, float]) -> float:
 
 
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
-    """Interpolate the map by its waves where the edge of contact needs more points."""
+    """Return the map, refined by Fourier interpolation if the contact edge needs more points."""
     finer = LEAST_POINTS * _pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:
         return heights
@@ -180,7 +181,7 @@ def _without_adhesion(heights, size, compliance, mean, work) -> np.ndarray:
 
 
 def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> AdhesiveContact:
-    """Collect the numbers of one load."""
+    """Return the AdhesiveContact of one load from the solved gap."""
     gap, apart = descent.gap, descent.apart or (float(descent.gap.min()) > 0.5 * FAR)
     touch = gap <= 0.0
     pixel, pitch = grid.nominal / gap.size, (grid.size[0] / gap.shape[0], grid.size[1] / gap.shape[1])

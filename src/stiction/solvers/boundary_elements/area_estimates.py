@@ -68,7 +68,7 @@ def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = 
 
 
 def _of_waves(heights, size):
-    """Return gradient, alpha and lay of a periodic map."""
+    """Return rms gradient, alpha and lay ratio of a periodic map, from its spectrum."""
     along_y, along_x = components(heights.shape, size)
     power = np.square(np.abs(rfft2(heights - heights.mean())))
     power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
@@ -80,9 +80,9 @@ def _of_waves(heights, size):
 
 
 def _of_differences(heights, size):
-    """Return gradient, alpha and lay of a map that ends.
+    """Return rms gradient, alpha and lay ratio of a map that is not periodic, from finite differences.
 
-    Differences are of fourth order, between points for the gradient, at points for the rest.
+    Differences are of fourth order. The gradient is taken between points, the other two at points.
     """
     pitch = size[0] / heights.shape[0], size[1] / heights.shape[1]
     yy, xx = (float(np.mean(np.square(_between(np.moveaxis(heights, axis, 0), pitch[axis])))) for axis in (0, 1))
@@ -97,12 +97,12 @@ def _of_differences(heights, size):
 
 
 def _between(rows, pitch):
-    """Differentiate along the first axis, midway between points."""
+    """Return the derivative along the first axis, midway between points."""
     return (27.0 * (rows[2:-1] - rows[1:-2]) - (rows[3:] - rows[:-3])) / (24.0 * pitch)
 
 
 def _at_points(rows, unit, weights):
-    """Differentiate along the first axis at points, leaving two out at either end."""
+    """Return the derivative along the first axis at points, without the two outermost points at each end."""
     count = len(rows) - 4
     return sum(weight * rows[first : first + count] for first, weight in enumerate(weights)) / unit
 
@@ -113,9 +113,9 @@ def _lay(xx, yy, xy):
 
 
 def _mixed(waves, along_y, along_x, columns, points):
-    """Return <h_x h_y>.
+    """Return the mean product of the two slopes, <h_x h_y>, from the spectrum.
 
-    The half transform holds waves on both sides of k_x = 0, so the product is summed with its sign.
+    The half spectrum holds k_x >= 0 and both signs of k_y, so each product is summed with its sign.
     """
     weight = np.full(waves.shape[1], 2.0)
     weight[0] = 1.0
@@ -165,10 +165,7 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 
 
 def first_crossing(area, wanted, beyond):
-    """Return where the area first reaches a target, `beyond` if it nowhere does.
-
-    Interpolates linearly between two bins.
-    """
+    """Return where the area first reaches the wanted value, interpolated linearly, or `beyond` if it never does."""
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):
         return beyond

@@ -1,4 +1,4 @@
-"""The bodies that are pressed on a map."""
+"""Elastic constants, films, hardness and menisci of the two bodies in a map contact."""
 
 from dataclasses import dataclass
 
@@ -8,10 +8,11 @@ from stiction.solvers.boundary_elements.menisci import Menisci
 
 @dataclass(frozen=True)
 class Bodies:
-    """Two bodies that are pressed together.
+    """Describe two bodies that are pressed together.
 
-    modulus: E* of the parts without a film [Pa], infinite where they are rigid; film, counter_film: on one body and on the
-    other; hardness: the largest pressure [Pa], None: elastic; menisci: of the liquid between them, None: dry.
+    modulus: contact modulus E* of the bodies without their films [Pa], infinite if both are rigid. film, counter_film: film
+    on each body, or None. hardness: largest pressure [Pa], None for elastic bodies. menisci: of the liquid between them, None
+    if dry.
     """
 
     modulus: float

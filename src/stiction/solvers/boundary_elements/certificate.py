@@ -64,13 +64,13 @@ def certify(problem: Problem, found: Found) -> Certificate:
 
 
 def _energy(problem: Problem, found: Found) -> float:
-    """Return <p C p> times the number of points."""
+    """Return the elastic energy norm <p C p>, multiplied by the number of points."""
     raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure.shape))
     return raised + found.offset * float(found.pressure.sum())
 
 
 def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
-    """Return the bound of (1) or (2) times the number of points."""
+    """Return the error bound (1) or (2), multiplied by the number of points."""
     if problem.displacement.inverts:
         scale = float(np.abs(missed).max()) or 1.0
         missed = (missed / scale).astype(np.float32)

@@ -35,10 +35,11 @@ _SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))]
 
 @dataclass(frozen=True)
 class Film:
-    """An elastic film bonded to an elastic half-space.
+    """Describe an elastic film bonded to an elastic half-space.
 
-    thickness: [m], > 0; modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2, 1/2: incompressible) of
-    the film; substrate_modulus, substrate_poisson: of the half-space, modulus infinite: rigid. Raises InputError otherwise.
+    thickness: [m], > 0. modulus, poisson: Young's modulus [Pa], > 0, and Poisson's ratio (-1 to 1/2; 1/2 is incompressible)
+    of the film. substrate_modulus, substrate_poisson: of the half-space; an infinite modulus means rigid. Raises InputError
+    for other values.
     """
 
     thickness: float
@@ -59,14 +60,14 @@ class Film:
 
     @property
     def plane_strain(self) -> float:
-        """Return E1* of the film [Pa]."""
+        """Return the plane-strain modulus E1* = E/(1 - nu^2) of the film [Pa]."""
         return self.modulus / (1.0 - self.poisson**2)
 
     @property
     def far(self) -> float:
-        """Return the compliance of long waves times k/2 [1/Pa].
+        """Return the compliance at long wavelengths, times k/2 [1/Pa].
 
-        It is 1/E2* of the substrate, 0 if that is rigid.
+        It is 1/E2* of the substrate, or 0 for a rigid substrate.
         """
         return (1.0 - self.substrate_poisson**2) / self.substrate_modulus
 
@@ -80,9 +81,9 @@ class Film:
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
-        """Return (2) over the compliance 2/(E1* k) of a half-space of the film.
+        """Return (2) divided by 2/(E1* k), the compliance of a half-space of film material.
 
-        k: wavevectors > 0 [1/m], any shape.
+        k: wavenumbers > 0 [1/m], any shape.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
@@ -107,7 +108,7 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return (3), for y < 1."""
+    """Return (2) in the form (3), which is accurate for y < 1."""
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
     above = one_less_lk * np.cosh(y) + rest * sine + linear * y
@@ -116,17 +117,17 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return (2) as printed, for y >= 1."""
+    """Return (2) in its published form, for y >= 1."""
     once = np.exp(-y)
     return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)
 
 
 @dataclass(frozen=True)
 class Compliance:
-    """Compliance of both bodies together.
+    """Describe the normal compliance of both bodies together.
 
-    modulus: effective modulus E* of the half-spaces [Pa] (infinite: rigid); film, counter_film: each on a half-space of its
-    own. Raises InputError unless the modulus is > 0, and finite where there is no film.
+    modulus: contact modulus E* of the half-spaces without films [Pa], infinite if rigid. film, counter_film: films, each on
+    its own half-space. Raises InputError unless the modulus is > 0, and finite if there is no film.
     """
 
     modulus: float
@@ -144,17 +145,17 @@ class Compliance:
 
     @property
     def near(self) -> float:
-        """Return the compliance of short waves times k/2 [1/Pa].
+        """Return the compliance at short wavelengths, times k/2 [1/Pa].
 
-        It is one over the effective modulus at the face.
+        It is 1/E* of the two surface materials.
         """
         return 1.0 / self.modulus + sum(1.0 / film.plane_strain for film in self.films)
 
     @property
     def far(self) -> float:
-        """Return the compliance of long waves times k/2 [1/Pa].
+        """Return the compliance at long wavelengths, times k/2 [1/Pa].
 
-        It is one over the effective modulus seen from far away, 0 if all is rigid.
+        It is 1/E* of the bodies below the films, or 0 if these are rigid.
         """
         return 1.0 / self.modulus + sum(film.far for film in self.films)
 
@@ -164,7 +165,7 @@ class Compliance:
         return max((film.thickness for film in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
-        """Return C(k) k/2 [1/Pa] at wavevectors k > 0 [1/m] of any shape."""
+        """Return C(k) k/2 [1/Pa] at wavenumbers k > 0 [1/m], any shape."""
         total = np.full(np.shape(k), 1.0 / self.modulus)
         for film in self.films:
             total += film.over_half_space(k) / film.plane_strain

@@ -18,11 +18,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 @dataclass(frozen=True)
 class MapCurve:
-    """Contacts of one map at several nominal pressures.
+    """Store the contacts of one map at several nominal pressures.
 
-    contacts: at each nominal pressure, in the order of the pressures; None where an interruption left a load unsolved. every:
-    only every so many-th point was solved. of_map: numbers of the map that no load changes, by their names in the table of
-    quantities; more: further numbers of every contact, by such names.
+    contacts: in the order of the pressures, None for a load that was left unsolved by an interruption. every: step of point
+    sampling; 2 means every second point was solved. of_map: quantities of the map that do not depend on load, by name. more:
+    further quantities of every contact, by name.
     """
 
     contacts: tuple[MapContact | None, ...]
@@ -36,7 +36,7 @@ class MapCurve:
 
     @cached_property
     def fraction(self) -> np.ndarray:
-        """Return the real area over the nominal area."""
+        """Return the ratio of real to nominal contact area at each pressure."""
         return self.array("area") / self.array("nominal_area")
 
 
@@ -65,7 +65,7 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
 
 
 def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapContact | None, ...]:
-    """Arrange contacts by nominal pressure, None where one is missing."""
+    """Return the contacts in the order of the nominal pressures, with None for a missing contact."""
     if contacts.complete:
         return tuple(contacts)
     by_pressure = {contact.mean_pressure: contact for contact in contacts}
@@ -77,7 +77,7 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
 
 
 def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
-    """Return the numbers of a map that no load changes."""
+    """Return the quantities of a map that do not depend on load, by name."""
     seen = waves(surface.heights, surface.size, surface.periodic)
     pitch, side = max(surface.pitch), min(surface.size)
     numbers = {

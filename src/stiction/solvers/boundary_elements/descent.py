@@ -120,7 +120,7 @@ class Downhill:
         return way
 
     def _step(self, way: np.ndarray) -> bool:
-        """Go along the way as far as the energy falls; False if it does nowhere."""
+        """Move along a direction as far as the energy falls; return False if it does not fall at all."""
         answer = self._faces.elastic(way)
         down, elastic = dot(way, self._force), dot(way, answer)
         curvature = max(elastic - float(np.einsum("ij,ij,ij->", way, way, self._near)), _FLAT * elastic)
@@ -142,7 +142,7 @@ class Downhill:
         return False
 
     def _room(self, way: np.ndarray) -> float:
-        """Return the longest step that neither overlaps nor leaves the attraction."""
+        """Return the longest step that causes no overlap and stays within the range of attraction."""
         closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
         opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
         fastest = max(closes, opens)

@@ -1,7 +1,7 @@
-"""Solutions that are kept: what was solved once, of the same map and inputs by the same solver, is read.
+"""Cache of map solutions on disk: a contact solved before, with the same inputs and solver, is read from its file.
 
-A file for every load, named by the content of all that decides it, so that a curve that was interrupted goes on where it
-stopped. The oldest go where they are more than fit.
+There is one file for each load. Its name is a hash of everything that determines the solution, so an interrupted curve
+continues where it stopped. When the cache is full, the files not used for longest are deleted.
 """
 
 import hashlib
@@ -30,9 +30,10 @@ _OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are no 
 def solve_kept(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
 ) -> MapContacts:
-    """Solve a map as `solve_map`, reading loads solved before from the cache.
+    """Solve a map as `solve_map` does, but read loads solved before from the cache.
 
-    Arguments, results and errors are those of `solve_map`. A load that was solved from another start agrees to the tolerance.
+    Arguments, results and errors are those of `solve_map`. A cached solution may have had a different start; it agrees within
+    the tolerance.
     """
     loads = [float(load) for load in np.atleast_1d(np.asarray(loads, dtype=float))]
     checked(heights, size, loads, periodic, how)  # what is refused is refused before anything is read
@@ -88,7 +89,7 @@ def _file(name: str, load: float) -> Path:
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
-    """Read the contact from a file; None where it is absent or damaged."""
+    """Return the contact read from a file, or None if the file is missing or damaged."""
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             numbers = json.loads(file["numbers"].item())
@@ -102,7 +103,10 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
 
 
 def _keep(path: Path, contact: MapContact) -> None:
-    """Write the contact, so that a reader finds the whole file or none."""
+    """Write the contact to a file atomically, so that a reader never finds part of it.
+
+    Contacts that did not converge, or are too large, are not written.
+    """
     pressure = contact.pressure
     if (
         pressure is None

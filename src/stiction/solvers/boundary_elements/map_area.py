@@ -67,7 +67,7 @@ class MapArea:
 
     @property
     def longest_waves_on_a_side(self) -> float:
-        """Return how many of the longest waves fit on the shorter side."""
+        """Return the length of the shorter side divided by the longest wavelength."""
         return min(self.size) / self._waves.longest
 
     @cached_property
@@ -99,9 +99,9 @@ class MapArea:
 
     @cached_property
     def solvable(self) -> list[int]:
-        """Return the steps of sampling that fit into memory, coarsest first.
+        """Return the possible steps of point sampling, coarsest first; empty if there is none.
 
-        Empty where the map is too large.
+        Each leaves few enough points to solve, and enough points in the shortest wave.
         """
         in_wave = self.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -116,10 +116,7 @@ class MapArea:
 
     @property
     def gaussian(self) -> bool:
-        """Return whether the map suits the formula over top slopes.
-
-        It must be Gaussian and isotropic enough.
-        """
+        """Return whether the map is Gaussian and isotropic enough for formula (3), by top slopes."""
         z = self.heights - self.heights.mean()
         skewness = float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
         low, high = _TOP_RANGE
@@ -127,7 +124,7 @@ class MapArea:
 
     @property
     def way(self) -> str:
-        """Return how the area is found: "solution", "top slopes" or "ranks"."""
+        """Return the method that computes the area: "solution", "top slopes" or "ranks"."""
         if self.solvable:
             return "solution"
         return "top slopes" if self.gaussian else "ranks"
