@@ -1,4 +1,4 @@
-"""The answer in words and as JSON: one text for terminal, page, report and notebook; and the model that gave it."""
+"""State the answer of a prediction in words and as JSON; terminal, page, report and notebook share the text."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -42,13 +42,13 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def confidence(mu: float, low: float, high: float) -> str:
-    """Return "high", "fair" or "low", by the larger factor between the median and an end of its interval."""
+    """Return "high", "fair" or "low" from the larger ratio between the median and an end of its interval."""
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
 
 
 def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer as JSON has it."""
+    """Return the answer of a prediction for JSON."""
     here = at_working_load(data)
 
     def ends(name: str) -> list[float]:
@@ -100,7 +100,7 @@ def number(value: float) -> str:
 
 
 def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
-    """Return the interval of a result in words, with units where it has a quantity."""
+    """Return the interval of a result in words, with units if a quantity is named."""
     low, high = (float(here[f"{name}_{end}"]) for end in ("low", "high"))
     if quantity is None:
         return f"{number(low)} to {number(high)}"
@@ -119,7 +119,7 @@ def beside_area(attrs: dict[str, Any]) -> str:
 
 
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the answer as rows of a head and a text; the first rows have the numbers."""
+    """Return the answer as pairs of heading and text; the first pairs contain the numbers."""
     here, attrs = at_working_load(data), data.attrs
     load = show(float(here["load"]), "load", 3)
     force = show(float(here[_FORCE]), _FORCE, 2)
@@ -145,14 +145,14 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 
 def _sliding(here: "xarray.Dataset") -> str:
-    """Return how much of its strength the contact bears at once, where it loses strength with slip."""
+    """State which fraction of the sum of strengths the contact reaches at once, if strength falls with slip; else ""."""
     if "friction_efficiency" not in here:
         return ""
     return f"contact spots slip one after another: {float(here['friction_efficiency']):.0%} of the sum of their strengths"
 
 
 def _along(data: "xarray.Dataset") -> str:
-    """Return mu at the first and last load."""
+    """State mu with its interval at the first and last load; "" for a single load."""
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
     ordered = data.sortby("load")
@@ -198,7 +198,7 @@ def _bare(interval: list[float]) -> str:
 
 
 def part_name(name: str) -> str:
-    """Return what a part of a prediction, or a number, is called."""
+    """Return the readable name of a part of a prediction or of an uncertain number."""
     return _NAMES.get(name, name.replace("_", " "))
 
 

@@ -1,4 +1,4 @@
-"""The answer card: mu with its interval as a bar, how sure it is, what decides it, one warning and what to do next."""
+"""The answer card: mu with its interval as a bar, its confidence, the main cause, one warning and the next step."""
 
 import math
 from html import escape
@@ -16,9 +16,9 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches f
 
 
 class Card(NamedTuple):
-    """Hold the answer in short.
+    """Hold the short answer.
 
-    rows: all of it, as pairs of a head and a text. named: the number of a model that the user named, or "".
+    rows: the whole answer as pairs of heading and text. named: the number of a model that the user named, or "".
     """
 
     mu: float
@@ -39,7 +39,7 @@ class Card(NamedTuple):
 
     @property
     def confidence(self) -> str:
-        """Return how sure mu is: a word, and how many times higher or lower it may be."""
+        """Return the confidence as a word, and the factor by which mu may be higher or lower."""
         word = confidence(self.mu, self.low, self.high)
         if self.named or not self.low > 0.0:  # two numbers are enough
             return word
@@ -72,7 +72,7 @@ class Card(NamedTuple):
         )
 
     def html(self, why: bool = True) -> str:
-        """Return the card as a part of a page; why: with all of the answer, folded."""
+        """Return the card as HTML; why: whether to include the whole answer in a folded part."""
         more = ", recommended" if self.named else ""
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
         value, by, model = map(escape, self.named.partition(" by "))
@@ -87,7 +87,7 @@ class Card(NamedTuple):
 
 
 def card_of(data: "xarray.Dataset", named: str = "") -> Card:
-    """Return the card of a prediction at its working load; named: what a model that was named says."""
+    """Return the card of a prediction at its working load; named: the result of a named model, in words."""
     here, attrs = at_working_load(data), data.attrs
     mu, low, high = (float(here[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
     largest = max(attrs["shares"], key=attrs["shares"].get, default="")
@@ -98,7 +98,7 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
 
 def briefly(warning: str) -> str:
-    """Return a warning in at most twelve words: without what follows a colon, then a comma, where it is longer.
+    """Shorten a warning to at most twelve words: cut it at a colon, then at a comma.
 
     >>> briefly("The interface is not stated: the interval of mu covers ceramic, boundary lubricant, oxidised metal.")
     'The interface is not stated'

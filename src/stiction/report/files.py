@@ -45,7 +45,7 @@ def _plain(value: Any) -> Any:
 
 
 def unit_of(variable: "xarray.DataArray") -> str:
-    """Return the unit of a result, or the divisor of a normalised one; "" where it has neither."""
+    """Return the unit of a result, or the divisor of a normalised one; "" if it has neither."""
     unit = variable.attrs.get("normalised_by") or variable.attrs.get("units", "")
     return "" if unit == "1" else unit
 
@@ -95,7 +95,10 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
 
 
 def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
-    """Return texts, or lists of them, by what they are of, a line each; then what the columns of the table are."""
+    """Return a line for each comment with its heading, and the meanings of the table columns.
+
+    comments: a text or a list of texts by heading.
+    """
     columns = []
     for name in _names(data):
         variable, unit = data[name], unit_of(data[name])
@@ -133,9 +136,9 @@ def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], 
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """Write netCDF4, which xarray.open_dataset(path) opens.
+    """Write a netCDF4 file for xarray.open_dataset(path).
 
-    It is made in memory first: on a full disk the library would take the program down with it.
+    It is built in memory first, because the netCDF library aborts the process on a full disk.
     """
     made = io.BytesIO()
     data.to_netcdf(made, engine="h5netcdf")
@@ -148,12 +151,12 @@ def write_picture(figure: "Figure", path: Path) -> None:
 
 
 def undrawn_of(names: Iterable[str]) -> list[str]:
-    """Return the names of pictures that cannot be drawn here: all of them without matplotlib."""
+    """Return the names of pictures that cannot be drawn: all of them if matplotlib is not installed."""
     return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
 
 
 def check_folder(folder: Path) -> None:
-    """Raise InputError for a place where no folder can be, before anything is computed for it."""
+    """Raise InputError, before any computation, if no folder can be created at this path."""
     require_place(folder, "a folder, new or existing")
     if folder.exists() and not folder.is_dir():
         raise InputError("--out", str(folder), "a folder, new or existing; this is a file")

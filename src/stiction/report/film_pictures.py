@@ -1,4 +1,4 @@
-"""A picture of the mean touching asperity of a coated contact in section, and of what its interface bears."""
+"""Draw the mean touching asperity of a coated contact in section, and the stresses at its interface."""
 
 from typing import TYPE_CHECKING
 
@@ -32,7 +32,7 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
 
 
 def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
-    """Return the load and the sizes of the mean asperity as text, with units where the contact has them."""
+    """Describe the load and the sizes of the mean asperity, with units if the contact has them."""
     used = section.attrs
     words = [f"load {with_unit(data['load'])}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
     if "mean_pressure" in used:

@@ -1,4 +1,4 @@
-"""Pictures of a fit: what was measured with what the model says, residuals, predictions with bands, and profiles."""
+"""Draw a fit: measured and fitted values, residuals, predictions with intervals, and likelihood profiles."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -40,7 +40,7 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield each sample of a quantity: its name, look, loads (or numbers where a load is unknown) and values."""
+    """Yield name, style, loads and values of each sample of a quantity; point numbers replace unknown loads."""
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))
     for number, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
@@ -100,7 +100,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
-    """Draw a panel for each free number: how much worse the best fit is at each of its values."""
+    """Draw for each free number how much the best fit worsens when the number is fixed at other values."""
     count = data.sizes["parameter"]
     columns = min(count, 3)
     rows = -(-count // columns)

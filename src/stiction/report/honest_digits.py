@@ -1,4 +1,4 @@
-"""A number with as many digits as its uncertainty leaves it."""
+"""Round a number to the digits that its uncertainty justifies."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""One case as one page of HTML that holds all of itself: read without a network and without scripts, printed, sent."""
+"""Write one case as a self-contained HTML page, which needs no network and no scripts."""
 
 import base64
 import datetime
@@ -101,12 +101,12 @@ def write_report(
 
 
 def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
-    """Return the report of a case that was read from this text. Raises InputError."""
+    """Return the report of a case as HTML; text: the content of its case file. Raises InputError."""
     return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
-    """Return the report as HTML; it depends on its arguments and the date alone.
+    """Return the report as HTML, which depends only on the arguments and the date.
 
     name: of the case file. again: command line that makes the report.
     """
@@ -197,7 +197,7 @@ def _answer(findings: ReportData) -> dict[str, Any] | None:
 
 
 def check_place(path: Path, case: Any = None) -> None:
-    """Raise InputError for a place where no report can be, before anything is computed for it."""
+    """Raise InputError, before any computation, if no report can be written to this path."""
     allowed = "a file that ends in .html or .pdf, new or existing"
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError("--out", str(path), allowed)
@@ -213,7 +213,7 @@ def check_place(path: Path, case: Any = None) -> None:
 
 
 def _browser() -> str:
-    """Return the path of a browser that prints PDFs, "" where there is none."""
+    """Return the path of a browser that prints PDF files; "" if none is installed."""
     return next(filter(None, map(shutil.which, _BROWSERS)), "")
 
 
@@ -232,7 +232,7 @@ def _printed_page(made: Path) -> Path:
 
 
 def write_html(path: Path, text: str) -> None:
-    """Write the page: finish it in a temporary folder, then move it into place. Raises InputError."""
+    """Write the page to a temporary folder, then move it into place. Raises InputError."""
     check_place(path)
     path = path.resolve()
     try:

@@ -1,4 +1,4 @@
-"""Symbols as a page shows them: Greek letters, indices below, powers above."""
+"""Format symbols as HTML: Greek letters, subscripts and superscripts."""
 
 import re
 from dataclasses import replace
@@ -18,13 +18,13 @@ def letters(text: str) -> str:
 
 
 def on_page(table: Table, caption: str) -> Table:
-    """Return a table of the terminal as a page shows it."""
+    """Convert a table of the terminal for a page."""
     columns = [replace(column, head=letters(column.head.replace("\n", " "))) for column in table.columns]
     return replace(table, columns=columns, rows=[[str(cell) for cell in row] for row in table.rows], caption=caption)
 
 
 def breakable(text: str) -> Markup:
-    """Return HTML of a key that may be broken after its underscores, and nowhere else."""
+    """Return HTML of a key that breaks across lines only after its underscores."""
     return Markup(str(escape(text)).replace("_", "_<wbr>"))  # what came in was escaped
 
 

@@ -1,4 +1,4 @@
-"""Lists of what the package has: models and laws, materials, states of an interface."""
+"""List the models and laws, materials and interface states of the package."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -19,7 +19,10 @@ LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
 
 
 def material_rows(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return name and numbers of these presets, or of all: value, unit, range and source of each. Raises InputError."""
+    """Return name and numbers of the named presets, or of all.
+
+    Each number has its value, unit, range and source. Raises InputError for an unknown name.
+    """
     return [_row(material(name)) for name in (material_names() if names is None else names)]
 
 
@@ -38,7 +41,7 @@ def _row(preset: Material) -> dict[str, Any]:
 
 
 def with_range(preset: Material, name: str) -> str:
-    """Return a number with its range, "82 GPa (82 to 83 GPa)"; "" if there is none."""
+    """Format a number with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks the number."""
     value = getattr(preset, name)
     if value is None:
         return ""
@@ -101,7 +104,7 @@ def grade_of(number: Mapping[str, Any] | None) -> str:
 
 
 def interfaces_table() -> Group:
-    """Return a line for each state, 80 columns wide at most, and what the letters mean."""
+    """Return a table of the states, one line each of at most 80 columns, and a legend of its letters."""
     rows = []
     for row in interfaces():
         numbers = row["strength"], row["pressure_coefficient"]
@@ -118,7 +121,7 @@ def _how_to_state(name: str) -> Text:
 
 
 def interface_in_full(name: str) -> Group:
-    """Return all of a state: its numbers, their sources, the pairs that allow it and where it must not be used."""
+    """Describe one state: numbers, sources, allowed pairs of materials, and where it must not be used."""
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):

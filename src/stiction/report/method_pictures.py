@@ -1,4 +1,4 @@
-"""Pictures of what the method of finding asperities does: to sigma, R and N at every resolution, and to friction."""
+"""Draw how the asperity method affects sigma, R and N at every resolution, and friction."""
 
 import textwrap
 from typing import TYPE_CHECKING, Any
@@ -52,11 +52,11 @@ _MOST_NOTES = 5  # of values that are missing, below a picture
 
 
 def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw sigma, R, N and, if present, mu against the shortest wavelength left, a line for each method.
+    """Draw sigma, R, N and, if present, mu against the shortest wavelength kept, one line for each method.
 
-    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, stands at the left as "none". A line has a
-    gap where its method has no value or friction is 0, and a note below says why. Marks show the distribution of heights: mu
-    leaps where that changes.
+    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, is at the left as "none". A line has
+    a gap where its method has no value or friction is 0; a note below states the reason. Marks show a change of the
+    height distribution, where mu jumps.
     """
     panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
     figure, grid = canvas(12, 8.6, 2, 2) if len(panels) > 3 else canvas(14, 4.8, 1, len(panels))
@@ -125,13 +125,13 @@ def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
 
 
 def _places(cutoffs: np.ndarray) -> np.ndarray:
-    """Return where the cutoffs stand on a logarithmic axis: 0 at half of the smallest other one."""
+    """Return the positions of the cutoffs on a logarithmic axis; cutoff 0 is at half of the smallest positive one."""
     others = cutoffs[cutoffs > 0.0]
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
-    """Return those of the ascending places that are at least this part of the axis apart, so that labels have room."""
+    """Select ascending positions that are at least a fraction `gap` of the axis apart, to leave room for labels."""
     logs = np.log(places / places[0])
     chosen = [0]
     for i in range(1, len(logs)):

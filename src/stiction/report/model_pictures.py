@@ -23,7 +23,7 @@ _AROUND = 100.0  # times the working load, and its fraction, up to which lines a
 def models_figure(
     data: "xarray.Dataset", groups: Sequence[Group] | None = None, prediction: "xarray.Dataset | None" = None, title: str = ""
 ) -> Figure:
-    """Return a line for each model that can be right, dots at the working load, and the interval of the prediction.
+    """Draw mu over load for each possible model, dots at the working load, and the interval of the prediction.
 
     data: a comparison; prediction: at its working load. groups: of the comparison, whose first three are named.
     """

@@ -1,6 +1,6 @@
-"""A result as a notebook shows it: what it is, how far it goes, and a few of its points.
+"""Summarise a result for a notebook: its meaning, its ranges, and its validity warnings.
 
-Results stay datasets of xarray, whose own view folds their attributes away, and with these the validity warnings.
+Results stay xarray datasets, whose own notebook view hides attributes and with them the validity warnings.
 """
 
 from html import escape
@@ -20,7 +20,7 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Hold pairs of a name and a text, and notes; a notebook shows HTML, `print` shows text."""
+    """Hold a summary as pairs of heading and text, and notes; notebooks show it as HTML, `print` as text."""
 
     def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
         self.title, self.rows, self.notes, self.card = title, rows, notes, card

@@ -1,4 +1,4 @@
-"""Pictures: a dataset in, a matplotlib Figure out. Nothing is computed here, and no global state is touched."""
+"""Draw datasets as matplotlib figures, without computing results or changing global state."""
 
 import math
 import re
@@ -146,7 +146,7 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 
 
 def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
-    """Write above a figure what it shows, line by line, and below it the validity warnings, for which it grows."""
+    """Write title lines above a figure, and validity warnings below it; the figure grows to fit them."""
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
         figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
@@ -170,7 +170,7 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Return the look of marks for a line of few points, between which a line alone would claim too much."""
+    """Return marker style for a line of few points, so that the line does not suggest values between them."""
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
@@ -210,7 +210,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
-    """Draw reference slopes where mu varies by a power of the load: a single sphere has -1/3, Amontons' law 0."""
+    """Draw reference slopes where mu follows a power of the load: -1/3 for a single sphere, 0 for Amontons' law."""
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
@@ -232,7 +232,7 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
 
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
-    """Make the axis of friction, or of what goes with it, logarithmic where it varies much; else it begins at 0."""
+    """Make the friction axis logarithmic if values vary much; otherwise start it at 0."""
     if axes.get_yscale() == "log" or values.max() > wide * values.min():
         axes.set_yscale("log")
     else:
@@ -240,7 +240,7 @@ def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
 
 
 def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **look: Any) -> None:
-    """Fill what lies between two curves; of one point, which has no width, draw a bar."""
+    """Fill the area between two curves; for a single point draw a bar."""
     if len(x) == 1:
         axes.vlines(x, low, high, linewidth=14.0, **look)
     else:
@@ -344,15 +344,15 @@ def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more:
 
 
 def say(axes: Axes, text: str) -> None:
-    """Write a text in place of curves, without numbers along the axes."""
+    """Write a text in place of curves and remove the tick labels."""
     axes.set(xticks=[], yticks=[])
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
 def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
-    """Label an axis for values (n,) of a quantity in SI, with ticks in a unit with a fitting prefix.
+    """Label an axis for values (n,) of a quantity in SI units, with ticks in a prefixed unit.
 
-    which: "x" or "y". log: whether the axis is logarithmic where values span a decade. named: arguments of `finish`.
+    which: "x" or "y". log: whether to use a logarithmic axis if values span a decade. named: arguments of `finish`.
     """
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
@@ -378,20 +378,20 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, number: int) -> dict[str, Any]:
-    """Return the colour and mark of a method, the same in all pictures; else those of a place among the lines."""
+    """Return colour and marker of a method, the same in all pictures; other names take those of their line number."""
     known = list(methods())
     number = known.index(method) if method in known else number
     return {"color": COLOURS[number % len(COLOURS)], "marker": _MARKERS[number % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:
-    """Return what a method finds, in a few words; any other name without underscores."""
+    """Describe in a few words what an asperity method finds; other names lose their underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """Return the factor and the unit in which values up to this one, in SI, are drawn."""
+    """Return the factor and the unit for drawing values in SI units up to `largest`."""
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
     return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

@@ -1,4 +1,4 @@
-"""Formulas of LaTeX as plain text for the terminal and for pages that do not typeset: \\frac{\\tau_0}H becomes τ_0/H."""
+r"""Convert LaTeX formulas to plain text for the terminal and plain pages: \frac{\tau_0}H becomes τ_0/H."""
 
 import re
 import unicodedata
@@ -30,8 +30,8 @@ _OPEN = "([{⟨"
 class _Piece:
     """Hold a part of a formula.
 
-    word: needs a space next to another value. relation: a sign between two spaces. fraction: or a power, after which a bracket
-    needs a space.
+    word: needs a space next to another value. relation: a sign between two spaces. fraction: a fraction or power, after
+    which a bracket needs a space.
     """
 
     text: str

@@ -1,4 +1,4 @@
-"""`result.stiction.plot()`: the picture of any result, which imports what draws it when it is asked for."""
+"""Draw any result with `result.stiction.plot()`; drawing modules are imported only when it is called."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""The picture of a prediction: mu along the load with its interval, or its distribution at one load."""
+"""Draw a prediction: mu over load with its interval, or its distribution at one load."""
 
 from typing import TYPE_CHECKING
 
@@ -64,7 +64,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw error bars: the interval, and the share of it that each of the three largest parts of the variance has."""
+    """Draw the interval as an error bar, with the shares of the three largest parts of the variance."""
     here = at_working_load(data)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
     shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
@@ -78,7 +78,7 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
-    """Draw friction along the load, the prediction at its working load, and the legend below the figure, where no title is."""
+    """Draw friction over load, the prediction at its working load, and a legend below the figure."""
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
     here = at_working_load(prediction)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))

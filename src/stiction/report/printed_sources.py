@@ -1,4 +1,4 @@
-"""Entries of the bibliography as they are printed: authors, title, where, year and a link, out of BibTeX."""
+"""Format bibliography entries for print from BibTeX: authors, title, journal, year and link."""
 
 import re
 import unicodedata
@@ -17,7 +17,7 @@ _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 @dataclass(frozen=True)
 class Printed:
-    """Hold one entry: key, text, and its DOI, "" where none was checked."""
+    """Hold one entry: key, text, and DOI, "" if no DOI was verified."""
 
     key: str
     text: str

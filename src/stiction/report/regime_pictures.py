@@ -1,4 +1,4 @@
-"""Two maps with a contact as a dot: how adhesion acts on its asperities, and whether they are plastic."""
+"""Draw a contact as a dot in two maps: adhesion of its asperities, and their plasticity."""
 
 from collections.abc import Callable
 from functools import cache
@@ -70,7 +70,7 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
 
 
 def negligible_load_of_jkr() -> float:
-    """Return the load over pi w R above which JKR's adhesion, 3 + sqrt(6 P + 9), is below 5 % of it."""
+    """Return the load over pi w R above which the adhesive part of JKR, 3 + sqrt(6 P + 9), is below 5 % of the load."""
     # (P/20 - 3)^2 = 6 P + 9
     return (6.0 + 6.0 * _LEAST) / _LEAST**2
 

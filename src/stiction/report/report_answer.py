@@ -1,4 +1,4 @@
-"""The answer of a case in words: a question, and a sentence with its validity warnings."""
+"""State the question and the answer of a report in words, with validity warnings."""
 
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ _COUNTED = {2: "two", 3: "three", 4: "four", 5: "five"}
 
 
 def plain_name(name: str) -> str:
-    """Return the name of a material as it is read: hardened steel 52100."""
+    """Return the readable name of a material, such as "hardened steel 52100"."""
     return name.replace("_", " ")
 
 
@@ -37,7 +37,10 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 
 
 def interval_of(here: "xarray.Dataset") -> list[float]:
-    """Return the ends of mu of a named model over uncertain inputs, or over methods of finding asperities; else []."""
+    """Return the ends of the interval of mu for a named model; [] if there is none.
+
+    The interval is over uncertain inputs, or else over asperity methods.
+    """
     if f"{_MU}_quantile" in here:
         ends = [float(here[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
     else:

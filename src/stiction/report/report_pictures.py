@@ -1,4 +1,4 @@
-"""The pictures of a report, each with a caption and with words for those who do not see it, as parts of the page."""
+"""Draw the pictures of a report as parts of the page, with captions and descriptions for screen readers."""
 
 import base64
 import html
@@ -39,9 +39,9 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """Return HTML of a figure, the same for the same figure, in the colours of the page.
+    """Return a figure as HTML in the colours of the page; equal figures give equal HTML.
 
-    name: letters, unique on the page. words: description for readers who do not see it.
+    name: letters, unique on the page. words: description for screen readers.
     """
     drawn = io.StringIO()
     figure.savefig(drawn, format="svg", transparent=True)
@@ -83,7 +83,7 @@ _NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 @dataclass(frozen=True)
 class Picture:
-    """Hold a picture of the page; wide: it fills a line, and scrolls on narrow pages."""
+    """Hold a picture of the page; wide: whether it spans the page, and scrolls on narrow pages."""
 
     content: str
     caption: str
@@ -97,7 +97,7 @@ def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str =
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
-    """Return from where to where a line goes, as text."""
+    """Describe a line by its values at both ends."""
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
@@ -134,13 +134,13 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the part that is nearly all of its stack at every compressive load; "" where there is none."""
+    """Return the part that makes up nearly all of its stack at every compressive load; "" if none does."""
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, share in zip(parts, shares, strict=True) if share.size and np.nanmin(share) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return a sentence in place of each picture of shares that would have one colour."""
+    """Return sentences that replace pictures of shares with a single colour."""
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []

@@ -77,7 +77,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
 
 
 def groups_of_groups(findings: ReportData) -> list[Table]:
-    """Return the dimensionless groups that follow from the bodies; none where groups are the inputs."""
+    """Return tables of the dimensionless groups computed from the bodies; none if the inputs are groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return []
@@ -168,7 +168,7 @@ def card(findings: ReportData, name: str) -> Markup:
 
 
 def main_inputs(findings: ReportData) -> Table | None:
-    """Return the six inputs that a reader asks for first; none of dimensionless groups."""
+    """Return a table of the six main inputs; None for a contact given by dimensionless groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return None
@@ -199,7 +199,7 @@ def main_inputs(findings: ReportData) -> Table | None:
 
 
 def validity_line(findings: ReportData) -> str:
-    """Return in a line how far the answer may be trusted."""
+    """State in one line how reliable the answer is."""
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         known = f"Checked against {checked}." if checked else "Not checked against anything measured."
@@ -292,7 +292,7 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
 
 
 def _unknown(some: "list[Uncertain]") -> str:
-    """Return what numbers that vary together are, where they stand, and their distribution."""
+    """Describe uncertain numbers that vary together: names, place in the case, and distribution."""
     names = dict.fromkeys(QUANTITIES[uncertain.quantity].meaning for uncertain in some)
     places = ", ".join(uncertain.where for uncertain in some)
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"

@@ -1,4 +1,4 @@
-"""Pictures of a case with array parameters: lines over one of them, heat maps where two of them have many values."""
+"""Draw a parameter sweep: lines over one array parameter, heat maps over two with many values."""
 
 from itertools import product
 from typing import TYPE_CHECKING
@@ -45,7 +45,7 @@ _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they
 
 
 def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction, or the contact area of a model without friction, against what varies, at some of the points."""
+    """Draw friction, or contact area without friction, against the array parameters at some of the points."""
     dims, points = varied(data), points_dimension(data)
     if len(dims) > 2 or (len(dims) == 2 and min(data.sizes[dim] for dim in dims) > _LINES):
         figure = _maps(data, dims)
@@ -68,7 +68,7 @@ def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
-    """Draw a line for each of some places along `by`; a single line with its interval, if it has one."""
+    """Draw one line for each of a few positions along `by`; a single line is drawn with its interval, if known."""
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
     places = [{by: int(index)} for index in some(data.sizes[by], _LINES)] if by else [{}]
@@ -97,7 +97,7 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
 
 
 def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
-    """Return what a place along dimensions is: a load, or the values of what varies."""
+    """Describe a position along dimensions by its load or the values of its parameters."""
     points, texts = points_dimension(data), []
     for dim, index in place.items():
         names = coordinates_along(data, dim)

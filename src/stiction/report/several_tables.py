@@ -1,4 +1,4 @@
-"""Tables of array parameters for the terminal: a row for each combination, mu at some of the points."""
+"""Tables of a parameter sweep for the terminal: a row for each combination, mu at some of the points."""
 
 from itertools import product
 from typing import TYPE_CHECKING

@@ -35,7 +35,7 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Return shares (parts, points) of the sizes of parts; NaN where all are 0."""
+    """Return the absolute values of parts over their sum (parts, points); NaN where all are 0."""
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
     return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)

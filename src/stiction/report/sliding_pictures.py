@@ -1,4 +1,4 @@
-"""From rest to sliding: the picture of force and lost energy against displacement."""
+"""Draw tangential force and dissipated energy against displacement, from rest to sliding."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING

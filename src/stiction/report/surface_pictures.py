@@ -1,6 +1,6 @@
-"""Pictures of surfaces: a map, spectra or asperities in, a matplotlib Figure out; those of several methods come from beside.
+"""Draw surfaces: a height map, spectra, or the asperities of several methods.
 
-Nothing is computed here for later use. Every length has the unit that fits its size; the data that is drawn has it too.
+Every length is drawn in the unit that fits its size.
 """
 
 import math
@@ -82,12 +82,12 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """Return evenly spaced heights, enough for the same histogram."""
+    """Return an evenly spaced selection of the heights, which has nearly the same histogram."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 
 def _limits(heights: np.ndarray) -> tuple[float, float]:
-    """Return limits that hold nearly all heights without outliers; the ends where heights are alike."""
+    """Return limits that include nearly all heights without outliers; the full range if the heights are alike."""
     low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
     reach = _FAR * 0.5 * (above - below)
     if reach > 0.0:

@@ -1,4 +1,4 @@
-"""Tables as data, which a terminal, a page and a report render; and how a number stands in them."""
+"""Represent tables as data that a terminal, a page and a report render, and format their numbers."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -25,7 +25,10 @@ _WIDE = 10_000
 
 @dataclass(frozen=True)
 class Column:
-    """Hold a column; right: it holds numbers; wrap: its cells may be broken; most: characters of its width."""
+    """Hold a column of a table.
+
+    right: whether it is right-aligned; wrap: whether its cells may wrap; most: largest width in characters.
+    """
 
     head: str
     right: bool = False
@@ -63,7 +66,7 @@ class Table:
         return [column.head for column in self.columns]
 
     def few(self, most: int) -> "Table":
-        """Return at most so many of the rows: evenly spaced ones with both ends, or of ranked ones the first."""
+        """Return at most `most` rows: the first ones of a ranked table, else evenly spaced ones with both ends."""
         chosen = range(min(len(self.rows), most)) if self.ranked else some(len(self.rows), most)
         looks = [self.looks[row] for row in chosen] if self.looks else ()
         return replace(self, rows=[self.rows[row] for row in chosen], looks=looks)
@@ -113,12 +116,12 @@ class Table:
 
 
 def some(count: int, most: int) -> np.ndarray:
-    """Return places of at most so many of `count`, evenly, both ends among them."""
+    """Return at most `most` evenly spaced indices below `count`, including both ends."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 
 def short(value: float, digits: int = 4) -> str:
-    """Return a number with a few digits; "-" if it is none."""
+    """Format a number with a few digits; "-" for NaN."""
     return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
 
 
@@ -128,7 +131,7 @@ def with_powers(text: str) -> str:
 
 
 def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
-    """Return a table of notes, each with a hanging indent; none where there is no note."""
+    """Return a table of notes with hanging indents in a list; the list is empty without notes."""
     rows = [("-", line) for line in lines]
     return [Table([Column(""), Column("", wrap=True)], rows, gap=1, looks=[look] * len(rows))] if rows else []
 
@@ -139,7 +142,7 @@ def shown(value: float, name: str, digits: int = 4) -> str:
 
 
 def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
-    """Return a value of a result, by default its only one, with a fitting prefix; a plain number where it has no unit."""
+    """Format a value of a result with a prefixed unit, by default its only value; plain if it has no unit."""
     value, name = float(variable if value is None else value), str(variable.name)
     plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES
     return short(value, digits) if plain else shown(value, name, digits)

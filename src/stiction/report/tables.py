@@ -1,4 +1,4 @@
-"""Tables and text for the terminal, made with rich from results and records."""
+"""Tables and text for the terminal, built from results and records."""
 
 import json
 import re
@@ -78,7 +78,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
-    """Return what was solved: contact, groups, model with options and grade, and the pull-off force if known."""
+    """Describe the solved case: contact, groups, model with options and grade, and the pull-off force if known."""
     return facts(
         [
             ("case", case.title),
@@ -122,7 +122,7 @@ def _number(value: Any, name: str) -> str:
 
 
 def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield title, model, friction at the middle load with its interval, and how far the contact fits the model."""
+    """Yield title, model, friction at the middle load with its interval, and the validity for this contact."""
     if case.title:
         yield Text(case.title, style="bold")
     warnings = [str(warning) for warning in warnings_of(data)]
@@ -140,7 +140,7 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
 
 
 def _without_band(data: "xarray.Dataset") -> str:
-    """Return why mu has no interval; "" where no number of the case is uncertain."""
+    """State why mu has no interval; "" if no number of the case is uncertain."""
     quantiles = data.get("friction_coefficient_quantile")
     if quantiles is None:
         return ""
@@ -227,7 +227,7 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield what is used beyond the claims of its authors, highlighted."""
+    """Yield warnings, highlighted, where a law is used outside the range that its authors claim."""
     if warnings := warnings_of(data):
         yield Text("outside the range of validity", style="bold yellow")
         yield from notes(map(str, warnings), "yellow")
@@ -254,7 +254,7 @@ _IN_FULL = {
 
 
 def model_in_full(row: Mapping[str, Any]) -> Group:
-    """Return all of one record, and the assumptions and equations in its file."""
+    """Describe one record completely, with the assumptions and equations of its module."""
     pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
     for name, head in _IN_FULL.items():
         value = row.get(name) or []

@@ -1,4 +1,4 @@
-"""The view of a result for every output: paragraphs and tables, files, pictures and JSON."""
+"""Represent a result for every output: paragraphs and tables, files, pictures and JSON."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -30,7 +30,7 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 
 
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
-    """Yield the parts that fit into MOST_LINES, tables with few rows, and a line on how to see the rest.
+    """Yield the parts that fit into MOST_LINES, with shortened tables, and a line on how to see the rest.
 
     written: whether a line on the written files follows.
     """
@@ -45,20 +45,20 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """Hold a picture; description: its text for a reader who does not see it; draw: makes the figure."""
+    """Hold a picture; description: text for screen readers; draw: function that makes the figure."""
 
     description: str
     draw: "Callable[[], Figure]"
 
     def write(self, path: Path) -> None:
-        """Draw it into a file."""
+        """Draw the picture into a file."""
         write_picture(self.draw(), path)
 
 
 def picture(description: str, place: str, *arguments: Any) -> Picture:
-    """Return a picture that a function of this package draws from these arguments.
+    """Return a picture drawn by a function of this package with these arguments.
 
-    place: "module.function", imported when it is drawn, as matplotlib may be absent.
+    place: "module.function"; imported only when drawn, because matplotlib may be absent.
     """
 
     def draw() -> "Figure":
@@ -81,10 +81,10 @@ def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> di
 class View:
     """Hold what is shown and written of one result.
 
-    data: the dataset, written as `name`.nc; None where there is none. parts: makes what a terminal prints, in order. record:
-    makes the content of JSON. files: name of a file -> function that writes to a path. pictures: name of a file -> picture.
-    warnings: what is wrong with it, in sentences. short: makes the parts of a short answer, the most important first; by
-    default all. is_brief: whether `parts` is the short answer already.
+    data: the dataset, written as `name`.nc, or None. parts: function that returns what a terminal prints, in order.
+    record: function that returns the content for JSON. files: writer functions by file name. pictures: by file name.
+    warnings: sentences. short: function that returns the parts of a short answer, the most important first; by default
+    all parts. is_brief: whether `parts` already is the short answer.
     """
 
     name: str
@@ -98,7 +98,7 @@ class View:
     is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
-        """Return what writes each table, the dataset and each picture to a path, by the name of the file."""
+        """Return a function for each table, dataset and picture that writes it to a path, by file name."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)

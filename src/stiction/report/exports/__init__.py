@@ -1,4 +1,7 @@
-"""Hold the formats of other programs, a file each: `content(table)` is what is written, its docstring cites the document."""
+"""Formats of other programs, one module each.
+
+`content(table)` returns the content of the file. The docstring of each module cites the manual of the program.
+"""
 
 import pkgutil
 

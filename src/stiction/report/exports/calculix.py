@@ -19,7 +19,7 @@ _MOST_ROWS = 20
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the lines of an input file. Raises InputError where no stiffness is known: *FRICTION wants one."""
+    """Return the lines of an input file. Raises InputError if no stiffness is known, which *FRICTION needs."""
     if "tangential_stiffness" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
         raise InputError("to", "calculix", f"another format: {why}")

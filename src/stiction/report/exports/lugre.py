@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return lists over the load. Raises InputError where no stiffness is known."""
+    """Return the constants as lists over the load. Raises InputError if no stiffness is known."""
     if "elastic_slip" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
         raise InputError("to", "lugre", f"another format: {why}")

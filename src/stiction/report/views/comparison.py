@@ -1,4 +1,4 @@
-"""A comparison of models: tables, one JSON object, and files; models that agree are one row."""
+"""Show a comparison of models as tables, JSON and files; models that agree share one row."""
 
 import json
 import math
@@ -73,7 +73,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
-    """Return the friction of one model for every method of finding asperities, at the working load."""
+    """Return the friction of one model at the working load for every asperity method."""
     name = "friction_coefficient_at_load"
     if f"{name}_by_method" not in result:
         return {}
@@ -103,11 +103,11 @@ GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model
 
 @dataclass(frozen=True)
 class Group:
-    """Hold models that agree.
+    """Hold models that agree on mu.
 
-    family: the basis of their friction. names: in the order of mu. low, high: ends of mu. errors: known mean errors of the area
-    on solved surfaces. least, most: mu corrected for the ends of 90 % of that error; low and high where it is unknown. status:
-    of the first.
+    family: the basis of their friction. names: in the order of mu. low, high: range of mu. errors: known mean errors of
+    the area on solved surfaces. least, most: mu corrected for the ends of the 90 % interval of that error; low and high
+    if it is unknown. status: of the first model.
     """
 
     family: str
@@ -121,22 +121,22 @@ class Group:
 
     @property
     def title(self) -> str:
-        """Return the first model, and how many agree."""
+        """Return the name of the first model, and the number of models that agree."""
         return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
 
     @property
     def fits(self) -> bool:
-        """Return whether the contact fits the models."""
+        """Return whether the contact is within the claimed ranges of the models."""
         return self.status.startswith("fits")
 
     @property
     def kind(self) -> tuple[str, bool, str]:
-        """Return what models of one row have in common apart from mu."""
+        """Return the properties, besides mu, that models of one row share."""
         return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property
     def possible(self) -> bool:
-        """Return whether they can be right here."""
+        """Return whether the results of the models are physically possible for this contact."""
         return not self.status.startswith("cannot")
 
 
@@ -172,7 +172,7 @@ def _group(models: "list[xarray.Dataset]") -> Group:
 
 
 def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
-    """Return mu, over 1 plus its error on solved surfaces at the ends of 90 %."""
+    """Return mu corrected for the ends of the 90 % interval of its error on solved surfaces."""
     errors = json.loads(result["measured_error"].item()) or {}
     ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
     return [mu if end[0] is None else mu / (1.0 + end[0]) for end in ends]
@@ -212,7 +212,7 @@ def _table(groups: list[Group]) -> Table:
 
 
 def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
-    """Return how many models the rows leave out, "" for none."""
+    """State how many models the rows omit; "" if none."""
     counts = [
         (sum(len(group.names) for group in groups if group.possible and group not in shown), "more models not shown"),
         (sum(len(group.names) for group in groups if not group.possible and group not in shown), "cannot be right here"),
@@ -222,7 +222,7 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
 
 
 def silent_models(case: "Case", data: "xarray.Dataset") -> int:
-    """Return the number of models that have no friction as neither the interface nor its strength is stated."""
+    """Return the number of models without friction because neither interface nor shear strength is stated."""
     contact = case.subject
     if not isinstance(contact, Contact) or contact.interface is not None or contact.interfacial_shear_strength is not None:
         return 0
@@ -236,9 +236,9 @@ _OF_ANSWER = ("friction force", "warning", "not used")
 def comparison_view(
     case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
-    """Return what a comparison shows below the prediction.
+    """Return the view of a comparison, shown below the prediction.
 
-    every: each model in a row of its own, with all notes. more: where every model is listed.
+    every: each model in a row of its own, with all notes. more: text on where every model is listed.
     """
     measured = case.measured
     groups = groups_of(data, every) if "working_load" in data.attrs else []

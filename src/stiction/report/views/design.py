@@ -1,4 +1,4 @@
-"""A design: its tables, sentences and files."""
+"""Show a design as tables, sentences and files."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -24,7 +24,7 @@ _ROWS = 12
 
 
 def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
-    """Name of a column -> its variable, of the best designs, the front, or all that were asked for."""
+    """Return variables by column name for the best designs, the Pareto front, or all evaluated designs."""
     before = "" if along == "design" else f"{along}_"
     names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
     return {name.removeprefix(before): name for name in names}
@@ -60,7 +60,7 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield the objectives, and which are missed."""
+    """Yield the objectives, and those that are not met."""
     used = data.attrs
     yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:
@@ -79,7 +79,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return which design this is, by what it takes from lists, where there are several."""
+    """Name a design by its choices from lists; "" if there is only one."""
     taken = [
         data[name].values[row]
         for name in data.data_vars
@@ -89,7 +89,7 @@ def _which(data: "xarray.Dataset", row: int) -> str:
 
 
 def design_view(design: "Designing", folder: Path | None = None) -> View:
-    """Return what a design shows. folder: where its files go, from which the designed case names other files."""
+    """Return the view of a design; folder: where files go, as the base of paths in the designed case."""
     data = design.data()
 
     def parts() -> Iterator[Any]:

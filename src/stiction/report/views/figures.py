@@ -1,4 +1,4 @@
-"""The pictures of the 2015 paper and the map of its claims: tables and files."""
+"""Show the figures of the 2015 paper and the map of its claims as tables and files."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""A fit: its tables, sentences and files."""
+"""Show a fit as tables, sentences and files."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -35,7 +35,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 
 
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield how good the fit is, and what the data leave open."""
+    """Yield the quality of the fit, and the numbers that the data do not determine."""
     used = data.attrs
     good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
@@ -117,7 +117,7 @@ def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> Vi
 
 
 def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
-    """Return what a prediction with measured friction shows."""
+    """Return the view of a prediction with measured friction."""
     path, case, data, details = fit
     view = prediction_view(case, data, str(path), details)
     if out is not None and "parameter" in data.dims:

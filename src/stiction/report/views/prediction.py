@@ -1,4 +1,4 @@
-"""A prediction as it is shown."""
+"""Show a prediction as tables, sentences and files."""
 
 import json
 from collections.abc import Iterator
@@ -25,7 +25,7 @@ _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")
 
 
 def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False) -> View:
-    """Return what a prediction shows; file: the name of the case file, for the commands that are proposed."""
+    """Return the view of a prediction; file: name of the case file, for suggested commands."""
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -54,7 +54,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
-    """Return the rows of an answer without those that matter least, as far as needed to fit into so many lines."""
+    """Drop the least important rows of an answer until it fits into `most` lines."""
     for name in ("along the load", "model", "checked against", "uncertainty from", "bare metal"):
         if lines_of(facts(rows)) <= most:
             break
@@ -63,7 +63,7 @@ def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
 
 
 def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
-    """Return what predictions of a case whose numbers are several show."""
+    """Return the view of predictions for a case with array parameters."""
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -78,7 +78,7 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield what is left out of the answer: the curve, every warning, what the interface rests on."""
+    """Yield details that the answer omits: the curve, every warning, and the basis of the interface strength."""
     if data["load"].size > 1:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
@@ -101,7 +101,7 @@ def _models(data: "xarray.Dataset") -> str:
 
 
 def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
-    """Return what the table of a prediction has to say before its first row."""
+    """Return the comment lines above the table of a prediction."""
     used = data.attrs
     notes = {"warning": used.get("warnings"), "not used": used.get("inputs_not_used"), "input": _inputs(case.subject)}
     models = _models(data) if "models" in used else ""
@@ -109,7 +109,7 @@ def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def plain(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the dataset with attributes that a file takes: tables and lists as JSON."""
+    """Return the dataset with attributes that a netCDF file accepts; tables and lists become JSON."""
     texts = {
         name: json.dumps(value, ensure_ascii=False) for name, value in data.attrs.items() if isinstance(value, dict | list)
     }

@@ -1,4 +1,4 @@
-"""A solved case: tables, sentences and files."""
+"""Show a solved case as tables, sentences and files."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -52,7 +52,7 @@ def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield what is uncertain, how it was drawn, and how often nothing is known."""
+    """Yield the uncertain inputs, how they were sampled, and how often a sample has no result."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
         yield f"uncertain: {line}"
@@ -70,13 +70,13 @@ def draws_in_words(used: Mapping[str, Any]) -> str:
 
 
 def with_meaning(warning: str) -> str:
-    """Return a validity warning with the meaning of a quantity in place of its name."""
+    """Replace the name of a quantity in a validity warning by its meaning."""
     name, _, rest = warning.partition(" ")
     return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else warning
 
 
 def in_draws(share: float, text: str) -> str:
-    """Return in which share of the samples a text holds."""
+    """State the share of samples in which a text holds."""
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
@@ -84,7 +84,7 @@ _FEW = 5  # rows of a short answer
 
 
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
-    """Return what a solved case shows."""
+    """Return the view of a solved case."""
 
     def table(path: Path) -> None:
         wide = in_columns(data, METHOD, "by_method")

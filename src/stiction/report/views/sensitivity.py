@@ -27,7 +27,7 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 
 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
-    """Return the results with such a table, by how their names end, friction first; unknown ones are left out."""
+    """Return results that have a variable with this name ending, friction first; unknown results are omitted."""
     there = [name for name in _HEADS if f"{name}_{end}" in data]
     return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
 
@@ -37,7 +37,7 @@ def head_of(name: str) -> str:
 
 
 def working_place(data: "xarray.Dataset") -> int:
-    """Return the place of the working load among the points; the middle one where no load is compressive."""
+    """Return the index of the working load; the middle index if no load is compressive."""
     dim = points_dimension(data)
     count = data.sizes[dim] if dim else 1
     if "working_load" not in data.attrs or dim != "load":
@@ -52,7 +52,7 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def ranked(results: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
-    """Return the places along a dimension in descending order of size; NaN last."""
+    """Return indices along a dimension in descending order of absolute value; NaN last."""
     size = np.abs(results[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
@@ -96,7 +96,7 @@ def _signed(value: float) -> str:
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield the parts of the width of a prediction, and what one per cent more of the main numbers does to mu."""
+    """Yield the parts of the prediction interval, and the change of mu for a 1 % increase of the main numbers."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
@@ -133,7 +133,7 @@ _TABLES = {"sensitivity.csv": "input", "log_sensitivities.csv": "number"}
 
 
 def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None = None) -> View:
-    """Return what a sensitivity study shows."""
+    """Return the view of a sensitivity study."""
 
     def parts() -> Iterator[Any]:
         if _SHARE in data:

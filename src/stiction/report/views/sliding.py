@@ -1,4 +1,4 @@
-"""A contact moved aside: its table, sentences and files."""
+"""Show the tangential force from rest to sliding as a table, sentences and files."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -47,7 +47,7 @@ def _animate(data: "xarray.Dataset", path: Path) -> None:
 
 
 def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
-    """Return what the tangential force up to sliding shows."""
+    """Return the view of a result of `slide`."""
     numbers = data.drop_dims(["row", "column"], errors="ignore")  # of a map also the state of its points
 
     def parts() -> Iterator[Any]:

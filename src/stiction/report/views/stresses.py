@@ -1,4 +1,4 @@
-"""Stresses in a film: their table, sentences and files."""
+"""Show the stresses in a film as a table, sentences and files."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -32,7 +32,7 @@ _HEADS = {
 
 
 def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
-    """Return what the stresses in the film of a case show. with_section: also those under the asperity, in files."""
+    """Return the view of the film stresses of a case; with_section: also write stresses below the asperity to files."""
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", curve_table(data, all_rows, _HEADS), "")

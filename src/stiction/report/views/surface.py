@@ -1,4 +1,4 @@
-"""A measured surface: its tables, sentences and files."""
+"""Show a measured surface as tables, sentences and files."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -77,7 +77,7 @@ def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
 
 
 def surface_in_short(analysis: Analysis) -> Table:
-    """Return the scan, its heights, with the kind of surface, and its asperities in a line each."""
+    """Summarise the scan in one line each: the scan, its heights with the kind of surface, and its asperities."""
     surface, of_heights = analysis.surface, analysis.statistics
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size", 3) for length in surface.size)
@@ -118,9 +118,10 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 
 
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
-    """Return the roughness of a case file with the asperities that represent the surface; empty where none were found.
+    """Return the roughness table of a case with asperities that represent the surface; empty if none were found.
 
-    Heights without a formula are Gaussian here, and so are those of a known kind: its errors are known for such laws.
+    Heights without a formula, and those of a known kind of surface, are stated as Gaussian, because model errors are
+    known for Gaussian heights.
     """
     if not analysis.standing:
         return {}
@@ -162,7 +163,7 @@ def asperity_table(analysis: Analysis) -> Table:
 
 
 def surface_notes(analysis: Analysis) -> list[Table]:
-    """Return the basis of each method, and why one found nothing."""
+    """Return the basis of each asperity method, and the reason if a method found nothing."""
     lines = []
     if analysis.spikes:
         lines.append(
@@ -189,7 +190,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 
 
 def roughness_notes(measured: "Measured") -> list[Table]:
-    """Return what was done to the scans, which methods found nothing, and what the band is."""
+    """Return how scans were processed, which methods found nothing, and the meaning of the band."""
     count = measured.counts[measured.method]
     counted = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the range over all methods" if len(measured.by_method) > 1 else ""
@@ -247,7 +248,7 @@ def _cells(deviation: float, radius: float, density: float) -> list[str]:
 
 
 def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
-    """Return place and load [N] of the least and the largest compressive load."""
+    """Return index and load [N] of the smallest and the largest compressive load."""
     loads = np.atleast_1d(data["load"].values).ravel()
     pressed = np.flatnonzero(loads > 0.0)
     if not pressed.size:
@@ -263,10 +264,10 @@ def surface_view(
     resolution: "xarray.Dataset | None" = None,
     details: bool = False,
 ) -> View:
-    """Return what a measured surface shows.
+    """Return the view of a measured surface.
 
-    case_table: the roughness of a case file that reads the scan again. solved: its contact; resolution: the resolution study,
-    for files. details: whether to print all that was found.
+    case_table: roughness table of a case that reads the scan again. solved: contact of the map; resolution: resolution
+    study, for files. details: whether to print all results.
     """
 
     def parts() -> Iterator[Any]:

@@ -1,4 +1,4 @@
-"""A sweep as it is shown."""
+"""Show a sweep as tables, sentences and files."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -19,7 +19,7 @@ _MOST = 1_000_000  # points of a store that are read to be told
 
 
 def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View:
-    """Return what a complete store shows. computed: points that were computed now, in so many seconds."""
+    """Return the view of a complete store; computed: number of points computed in this run, within `seconds`."""
     size, validity_warnings = store.plan.size, store.validity_warnings()
 
     def parts() -> Iterator[Any]:
@@ -39,7 +39,7 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
 
 
 def _friction(store: "Store") -> Iterator[str]:
-    """Yield between which ends mu is over all points, of a store that keeps them."""
+    """Yield the range of mu over all points, if the store holds mu."""
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
     if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:
@@ -56,7 +56,7 @@ def _friction(store: "Store") -> Iterator[str]:
 
 
 def _scatter(mu: np.ndarray, loads: np.ndarray | None) -> Iterator[str]:
-    """Yield mu at each load (maps, loads) with its scatter from place to place, of the maps that have it."""
+    """Yield mu (maps, loads) at each load with its scatter between maps; maps without mu are ignored."""
     for index, column in enumerate(mu.T):
         there = column[np.isfinite(column)]
         if len(there) < 2:

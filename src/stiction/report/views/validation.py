@@ -1,4 +1,4 @@
-"""Models against measured series: tables, sentences and files."""
+"""Show models against measured series as tables, sentences and files."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -55,7 +55,7 @@ def validation_table(data: "xarray.Dataset") -> Table:
 
 
 def prediction_table(data: "xarray.Dataset") -> Table | None:
-    """Return a row for each measured friction: the prediction, and whether its intervals hold the measured value."""
+    """Return a row for each measured friction: the prediction, and whether its intervals contain the measured value."""
     rows = []
     for index in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
         result = data.isel(row=index)
@@ -89,7 +89,7 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
-    """Return what models against the measured series of these names show."""
+    """Return the view of models against measured series, by name of the series."""
 
     def parts() -> Iterator[Any]:
         for data in series.values():
