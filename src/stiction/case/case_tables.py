@@ -43,13 +43,14 @@ class _Solve(Input):
         """
         if not isinstance(table, Mapping):
             return table
-        table, known = dict(table), all_options()
-        own = table.get("options", {})
-        for name in own if isinstance(own, Mapping) else ():
+        table, own = dict(table), table.get("options", {})
+        own = own if isinstance(own, Mapping) else {}
+        if not own and not table.keys() - cls.model_fields.keys():
+            return table  # without loading all models
+        known = all_options()
+        for name in own:
             if name not in known:
                 raise InputError(f"options.{name}", own[name], f"{nearest(name, known)}; {name} is no option")
-        if not table.keys() - cls.model_fields.keys():
-            return table
         named = {name: table.pop(name) for name in known if name in table}
         for name, value in named.items():
             if value not in known[name]:
