@@ -1,4 +1,7 @@
-"""State the answer of a prediction in words and as JSON; terminal, page, report and notebook share the text."""
+"""Put the answer of a prediction into words and JSON.
+
+Terminal, web page, report and notebook use the same text.
+"""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -37,18 +40,21 @@ _NO_WIDTH = 1e-9  # of an interval, over its end: round-off
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the prediction at its working load."""
+    """Return the prediction at its working load, without the other loads."""
     return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
 
 
 def confidence(mu: float, low: float, high: float) -> str:
-    """Return "high", "fair" or "low" from the larger ratio between the median and an end of its interval."""
+    """Return the confidence in mu: "high", "fair" or "low".
+
+    It depends on the larger of the ratios high / mu and mu / low.
+    """
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
 
 
 def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer of a prediction for JSON."""
+    """Return the answer of a prediction as a dict for JSON."""
     here = at_working_load(data)
 
     def ends(name: str) -> list[float]:
@@ -78,9 +84,10 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def model_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer of one model for JSON: at the middle point of its curve, with the band over uncertain inputs.
+    """Return the answer of one model as a dict for JSON, at the middle point of its curve.
 
-    `interval` is None where no number is uncertain; where no sample has a result; and where the samples leave mu as it is.
+    `interval` covers the uncertain inputs. It is None if no input is uncertain, if no sample has a result, or if mu is the
+    same in all samples.
     """
     here = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(here[_MU]) if _MU in here else None
@@ -95,12 +102,12 @@ def model_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def number(value: float) -> str:
-    """Return a number with two significant digits."""
+    """Format a number with two significant digits."""
     return f"{float(f'{value:.2g}'):g}"
 
 
 def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
-    """Return the interval of a result in words, with units if a quantity is named."""
+    """Format the interval of a result as "low to high", with units if `quantity` is given."""
     low, high = (float(here[f"{name}_{end}"]) for end in ("low", "high"))
     if quantity is None:
         return f"{number(low)} to {number(high)}"
@@ -108,18 +115,21 @@ def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
 
 
 def headline(data: "xarray.Dataset") -> str:
-    """Return mu with its interval in a line."""
+    """Return one line with mu and its interval."""
     here = at_working_load(data)
     return f"mu = {number(float(here[_MU]))}, {data.attrs['level']:.0%} interval {span(here, _MU)}"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
-    """Return the end of the line of the models: the laws of menisci and contamination in the prediction."""
+    """Return the laws of menisci and contamination that a prediction uses.
+
+    The text follows the list of contact area models; it is empty if there are no such laws.
+    """
     return "".join(f"; {name}" for name in attrs["beside_area"])
 
 
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the answer as pairs of heading and text; the first pairs contain the numbers."""
+    """Return the answer as pairs of heading and text, the numbers first."""
     here, attrs = at_working_load(data), data.attrs
     load = show(float(here["load"]), "load", 3)
     force = show(float(here[_FORCE]), _FORCE, 2)
@@ -145,14 +155,17 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 
 def _sliding(here: "xarray.Dataset") -> str:
-    """State which fraction of the sum of strengths the contact reaches at once, if strength falls with slip; else ""."""
+    """State which fraction of the summed spot strengths the friction force reaches.
+
+    The text is empty if the prediction has no friction efficiency.
+    """
     if "friction_efficiency" not in here:
         return ""
     return f"contact spots slip one after another: {float(here['friction_efficiency']):.0%} of the sum of their strengths"
 
 
 def _along(data: "xarray.Dataset") -> str:
-    """State mu with its interval at the first and last load; "" for a single load."""
+    """State mu with its interval at the smallest and the largest load; "" for a single load."""
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
     ordered = data.sortby("load")
@@ -162,7 +175,10 @@ def _along(data: "xarray.Dataset") -> str:
 
 
 def _of_measured(data: "xarray.Dataset") -> str:
-    """Return what measured values say about uncertain numbers, or about the interface with its line in a case."""
+    """State the interface strength and other inputs as updated by measured friction.
+
+    The text is empty if the prediction uses no measured friction.
+    """
     if "measured" not in data.attrs:
         return ""
     count = data.attrs["measured"]
@@ -182,7 +198,7 @@ def _of_measured(data: "xarray.Dataset") -> str:
 
 
 def models_in_words(names: Iterable[str]) -> str:
-    """Return the laws of the area that a prediction combines.
+    """Return the names of the contact area models that a prediction combines.
 
     >>> models_in_words(["persson_2001", "hertz + bowden_tabor_1943"])
     '2 combined: persson_2001; hertz with bowden_tabor_1943'
@@ -198,7 +214,7 @@ def _bare(interval: list[float]) -> str:
 
 
 def part_name(name: str) -> str:
-    """Return the readable name of a part of a prediction or of an uncertain number."""
+    """Return the readable name of a source of uncertainty or of an uncertain input."""
     return _NAMES.get(name, name.replace("_", " "))
 
 
@@ -208,7 +224,9 @@ def _shares(shares: dict[str, float]) -> str:
 
 
 def model_line(used: Mapping[str, Any]) -> str:
-    """Return the model of a result, by its attributes, with all laws and options that answered and its heights.
+    """Return one line with the model, laws, options and height distribution of a result.
+
+    used: attributes of the result.
 
     >>> model_line({"model": "greenwood_williamson_1966", "asperity": "hertz", "film": "none"})
     'greenwood_williamson_1966, asperity law hertz'
@@ -220,5 +238,8 @@ def model_line(used: Mapping[str, Any]) -> str:
 
 
 def grade_line(used: Mapping[str, Any]) -> str:
-    """Return the grade of a result, by its attributes, with what it means."""
+    """Return the grade of a result and the meaning of that grade.
+
+    used: attributes of the result.
+    """
     return f"{used['grade']}: {GRADES[used['grade']]}"

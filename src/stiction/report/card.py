@@ -1,4 +1,4 @@
-"""The answer card: mu with its interval as a bar, its confidence, the main cause, one warning and the next step."""
+"""The answer card: mu with its interval as a bar, confidence, main source of uncertainty, one warning and the next step."""
 
 import math
 from html import escape
@@ -16,9 +16,10 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches f
 
 
 class Card(NamedTuple):
-    """Hold the short answer.
+    """Store the content of the answer card.
 
-    rows: the whole answer as pairs of heading and text. named: the number of a model that the user named, or "".
+    low, high: interval of mu. level: its probability. decides: main source of uncertainty, in words. rows: the full answer
+    as pairs of heading and text. named: result of the model that the user named, in words, or "".
     """
 
     mu: float
@@ -34,12 +35,12 @@ class Card(NamedTuple):
 
     @property
     def interval(self) -> str:
-        """Return the interval in words."""
+        """Return the interval of mu as "low to high"."""
         return f"{number(self.low)} to {number(self.high)}"
 
     @property
     def confidence(self) -> str:
-        """Return the confidence as a word, and the factor by which mu may be higher or lower."""
+        """Return the confidence as a word, with the factors from mu to both ends of its interval."""
         word = confidence(self.mu, self.low, self.high)
         if self.named or not self.low > 0.0:  # two numbers are enough
             return word
@@ -47,13 +48,13 @@ class Card(NamedTuple):
 
     @property
     def lines(self) -> list[tuple[str, str]]:
-        """Return the rows below mu."""
+        """Return the rows that the card shows below mu, as pairs of heading and text."""
         rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly {self.decides}" if self.decides else "")]
         rows += [("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:
-        """Return the interval as a drawing, on a logarithmic axis."""
+        """Return an SVG drawing of the interval of mu on a logarithmic axis."""
         known = [value for value in (self.low, self.mu, self.high) if value > 0.0]
         first = min(_DECADES[0], *(math.floor(math.log10(value)) for value in known))
         last = max(_DECADES[1], *(math.ceil(math.log10(value)) for value in known))
@@ -72,7 +73,10 @@ class Card(NamedTuple):
         )
 
     def html(self, why: bool = True) -> str:
-        """Return the card as HTML; why: whether to include the whole answer in a folded part."""
+        """Return the card as HTML.
+
+        why: whether to add the full answer in a section that the reader can unfold.
+        """
         more = ", recommended" if self.named else ""
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
         value, by, model = map(escape, self.named.partition(" by "))
@@ -87,7 +91,10 @@ class Card(NamedTuple):
 
 
 def card_of(data: "xarray.Dataset", named: str = "") -> Card:
-    """Return the card of a prediction at its working load; named: the result of a named model, in words."""
+    """Return the answer card of a prediction at its working load.
+
+    named: result of the model that the user named, in words, or "".
+    """
     here, attrs = at_working_load(data), data.attrs
     mu, low, high = (float(here[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
     largest = max(attrs["shares"], key=attrs["shares"].get, default="")

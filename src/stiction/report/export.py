@@ -1,4 +1,4 @@
-"""Write predicted friction for other programs: one file of `exports/` is one format."""
+"""Write predicted friction in the file formats of other programs. Each module of `exports/` writes one format."""
 
 from importlib import import_module
 from pathlib import Path
@@ -28,38 +28,42 @@ def export(
     level: float = 0.5,
     units: str = "m-kg-s",
 ) -> "xarray.Dataset":
-    """Write the predicted friction of a contact against nominal pressure for another program.
+    """Write the predicted friction of a contact as a table for another program.
+
+    The table holds mu against the nominal pressure.
 
     Parameters
     ----------
     contact : Contact, Case, dict or path
-        As `predict` takes it; one contact.
+        One contact, in any form that `predict` accepts.
     to : str
-        Name of a format, e.g. "abaqus"; an unknown one is refused with the list of all.
+        Name of the format, e.g. "abaqus". The error for an unknown name lists all formats.
     out : path, optional
-        File to write; by default nothing is written.
+        File to write. By default no file is written.
     load : number, text or sequence, optional
-        Normal load [N]; by default the loads of the case. More than one: the table spans them; one: two decades either side.
+        Normal load [N]; by default the loads of the case. The table covers the range of several loads. For one load it
+        covers two decades below and above.
     level : float
-        Quantile of mu, between 0 and 1: 0.5 the median, 0.05 a lower bound.
+        Quantile of mu to write, between 0 and 1: 0.5 is the median, 0.05 a lower bound.
     units : str
-        Consistent units of the file, e.g. "mm-N-MPa"; unknown ones are refused with the list of all.
+        Consistent units of the file, e.g. "mm-N-MPa". The error for unknown units lists all choices.
 
     Returns
     -------
     xarray.Dataset
-        What is written, in these units, over `row`: load, nominal_pressure, friction_coefficient and, of bare bodies,
-        tangential_stiffness (shear stress over displacement at rest), elastic_slip and mean_separation. `text` among the
-        attributes is the content of the file, as text or bytes.
+        The exported table in the chosen units, with dimension `row`: load, nominal_pressure and friction_coefficient. For
+        bodies without a film also tangential_stiffness (shear stress over displacement at rest), elastic_slip and
+        mean_separation. The attribute `text` is the content of the file (str or bytes).
 
     Raises
     ------
     InputError
-        An unknown format or unit, a contact without a prediction, or a file that cannot be written.
+        If the format or the units are unknown, the contact has no prediction, or the file cannot be written.
 
     Notes
     -----
-    Between rows mu is linear in pressure within 0.1 %. Beyond the first and last row most programs hold mu constant.
+    mu is linear in pressure between two rows, within 0.1 %. Most programs hold mu constant below the first and above the
+    last row.
 
     Examples
     --------
@@ -90,7 +94,7 @@ def export(
 
 
 def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
-    """Return the table in a system of units."""
+    """Convert the table from SI to the named system of units."""
     length, force, (meter, newton, pascal) = UNITS[units]
     of = {
         "m": (length, meter),

@@ -70,12 +70,12 @@ def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any
 
 
 def _names(data: "xarray.Dataset") -> list[str]:
-    """Return the names of coordinates, then of results."""
+    """Return the names of all coordinates, followed by those of all variables."""
     return [str(name) for name in (*data.coords, *data.data_vars)]
 
 
 def comments_of(data: "xarray.Dataset") -> list[str]:
-    """Return the comment lines above the table of a result: model, validity warnings, inputs, and its columns."""
+    """Return comment lines for the CSV file of a result: model, validity warnings, inputs and meanings of columns."""
     used = data.attrs
     comments: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
@@ -95,9 +95,9 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
 
 
 def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
-    """Return a line for each comment with its heading, and the meanings of the table columns.
+    """Return comment lines "heading: text" for a CSV file, with the meaning of every column.
 
-    comments: a text or a list of texts by heading.
+    comments: text, or list of texts, by heading.
     """
     columns = []
     for name in _names(data):
@@ -112,7 +112,10 @@ def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[s
 
 
 def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
-    """Write every variable as a column with the head "name [unit]", after comment lines; floats have all digits."""
+    """Write a dataset as CSV, one column "name [unit]" for each variable.
+
+    comments: lines to write above the table. Floats keep all digits.
+    """
     import xarray
 
     names = _names(data)
@@ -122,12 +125,12 @@ def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) 
 
 
 def rows_of(data: "xarray.Dataset", names: Iterable[str]) -> list[list[Any]]:
-    """Return the values of variables of one dimension as rows of a table."""
+    """Return the values of the named one-dimensional variables as table rows."""
     return [list(row) for row in zip(*(data[name].values.tolist() for name in names), strict=True)]
 
 
 def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], comments: Iterable[str] = ()) -> None:
-    """Write a CSV file with one line of heads, after comment lines."""
+    """Write a CSV file: comment lines, one line of column heads, then the rows."""
     with path.open("w", encoding="utf-8", newline="") as file:
         file.writelines(f"# {line}\n" for line in comments)
         writer = csv.writer(file, lineterminator="\n")
@@ -136,9 +139,9 @@ def write_rows(path: Path, heads: Iterable[str], rows: Iterable[Iterable[Any]], 
 
 
 def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
-    """Write a netCDF4 file for xarray.open_dataset(path).
+    """Write a dataset as netCDF4 file, to be read by xarray.open_dataset(path).
 
-    It is built in memory first, because the netCDF library aborts the process on a full disk.
+    The file is built in memory first, because the netCDF library aborts the process on a full disk.
     """
     made = io.BytesIO()
     data.to_netcdf(made, engine="h5netcdf")
@@ -146,12 +149,12 @@ def write_netcdf(data: "xarray.Dataset", path: Path) -> None:
 
 
 def write_picture(figure: "Figure", path: Path) -> None:
-    """Write a PNG file."""
+    """Write a figure as PNG file."""
     figure.savefig(path, dpi=_DOTS_PER_INCH)
 
 
 def undrawn_of(names: Iterable[str]) -> list[str]:
-    """Return the names of pictures that cannot be drawn: all of them if matplotlib is not installed."""
+    """Return the names of the PNG files that cannot be drawn because matplotlib is not installed."""
     return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
 
 
@@ -163,10 +166,11 @@ def check_folder(folder: Path) -> None:
 
 
 def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> None:
-    """Write files (name -> function that writes to a path) into a folder, made if it is missing.
+    """Write files into a folder, which is created if it is missing.
 
-    All are finished in a temporary folder next to it before the first is moved into place; other files stay. Pictures are
-    left out without matplotlib. Raises InputError if a file cannot be written.
+    files: file name -> function that writes the file to a path. All files are written to a temporary folder first and moved
+    when all are complete. Other files in the folder stay. PNG files are skipped if matplotlib is not installed. Raises
+    InputError if a file cannot be written.
     """
     check_folder(folder)
     undrawn = set(undrawn_of(files))
@@ -190,7 +194,10 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
 
 
 def _clear_abandoned(folder: Path) -> None:
-    """Remove temporary folders of programs that were killed, if nothing has been written there for a while."""
+    """Remove temporary folders that killed programs left next to `folder`.
+
+    A folder is removed if nothing was written to it during the last ten minutes.
+    """
     made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
     for beside in folder.parent.iterdir():
         if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():

@@ -1,4 +1,4 @@
-"""Draw the mean touching asperity of a coated contact in section, and the stresses at its interface."""
+"""Draw a cross-section of the mean touching asperity of a coated contact, and the stresses at the film interface."""
 
 from typing import TYPE_CHECKING
 
@@ -18,9 +18,9 @@ _LEVELS = 12
 
 
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw the von Mises stress over the local yield stress in section, and the stresses along the interface.
+    """Draw a cross-section of von Mises stress over yield stress, and the stresses along the interface.
 
-    data: one point of `film_stresses`. section: result of `film_section`.
+    data: result of `film_stresses` at one point. section: result of `film_section`.
     """
     figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
@@ -32,7 +32,7 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
 
 
 def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
-    """Describe the load and the sizes of the mean asperity, with units if the contact has them."""
+    """Return a title line with the load and the dimensions of the mean asperity."""
     used = section.attrs
     words = [f"load {with_unit(data['load'])}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
     if "mean_pressure" in used:

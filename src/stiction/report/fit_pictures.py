@@ -20,7 +20,7 @@ _TOP = 12.0  # of the rise of chi square that is shown
 
 
 def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw a row for each measured quantity: measured and fitted, residuals, and predictions with their bands."""
+    """Draw measured and fitted values, residuals and predictions, one row of panels for each measured quantity."""
     quantities = list(dict.fromkeys(data["quantity"].values.tolist()))
     predicted = [name for name in quantities if f"predicted_{name}" in data]
     columns = 3 if predicted else 2
@@ -40,7 +40,10 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield name, style, loads and values of each sample of a quantity; point numbers replace unknown loads."""
+    """Yield name, style, loads and values of each sample of a quantity.
+
+    Point numbers replace loads that are not known.
+    """
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))
     for number, sample in enumerate(dict.fromkeys(data["sample"].values.tolist())):
@@ -100,7 +103,10 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
-    """Draw for each free number how much the best fit worsens when the number is fixed at other values."""
+    """Draw the likelihood profile of each fitted parameter.
+
+    It shows the rise of chi-square when the parameter is fixed at other values and all others are refitted.
+    """
     count = data.sizes["parameter"]
     columns = min(count, 3)
     rows = -(-count // columns)

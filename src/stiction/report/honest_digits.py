@@ -6,10 +6,10 @@ _MOST = 3  # digits, of a friction coefficient that is computed: what is read of
 
 
 def rounded(value: float, ends: list[float]) -> str:
-    """Return a value as text with as many digits as its uncertainty allows, one to three.
+    """Format a value with one to three digits, as many as its uncertainty allows.
 
-    The last digit is at the leading digit of half the range of value and `ends`, one further if that digit is 1. Without a
-    range the value has two digits. NaN is "not defined".
+    ends: ends of the uncertainty interval. The last digit is at the leading digit of half the interval width, or one
+    further if that leading digit is 1. Without an interval the value has two digits. NaN gives "not defined".
     """
     if not math.isfinite(value):
         return "not defined"
@@ -28,5 +28,5 @@ def rounded(value: float, ends: list[float]) -> str:
 
 
 def _place(value: float) -> int:
-    """Return the power of ten of the leading digit."""
+    """Return the decimal exponent of the leading digit of a number."""
     return int(f"{abs(value):e}".partition("e")[2])

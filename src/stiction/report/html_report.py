@@ -1,4 +1,4 @@
-"""Write one case as a self-contained HTML page, which needs no network and no scripts."""
+"""Write the report of one case as a self-contained HTML page without network access or scripts."""
 
 import base64
 import datetime
@@ -56,11 +56,11 @@ def write_report(
     case : Case, path, or dict like a case file
         One contact, or a case with array parameters.
     path : path
-        File to write: .html, or .pdf where a browser or weasyprint is installed. An existing file is replaced.
+        File to write: .html, or .pdf if a browser or weasyprint is installed. An existing file is replaced.
     load : float [N] or str with a unit, optional
-        Working load; by default the middle one of the case.
+        Working load; by default the middle load of the case.
     ranges : bool, optional
-        Whether numbers of material presets vary within their ranges, in place of what the case states.
+        Whether the properties of material presets vary within their ranges. By default the case decides.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
@@ -72,7 +72,7 @@ def write_report(
     Raises
     ------
     InputError
-        The case is wrong, or the file cannot be written.
+        If the case is invalid or the file cannot be written.
 
     Examples
     --------
@@ -101,14 +101,18 @@ def write_report(
 
 
 def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
-    """Return the report of a case as HTML; text: the content of its case file. Raises InputError."""
+    """Solve a case and return its report as HTML.
+
+    text: content of the case file. Raises InputError if the case is invalid.
+    """
     return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
-    """Return the report as HTML, which depends only on the arguments and the date.
+    """Render a report as HTML.
 
-    name: of the case file. again: command line that makes the report.
+    findings: results of the report. name: name of the case file. again: command line that makes the report again. The same
+    arguments give the same page on the same day.
     """
     import jinja2
 
@@ -149,12 +153,12 @@ def as_html(findings: ReportData, name: str, again: str, progress: Progress = si
 
 
 def _as_link(text: str) -> str:
-    """Return a link from which a browser saves the text as a file."""
+    """Return a data URL from which a browser can save the text as a file."""
     return f"data:text/plain;charset=utf-8;base64,{base64.b64encode(text.encode()).decode('ascii')}"
 
 
 def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, list]]:
-    """Yield the name of each section and its pictures."""
+    """Yield pairs of section name and the list of its pictures."""
     from stiction.report.report_pictures import SECTIONS, pictures_of_scan
 
     bodies = [f"{body.capitalize()} body" for body in findings.analyses]
@@ -164,7 +168,7 @@ def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, l
 
 
 def report_record(findings: ReportData) -> dict[str, Any]:
-    """Return the answer as numbers and words, for JSON."""
+    """Return the answer of a report as a dict of numbers and texts for JSON."""
     data, here = findings.data, findings.here
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
     if findings.prediction is not None:
@@ -197,7 +201,7 @@ def _answer(findings: ReportData) -> dict[str, Any] | None:
 
 
 def check_place(path: Path, case: Any = None) -> None:
-    """Raise InputError, before any computation, if no report can be written to this path."""
+    """Raise InputError if no report can be written to this path; call it before computing."""
     allowed = "a file that ends in .html or .pdf, new or existing"
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError("--out", str(path), allowed)
@@ -218,7 +222,7 @@ def _browser() -> str:
 
 
 def _printed_page(made: Path) -> Path:
-    """Print a page of HTML as PDF in the same folder, and return its path."""
+    """Convert an HTML file to PDF in the same folder, and return the path of the PDF."""
     page, printed_to = made.rename(made.with_suffix(".html")), made.with_suffix(".pdf")
     if browser := _browser():
         words = [browser, "--headless", "--disable-gpu", "--no-pdf-header-footer", f"--user-data-dir={made.parent / 'profile'}"]
@@ -232,7 +236,11 @@ def _printed_page(made: Path) -> Path:
 
 
 def write_html(path: Path, text: str) -> None:
-    """Write the page to a temporary folder, then move it into place. Raises InputError."""
+    """Write a page as HTML or PDF.
+
+    The page is written to a temporary folder and then moved, so no incomplete file is left. Raises InputError if the file
+    cannot be written.
+    """
     check_place(path)
     path = path.resolve()
     try:

@@ -13,23 +13,23 @@ _WORD = re.compile(rf"(?<![A-Za-z])({'|'.join(sorted(_GREEK, key=len, reverse=Tr
 
 
 def letters(text: str) -> str:
-    """Return a text with Greek letters in place of their names: "σ/R" for "sigma/R"."""
+    """Replace the names of Greek letters in a text by the letters: "sigma/R" becomes "σ/R"."""
     return _WORD.sub(lambda match: _GREEK[match[1]], text).replace("sqrt(", "√(").replace("+-", "±")
 
 
 def on_page(table: Table, caption: str) -> Table:
-    """Convert a table of the terminal for a page."""
+    """Convert a terminal table to a table for the page, with Greek letters in its heads."""
     columns = [replace(column, head=letters(column.head.replace("\n", " "))) for column in table.columns]
     return replace(table, columns=columns, rows=[[str(cell) for cell in row] for row in table.rows], caption=caption)
 
 
 def breakable(text: str) -> Markup:
-    """Return HTML of a key that breaks across lines only after its underscores."""
+    """Return a model key as HTML in which lines may break after underscores."""
     return Markup(str(escape(text)).replace("_", "_<wbr>"))  # what came in was escaped
 
 
 def formula(text: str) -> Markup:
-    """Return HTML of a symbol, or of a meaning with formulas; all of it is escaped."""
+    """Return a symbol, or a text with formulas, as escaped HTML with subscripts and superscripts."""
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
     shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda match: f"<sup>{match[1] or match[2]}</sup>", shown)

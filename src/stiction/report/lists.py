@@ -19,9 +19,10 @@ LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
 
 
 def material_rows(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return name and numbers of the named presets, or of all.
+    """Return the properties of material presets, one dict for each preset.
 
-    Each number has its value, unit, range and source. Raises InputError for an unknown name.
+    names: presets to list; None for all. Each property has value, unit, range and source. Raises InputError for an unknown
+    name.
     """
     return [_row(material(name)) for name in (material_names() if names is None else names)]
 
@@ -41,7 +42,7 @@ def _row(preset: Material) -> dict[str, Any]:
 
 
 def with_range(preset: Material, name: str) -> str:
-    """Format a number with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks the number."""
+    """Format a material property with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks the property."""
     value = getattr(preset, name)
     if value is None:
         return ""
@@ -50,7 +51,7 @@ def with_range(preset: Material, name: str) -> str:
 
 
 def materials_table(names: Iterable[str]) -> Table:
-    """Return a row for each preset: its numbers, each with its range."""
+    """Return a table of material presets: one row each, with the range below each property."""
     columns = [Column("material\n"), *(Column(f"{QUANTITIES[name].symbol}\nrange", wrap=True) for name in LISTED)]
     rows = [
         [_lines(name, ", ".join(symbols_of(name))), *(_two_lines(material(name), quantity) for quantity in LISTED)]
@@ -60,18 +61,18 @@ def materials_table(names: Iterable[str]) -> Table:
 
 
 def _two_lines(preset: Material, name: str) -> Text:
-    """Return a number, and its range below."""
+    """Return a table cell with a property and, below it, its range."""
     number, _, ends = with_range(preset, name).partition(" (")
     return _lines(number, ends.removesuffix(")"))
 
 
 def _lines(first: str, second: str) -> Text:
-    """Return two lines of a cell, the second one dim."""
+    """Return a table cell of two lines; the second line is dim."""
     return Text(first) + Text(f"\n{second}", style="dim")
 
 
 def material_in_full(name: str) -> Group:
-    """Return every number of a preset, with its range and source."""
+    """Describe one material preset: every property with its range and source."""
     preset = material(name)
     symbols = "".join(f", {other_symbol}" for other_symbol in symbols_of(preset.name))
     lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]
@@ -87,24 +88,27 @@ _TIMES = {"interfacial_shear_strength": "", "shear_strength": " H", "strength_ov
 
 
 def median_in_words(number: Mapping[str, Any] | None) -> str:
-    """Return a median as text: "25 MPa", "0.15 H" or "0.4 G"; "none" for a number that the state does not have."""
+    """Format the median of an interface property: "25 MPa", "0.15 H" or "0.4 G".
+
+    None, for a property that the interface state does not have, gives "none".
+    """
     if number is None:
         return "none"
     return show(number["value"], number["quantity"]) + _TIMES.get(number["quantity"], "")
 
 
 def range_of(number: Mapping[str, Any] | None) -> str:
-    """Return the 5 and 95 % quantiles as text."""
+    """Format the 5 % and 95 % quantiles of an interface property; "" for None."""
     return "" if number is None else number["range_in_words"] + _TIMES.get(number["quantity"], "")
 
 
 def grade_of(number: Mapping[str, Any] | None) -> str:
-    """Return the grade of a number, "" where there is none."""
+    """Return the grade of an interface property; "" for None."""
     return "" if number is None else number["grade"]
 
 
 def interfaces_table() -> Group:
-    """Return a table of the states, one line each of at most 80 columns, and a legend of its letters."""
+    """Return a table of all interface states, one line each, with a legend; at most 80 columns wide."""
     rows = []
     for row in interfaces():
         numbers = row["strength"], row["pressure_coefficient"]
@@ -121,7 +125,7 @@ def _how_to_state(name: str) -> Text:
 
 
 def interface_in_full(name: str) -> Group:
-    """Describe one state: numbers, sources, allowed pairs of materials, and where it must not be used."""
+    """Describe one interface state: properties, sources, allowed pairs of materials, and where it must not be used."""
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):

@@ -1,6 +1,7 @@
-"""Formats of other programs, one module each.
+"""File formats of other programs, one module for each.
 
-`content(table)` returns the content of the file. The docstring of each module cites the manual of the program.
+Each module has a function `content(table)` that returns the content of the file. Its docstring cites the manual of
+the program.
 """
 
 import pkgutil
@@ -15,5 +16,5 @@ UNITS = {
 
 
 def export_formats() -> list[str]:
-    """Return the names of the formats, those of the files in this folder."""
+    """Return the names of all export formats: the module names of this folder."""
     return [module.name for module in pkgutil.iter_modules(__path__)]

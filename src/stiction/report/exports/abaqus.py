@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 
 def surface_behavior(table: "xarray.Dataset") -> list[str]:
-    """Return the lines of *SURFACE BEHAVIOR, pressure against overclosure, of a table with the mean separation."""
+    """Return the *SURFACE BEHAVIOR lines: contact pressure against overclosure.
+
+    table: friction table with `mean_separation`.
+    """
     pressure, gap = table["nominal_pressure"].values, table["mean_separation"].values
     touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
     lines = [f"** overclosure 0: the mean planes are {touch:.6g} {table['mean_separation'].attrs['units']} apart"]
@@ -22,7 +25,7 @@ def surface_behavior(table: "xarray.Dataset") -> list[str]:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the lines of an input file."""
+    """Return the Abaqus input of a friction table."""
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION"]
     slip = ""
     if "elastic_slip" in table:

@@ -19,7 +19,10 @@ _MOST_ROWS = 20
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the lines of an input file. Raises InputError if no stiffness is known, which *FRICTION needs."""
+    """Return the CalculiX input of a friction table.
+
+    Raises InputError if the table has no tangential stiffness, because *FRICTION needs one.
+    """
     if "tangential_stiffness" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
         raise InputError("to", "calculix", f"another format: {why}")

@@ -1,4 +1,4 @@
-"""CSV with units in the heads and no comment lines, for any program that reads a table (RFC 4180)."""
+"""CSV with units in the column heads and without comment lines (RFC 4180), for any program that reads tables."""
 
 import csv
 import io
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def heads_and_rows(table: "xarray.Dataset") -> list[list]:
-    """Return a list of heads, as "name [unit]", and the rows of the table."""
+    """Return the rows of the table as lists; the first list holds the heads, "name [unit]"."""
     units = {name: variable.attrs["units"] for name, variable in table.items()}
     heads = [f"{name} [{unit}]" if unit != "1" else str(name) for name, unit in units.items()]
     rows = zip(*(table[name].values for name in units), strict=True)
