@@ -1,6 +1,7 @@
 """Strength that falls with slip in a prediction: the compact law of efficiency, its limits, and what a case states."""
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -93,3 +94,43 @@ def test_friction_falls_with_a_shorter_slip_and_never_leaps():
 def test_a_slip_needs_a_residual_strength():
     with refusal("residual_strength", "not given", "beside weakening_slip"):
         st.Contact(**PAIR, weakening_slip="1 nm")
+
+
+def on_map(seed, hurst, longest, shortest, gradient, periodic=True, **more):
+    """A contact whose nominal area is its map of 128 x 128 points."""
+    side = 10e-6
+    waves = st.SelfAffine(hurst, side / longest, side / shortest, gradient * side)
+    surface = replace(st.gaussian_surface((128, 128), (side, side), waves, seed=seed), periodic=periodic)
+    pair = {"first": "hardened_steel_52100", "second": "silicon_nitride", "interfacial_shear_strength": "300 MPa"}
+    return st.Contact(**pair | {"roughness": surface, "nominal_area": side**2} | more)
+
+
+@pytest.mark.parametrize(
+    ("surface", "more"),
+    [
+        ((1, 0.8, 4, 16, 2e-3), {"weakening_slip": "2 nm", "residual_strength": 0.3}),
+        ((2, 0.8, 4, 16, 2e-3), {"weakening_slip": "3 nm", "residual_strength": 0.0}),
+        ((5, 0.3, 4, 12, 4e-3), {"weakening_slip": "2 nm", "residual_strength": 0.6, "first": "silicon"}),
+        ((6, 0.8, 4, 16, 2e-3, False), {"weakening_slip": "2 nm", "residual_strength": 0.3, "first": "silicon"}),
+    ],
+)
+def test_the_interval_holds_what_the_map_itself_gives(surface, more):
+    contact = on_map(*surface, **more)
+    loads = ["1 mN", "10 mN", "40 mN"]
+    solved = st.slide(contact, load=loads, model="boundary_elements")["friction_efficiency"].values
+    answer = st.predict(contact, load=loads)
+    assert (answer.friction_efficiency_low.values <= solved).all()
+    assert (answer.friction_efficiency_high.values >= solved).all()
+    assert (answer.friction_efficiency_high.values < 1.12 * answer.friction_efficiency_low.values).all()
+
+
+def test_a_nominal_area_beyond_its_map_has_ends():
+    """The map is known only up to its side: what is wider adds the ends of the whole contact, from the side of the map on."""
+    pair = {"weakening_slip": "20 nm", "residual_strength": 0.3}
+    shares = [
+        float(
+            st.predict(on_map(1, 0.8, 4, 16, 2e-3, nominal_area=times * 1e-10, **pair), load=0.01 * times).friction_efficiency
+        )
+        for times in (1.0, 1.1, 100.0, 1e4)
+    ]
+    assert (np.diff(shares) < 0.0).all() and shares[0] - shares[1] < 0.01 and shares[3] < 0.75

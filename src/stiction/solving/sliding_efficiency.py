@@ -25,7 +25,7 @@ import math
 import numpy as np
 from scipy.special import ndtr
 
-__all__ = ["FITTED", "SPOTS_ERROR", "efficiency", "spot_radius", "spread_of_edges", "spread_of_spots"]
+__all__ = ["FITTED", "LAW_ERROR", "SPOTS_ERROR", "efficiency", "spot_radius", "spread_of_edges", "spread_of_spots"]
 
 FITTED = (4.137, 1.053, 0.681)
 """b, m and w of the law."""
@@ -33,6 +33,9 @@ _OF_SPOTS, _BY_SHARE, _BY_DENSITY, _OF_EDGES = 4.546, 0.815, 0.783, 0.0590
 SPOTS_ERROR = 0.25
 """Standard deviation of ln of the displacement of spots that are known by numbers: twice that on the maps of the fit and more,
 as one of 10 um that was moved aside later was 0.37 off."""
+LAW_ERROR = 0.02
+"""Standard deviation of ln of the efficiency of a map whose displacement is known: more than on the maps of the fit, which do
+not yield."""
 _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 

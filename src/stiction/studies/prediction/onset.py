@@ -4,10 +4,42 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.solving.sliding_efficiency import SPOTS_ERROR, efficiency, spot_radius, spread_of_edges, spread_of_spots
+from stiction.quantities.errors import InputError
+from stiction.solving.choice import Choice
+from stiction.solving.on_map import OnMap
+from stiction.solving.problem import make_problem
+from stiction.solving.sliding_efficiency import (
+    LAW_ERROR,
+    SPOTS_ERROR,
+    efficiency,
+    spot_radius,
+    spread_of_edges,
+    spread_of_spots,
+)
+from stiction.solving.spots_on_map import spread_on_map
 from stiction.studies.prediction.sampled_case import SampledCase
 
 __all__ = ["Onset"]
+
+_MAP = "boundary_elements"
+
+
+@dataclass(frozen=True)
+class MapSpots:
+    """The spots of a solved map.
+
+    share: real over nominal area (k,); spread: s/tau_p (k,) [m/Pa]; compliance: S of the bodies [1/Pa] that were solved; side:
+    side of the map [m], whose spots are known.
+    """
+
+    share: np.ndarray
+    spread: np.ndarray
+    compliance: float
+    side: float
+
+    def at(self, share: np.ndarray) -> np.ndarray:
+        """Return s/(tau_p S) [m] at real over nominal areas of any shape."""
+        return np.interp(np.log(share), np.log(self.share), self.spread) / self.compliance
 
 
 @dataclass(frozen=True)
@@ -16,7 +48,8 @@ class Onset:
 
     slip: weakening slip [m]; residual: residual strength (fraction); deviation [m], radius [m], density [1/m2]: sigma, R
     and N of the asperities; side: side of the nominal area [m]; compliance: tangential compliance S [1/Pa] of the touching
-    surfaces, and of the bodies below them; thickness: film thickness [m], 0 without a film.
+    surfaces, and of the bodies below them; thickness: film thickness [m], 0 without a film; spots: of a solved map, None
+    without a map.
     """
 
     slip: np.ndarray
@@ -27,6 +60,7 @@ class Onset:
     side: np.ndarray
     compliance: tuple[np.ndarray, np.ndarray]
     thickness: np.ndarray
+    spots: MapSpots | None
 
     @classmethod
     def of(cls, sampled: SampledCase) -> "Onset | None":
@@ -35,10 +69,7 @@ class Onset:
         if contact.weakening_slip is None:
             return None
         rough, coating = contact.roughness, contact.coating
-        faces, bodies = (
-            sampled.column(sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair))
-            for pair in (contact.touching, (contact.first, contact.second))
-        )
+        faces, bodies = (sampled.column(_compliance(pair)) for pair in (contact.touching, (contact.first, contact.second)))
         return cls(
             sampled.column(contact.weakening_slip),
             sampled.column(contact.residual_strength),
@@ -48,27 +79,62 @@ class Onset:
             sampled.column(contact.nominal_area**0.5),
             (faces, bodies),
             sampled.column(0.0 if coating is None else coating.thickness),
+            _spots_of(sampled),
         )
 
     def efficiency(self, strength: np.ndarray, share: np.ndarray, level: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the largest friction force over the sum of the strengths of all contact spots (n, m).
 
         strength: mean shear strength on the contact area [Pa] (n, m); share: real over nominal area (n, m); level: quantile
-        levels (n,) of the error of the model; rows: rows (n,) of the sampled inputs. Spots wider than a film is thick have
-        the compliance of the body below it.
+        levels (n,) of the error of the model; rows: rows (n,) of the sampled inputs.
         """
         from scipy.special import ndtri
 
-        def drawn(column: np.ndarray) -> np.ndarray:
-            return column[rows % len(column)]
+        score, side, bodies = ndtri(level)[:, None], _drawn(self.side, rows), _drawn(self.compliance[1], rows)
+        slip, residual = _drawn(self.slip, rows), _drawn(self.residual, rows)
+        if self.spots is None:
+            of_spots = self._by_numbers(share, rows) * np.exp(SPOTS_ERROR * score)
+            of_edges = bodies * spread_of_edges(side, share)
+            return efficiency(strength * np.hypot(of_spots, of_edges) / slip, residual)
+        # Waves shorter than the map are in its solution; the ends of the nominal area add those that are longer.
+        longer = np.sqrt(np.maximum(side**2 - self.spots.side**2, 0.0))
+        spread = bodies * np.hypot(self.spots.at(share), spread_of_edges(longer, share))
+        return np.clip(efficiency(strength * spread / slip, residual) * np.exp(-LAW_ERROR * score), residual, 1.0)
 
-        deviation, radius, density = (drawn(table) for table in (self.deviation, self.radius, self.density))
+    def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Return s/tau_p (n, m) [m/Pa] of spots by the numbers of the asperities.
+
+        Spots wider than a film is thick have the compliance of the body below it.
+        """
+        deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
         spots = spot_radius(share, deviation, radius, density)
-        faces, bodies = (drawn(table) for table in self.compliance)
-        thickness = drawn(self.thickness)
+        faces, bodies = (_drawn(table, rows) for table in self.compliance)
+        thickness = _drawn(self.thickness, rows)
         below = bodies + (faces - bodies) * thickness / (thickness + spots)
-        of_spots = (
-            below * spread_of_spots(spots, share, deviation * radius * density) * np.exp(SPOTS_ERROR * ndtri(level))[:, None]
-        )
-        of_edges = bodies * spread_of_edges(drawn(self.side), share)
-        return efficiency(strength * np.hypot(of_spots, of_edges) / drawn(self.slip), drawn(self.residual))
+        return below * spread_of_spots(spots, share, deviation * radius * density)
+
+
+def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Return these rows of sampled inputs; a single row is repeated."""
+    return column[rows % len(column)]
+
+
+def _compliance(pair):
+    """Return the tangential compliance S [1/Pa] of two bodies."""
+    return sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair)
+
+
+def _spots_of(sampled: SampledCase) -> MapSpots | None:
+    """Return the solved spots of the map of a contact, of the first one in a sweep; None without a map that can be solved."""
+    if not sampled.on_map:
+        return None
+    first = sampled.ends()[0]
+    try:
+        problem = make_problem(first.nominal(_MAP), Choice(_MAP, tangential="none"))
+        assert isinstance(problem, OnMap)
+        share, spread = spread_on_map(problem, sampled.loads)
+    except InputError:
+        return None
+    contact, surface = problem.contact, problem.surface()
+    compliance = float(_compliance((contact.first, contact.second)))
+    return MapSpots(share, spread, compliance, float(np.sqrt(np.prod(surface.size))))

@@ -1,0 +1,70 @@
+"""How far shear moves the contact spots of a solved map, for the compact law of efficiency (`sliding_efficiency`)."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.laws.rough_surface.boundary_elements import bodies_of, shear_compliance_of
+from stiction.solving.on_map import OnMap
+
+if TYPE_CHECKING:
+    from stiction.solvers.boundary_elements.solve import MapContact
+    from stiction.solvers.shear.operators import ShearOperator
+
+__all__ = ["spread_on_map"]
+
+_BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of a table: beyond those asked for, ratio of neighbours, how many at most
+_HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # the last of them over modulus times gradient, at most this share of the hardness
+
+
+def spread_on_map(problem: OnMap, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the standard deviation of the displacement that shear causes in the contact spots of a map.
+
+    Parameters
+    ----------
+    problem : OnMap
+        A contact with a map. A large map is solved on only as many of its points as its area needs.
+    loads : numpy.ndarray
+        Loads [N] near which the spots have to be known.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Real over nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa], where every spot bears the stress tau_p.
+
+    Raises
+    ------
+    InputError
+        The map cannot be solved.
+    """
+    from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import
+    from stiction.solvers.boundary_elements.measures import waves
+    from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
+
+    contact, surface = problem.contact, problem.surface()
+    bodies = bodies_of(contact)
+    largest = _HEAVIEST * contact.contact_modulus * waves(surface.heights, surface.size, surface.periodic).gradient
+    if bodies.hardness is not None:
+        largest = min(largest, _OF_HARDNESS * bodies.hardness)
+    least, most = (float(load) / contact.nominal_area for load in (loads.min(), loads.max()))
+    steps = min(math.ceil(math.log(most / least * _BEYOND**2) / math.log(_STEP)), _MOST)
+    near = np.geomspace(least / _BEYOND, most * _BEYOND, steps + 1)
+    curve = curve_of_map(surface, bodies, [*near[near < largest].tolist(), largest], sampled=True)
+    solved = [one for one in curve.contacts if one is not None]
+    shape = tuple(-(-count // curve.every) for count in surface.heights.shape)
+    rows, columns = (
+        curve.every * count * length / points
+        for count, length, points in zip(shape, surface.size, surface.heights.shape, strict=True)
+    )
+    boundary = PeriodicShear if surface.periodic else MirroredShear
+    operator = boundary(shear_compliance_of(contact), shape, (rows, columns))
+    share = [one.area / one.nominal_area for one in solved]
+    return np.array([*share, 1.0]), np.array([*(_spread(operator, one) for one in solved), 0.0])
+
+
+def _spread(operator: "ShearOperator", one: "MapContact") -> float:
+    """Return s/tau_p [m/Pa] of a solved map; points bear the strength of the area without the excess of edge points."""
+    assert one.pressure is not None
+    spots = one.pressure > 0.0
+    return float(np.std(operator(spots[None] * (one.area / one.area_pixels))[0][spots]))
