@@ -16,7 +16,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy import special
 
 from stiction.solvers.layered.compliance import Pair
 from stiction.solvers.layered.half_space import integrals
@@ -178,6 +177,8 @@ def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
 
 def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:
     """Return J_0 to J_3 of k r: (4, k, r)."""
+    from scipy import special  # slow to import, and this module is imported whenever tangential laws are listed
+
     x = np.outer(k, r)
     safe = np.maximum(x, _SMALL)
     J0, J1 = special.j0(x), special.j1(x)
