@@ -1,4 +1,4 @@
-"""Draw a design: the best design of each choice from lists, the search, and the Pareto front of two objectives."""
+"""Draw the result of a design: best designs, all evaluated designs, and the Pareto front of two objectives."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ _BARS = 12
 
 
 def design_figure(data: "xarray.Dataset") -> Figure:
-    """Draw the best design of each choice from lists, with all evaluated designs or the Pareto front."""
+    """Draw the best design of each combination of list choices, with all evaluated designs or the Pareto front."""
     texts = data.attrs["objectives"].split("\n")
     objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]
     several, two = data.sizes["design"] > 1, len(objectives) == 2
@@ -61,7 +61,7 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw the chosen numbers along the Pareto front, each between its search limits."""
+    """Draw the design variables along the Pareto front, each scaled between its search limits."""
     columns = columns_of(data, "pareto")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
@@ -76,7 +76,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw every evaluated design against the chosen number, between its search limits."""
+    """Draw the objective of every evaluated design against the design variable."""
     columns = columns_of(data, "evaluated")
     name = next(
         (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""

@@ -1,4 +1,4 @@
-"""Draw how the asperity method affects sigma, R and N at every resolution, and friction."""
+"""Draw how the method of finding asperities changes sigma, R, N and friction."""
 
 import textwrap
 from typing import TYPE_CHECKING, Any
@@ -52,11 +52,11 @@ _MOST_NOTES = 5  # of values that are missing, below a picture
 
 
 def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw sigma, R, N and, if present, mu against the shortest wavelength kept, one line for each method.
+    """Draw sigma, R, N and, if present, mu against the cutoff wavelength, one line for each asperity method.
 
-    resolution_study: over (asperity_method, cutoff). The unfiltered map, cutoff 0, is at the left as "none". A line has
-    a gap where its method has no value or friction is 0; a note below states the reason. Marks show a change of the
-    height distribution, where mu jumps.
+    resolution_study: dataset over (asperity_method, cutoff). Cutoff 0, the unfiltered map, is labelled "none" and drawn
+    at the left. A line has a gap if its method has no value or friction is 0; a note below the figure states the reason.
+    Markers show which height distribution was used, because mu jumps when the distribution changes.
     """
     panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
     figure, grid = canvas(12, 8.6, 2, 2) if len(panels) > 3 else canvas(14, 4.8, 1, len(panels))
@@ -109,7 +109,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
 
 
 def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
-    """Mark the points whose asperity heights are not taken as Gaussian; cutoffs ascend."""
+    """Mark each point by the height distribution that was used for its asperities; cutoffs must ascend."""
     taken = resolution_study["height_distribution"].transpose(METHOD, "cutoff").values
     for line, names in zip(tuple(axes.lines), taken, strict=True):
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
@@ -125,13 +125,19 @@ def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
 
 
 def _places(cutoffs: np.ndarray) -> np.ndarray:
-    """Return the positions of the cutoffs on a logarithmic axis; cutoff 0 is at half of the smallest positive one."""
+    """Return the x positions of the cutoffs on a logarithmic axis.
+
+    Cutoff 0 is drawn at half of the smallest positive cutoff.
+    """
     others = cutoffs[cutoffs > 0.0]
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
 
 def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
-    """Select ascending positions that are at least a fraction `gap` of the axis apart, to leave room for labels."""
+    """Select tick positions that are far enough apart for their labels.
+
+    places: ascending positions. gap: least distance, as a fraction of the axis.
+    """
     logs = np.log(places / places[0])
     chosen = [0]
     for i in range(1, len(logs)):
@@ -141,7 +147,7 @@ def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
-    """Return a line for each reason why points are missing, with methods and cutoffs."""
+    """Return one line for each reason why points are missing, with the methods and cutoffs."""
     where: dict[str, list[str]] = {}
     for method in resolution_study[METHOD].values:
         results = resolution_study.sel({METHOD: method})
@@ -163,10 +169,10 @@ def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> 
 
 
 def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction against load for all methods of finding asperities: the one used bold, others thin, their range shaded.
+    """Draw friction against load for every asperity method, with the range over methods shaded.
 
-    data: of `with_band`, along one dimension or at one load; its first method is the one used. Raises InputError without a
-    band.
+    The method that the result uses has a bold line. data: result of `with_band` at one load or along one dimension; its
+    first method is the one used. Raises InputError if the result has no friction by method.
     """
     if "friction_coefficient_by_method" not in data:
         raise InputError("friction_coefficient_by_method", None, "a result for a contact whose roughness is measured in scans")

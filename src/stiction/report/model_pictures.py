@@ -1,4 +1,4 @@
-"""Friction along the load: the prediction's interval, a grey line for each model, and three of them named."""
+"""Draw friction against load by every possible model, with the interval of the prediction; three models are named."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -23,9 +23,10 @@ _AROUND = 100.0  # times the working load, and its fraction, up to which lines a
 def models_figure(
     data: "xarray.Dataset", groups: Sequence[Group] | None = None, prediction: "xarray.Dataset | None" = None, title: str = ""
 ) -> Figure:
-    """Draw mu over load for each possible model, dots at the working load, and the interval of the prediction.
+    """Draw mu against load for each possible model, with the interval of the prediction.
 
-    data: a comparison; prediction: at its working load. groups: of the comparison, whose first three are named.
+    data: result of `compare`. groups: groups of its models that agree; the first three are named in the legend.
+    prediction: prediction at its working load. Dots mark the working load.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()

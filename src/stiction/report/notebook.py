@@ -1,6 +1,6 @@
-"""Summarise a result for a notebook: its meaning, its ranges, and its validity warnings.
+"""Summarise a result for a notebook: meaning, ranges and validity warnings.
 
-Results stay xarray datasets, whose own notebook view hides attributes and with them the validity warnings.
+Results stay xarray datasets. Their own notebook view hides attributes, and with them the validity warnings.
 """
 
 from html import escape
@@ -20,7 +20,10 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Hold a summary as pairs of heading and text, and notes; notebooks show it as HTML, `print` as text."""
+    """Store a summary as pairs of heading and text, and a list of notes.
+
+    A notebook shows the summary as HTML; `print` shows it as text.
+    """
 
     def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
         self.title, self.rows, self.notes, self.card = title, rows, notes, card
@@ -48,7 +51,8 @@ def summary(result: "xarray.Dataset") -> Summary:
     Returns
     -------
     Summary
-        The answer of `predict`; of other results model, grade, ranges and validity warnings. A notebook shows it as HTML.
+        For `predict`: the answer. For other results: model, grade, ranges of the results, and validity warnings. A notebook
+        shows it as HTML.
 
     Examples
     --------
@@ -71,7 +75,7 @@ def summary(result: "xarray.Dataset") -> Summary:
 
 
 def _range(values: "xarray.DataArray") -> str:
-    """Return the value, or the ends of the values and their dimensions."""
+    """Format the smallest and the largest value with their unit, and name the dimensions."""
     unit = values.attrs.get("units", "1")
     ends = [f"{float(end):.4g}" for end in (values.min(), values.max())]
     along = f", along {', '.join(map(str, values.dims))}" if values.dims else ""

@@ -1,4 +1,4 @@
-"""The pictures of the 2015 paper, and the map of its claims."""
+"""Draw the figures of the 2015 paper and the map of its claims."""
 
 import re
 import textwrap
@@ -32,7 +32,7 @@ _VARYING: tuple[dict[str, Any], ...] = (
 
 
 def panel_figure(curves: "PanelCurves") -> Figure:
-    """Draw one of the paper's figures: friction coefficient against load for films, and for the bare surface."""
+    """Draw one figure of the paper: friction coefficient against load for several films and for the bare surface."""
     figure, (axes,) = canvas(7, 5.4)
     along = curves.panel.along
     _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
@@ -45,7 +45,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
 
 
 def _with_letters(text: str) -> str:
-    """Return the text with the symbols of the groups set as formulas."""
+    """Replace the symbols of dimensionless groups in a text by LaTeX formulas."""
     letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
     return re.sub(rf"\b({'|'.join(letters)})\b", lambda match: f"${letters[match[0]]}$", text)
 
@@ -57,9 +57,9 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
-    """Draw where each claim holds: a column for each claim, a row for each variant and for the solved film.
+    """Draw where in the plane of theta and lambda each claim of the paper holds.
 
-    here: theta and lam of the star.
+    Columns are claims; rows are variants of the model and the film solved in layers. here: theta and lam of the star.
     """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)

@@ -59,9 +59,9 @@ WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
-    """Return the label of an axis: meaning up to a comma, symbol and unit, "net normal load $P$ [N]".
+    """Return the label of an axis: meaning, symbol and unit, "net normal load $P$ [N]".
 
-    longest: number of characters above which the unit goes to a second line.
+    longest: the unit goes to a second line if the label has more characters.
     """
     name = str(variable.name).rpartition(".")[2]  # of one of two bodies: "first.hardness"
     meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
@@ -72,7 +72,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
 
 
 def _unit(variable: "xarray.DataArray") -> str:
-    """Return the unit with exponents and letters set: "K R^(1/2) sigma^(3/2) per asperity" has a formula before " per "."""
+    """Return the unit as text for matplotlib; a divisor of sigma becomes a LaTeX formula."""
     unit = unit_of(variable).replace("m^2", "m²")
     formula, per, rest = unit.partition(" per ")
     if "sigma" not in formula:
@@ -83,9 +83,10 @@ def _unit(variable: "xarray.DataArray") -> str:
 
 
 def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw one curve: friction coefficient, contact area and friction against load, and load against separation.
+    """Draw one curve in up to four panels.
 
-    data: result of `solve` with one dimension. Panels without data are left out.
+    The panels show friction coefficient, contact area and friction force against load, and load against separation. Panels
+    without data are omitted. data: result of `solve` with one dimension.
     """
     drawn = panels(data)
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
@@ -107,19 +108,19 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the panels of a curve: pairs of the quantities along y and x."""
+    """Return the panels that a curve has data for, as pairs (y quantity, x quantity)."""
     return [names for names in _PANELS if all(name in data for name in names)]
 
 
 def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
-    """Draw one panel of a curve as a picture of its own."""
+    """Draw one panel of a curve as a separate figure. what: quantity along y. against: quantity along x."""
     figure, (axes,) = canvas(5.2, 3.9)
     _draw_panel(axes, data, what, against)
     return figure
 
 
 def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw the friction coefficient over load with its band over uncertain inputs."""
+    """Draw the friction coefficient against load with its band over uncertain inputs."""
     figure, (axes,) = canvas(7.0, 5.2)
     friction_panel(axes, data)
     figure.suptitle(heading(data, title), fontsize=11)
@@ -146,7 +147,7 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 
 
 def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
-    """Write title lines above a figure, and validity warnings below it; the figure grows to fit them."""
+    """Write title lines above a figure and validity warnings below it; enlarge the figure to make room."""
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
         figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
@@ -154,7 +155,7 @@ def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> N
 
 
 def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
-    """Return the lines below a picture with its validity warnings, at most `width` characters each."""
+    """Return the validity warnings as lines of at most `width` characters, for the foot of a figure."""
     warnings = [letters(str(warning)) for warning in warnings_of(data)]
     if not warnings:
         return []
@@ -170,15 +171,18 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Return marker style for a line of few points, so that the line does not suggest values between them."""
+    """Return markers for a line of few points; a line of many points has none.
+
+    Markers show where values were computed.
+    """
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
 def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw friction against the load with its bands.
+    """Draw friction against load with its bands.
 
-    Bands are the interval of a prediction, the range over methods of finding asperities, and quantiles over uncertain inputs
-    with their median and sampling error.
+    Possible bands: the interval of a prediction, the range over asperity methods, and quantiles over uncertain inputs with
+    median and sampling error.
     """
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
@@ -210,7 +214,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
-    """Draw reference slopes where mu follows a power of the load: -1/3 for a single sphere, 0 for Amontons' law."""
+    """Draw two reference slopes if mu follows a power of the load: -1/3 for a single sphere, 0 for Amontons' law."""
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
@@ -221,7 +225,7 @@ def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
 
 
 def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
-    """Draw the median, and two standard errors of the outer quantiles."""
+    """Draw the median of mu, and two standard errors at the outer quantiles."""
     band, error = (data[f"{_MU}_quantile{end}"].values.reshape(-1, load.size) for end in ("", "_error"))
     known = (load > 0.0) & (band > 0.0).all(axis=0)
     look: dict[str, Any] = {"marker": "_", "markersize": 14} if load.size == 1 else {}
@@ -232,7 +236,7 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
 
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
-    """Make the friction axis logarithmic if values vary much; otherwise start it at 0."""
+    """Set the friction axis to a logarithmic scale if max / min of the values exceeds `wide`; else start it at 0."""
     if axes.get_yscale() == "log" or values.max() > wide * values.min():
         axes.set_yscale("log")
     else:
@@ -240,7 +244,7 @@ def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
 
 
 def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **look: Any) -> None:
-    """Fill the area between two curves; for a single point draw a bar."""
+    """Fill the area between two curves; draw a bar if there is only one point."""
     if len(x) == 1:
         axes.vlines(x, low, high, linewidth=14.0, **look)
     else:
@@ -248,7 +252,11 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 
 
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
-    """Yield low end, high end and look of each band of friction: over methods of finding asperities, over uncertain inputs."""
+    """Yield (low, high, style) of each friction band.
+
+    The first band is the interval of a prediction or the range over asperity methods. Further bands are quantile ranges
+    over uncertain inputs.
+    """
     if f"{_MU}_low" in data:
         text = f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}"
         text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
@@ -262,7 +270,7 @@ def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.nda
 
 
 def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) -> None:
-    """Draw a quantity and its parts on a logarithmic axis; dotted where it is negative."""
+    """Draw the absolute value of a quantity and of its parts on a logarithmic axis; negative values are dotted."""
     stem = "friction" if what == "friction_force" else what
     names = [what] + [stem + part for part in _PARTS if part and stem + part in data]
     x = data[against].values
@@ -300,7 +308,10 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
 
 
 def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
-    """Set names, scales and ticks of the axes, the grid, and a legend of the named lines."""
+    """Format ticks and grid of the axes, and add a legend if lines are named.
+
+    named: properties to set on the axes, e.g. `xlabel`.
+    """
     axes.set(**named)
     axes.title.set_fontsize(9)
     for axis in (axes.xaxis, axes.yaxis):
@@ -321,7 +332,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
 
 
 class InUnit(Formatter):
-    """Format ticks in a unit with a prefix; as powers of ten on an axis of many decades."""
+    """Format tick labels in a prefixed unit; use powers of ten on an axis of many decades."""
 
     def __init__(self, factor: float = 1.0):
         self.factor = factor
@@ -338,21 +349,22 @@ class InUnit(Formatter):
 
 
 def canvas(width: float, height: float, rows: int = 1, columns: int = 1, **more: Any) -> tuple[Figure, list[Axes]]:
-    """Return a figure of a size [inches], and its panels row by row."""
+    """Return a new figure of the given size [inches] and the list of its panels, row by row."""
     figure = Figure(figsize=(width, height), layout="constrained")
     return figure, list(figure.subplots(rows, columns, squeeze=False, **more).flat)
 
 
 def say(axes: Axes, text: str) -> None:
-    """Write a text in place of curves and remove the tick labels."""
+    """Write a text into empty axes and remove the tick labels."""
     axes.set(xticks=[], yticks=[])
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
 def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
-    """Label an axis for values (n,) of a quantity in SI units, with ticks in a prefixed unit.
+    """Label an axis with a quantity, and show its ticks in a prefixed unit.
 
-    which: "x" or "y". log: whether to use a logarithmic axis if values span a decade. named: arguments of `finish`.
+    which: "x" or "y". values: SI values (n,) to be shown. log: whether to use a logarithmic axis if values span a decade.
+    before: start of the label. named: arguments of `finish`.
     """
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
@@ -366,7 +378,7 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
 
 
 def along_points(axes: Axes, points: "xarray.DataArray") -> None:
-    """Label and scale the x axis for the points of a result: loads or separations, in SI or normalised."""
+    """Label and scale the x axis for the loads or separations of a result, in SI or normalised."""
     values = points.values
     if points.attrs.get("units", "1") != "1":
         along(axes, "x", str(points.name), values)
@@ -378,20 +390,23 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, number: int) -> dict[str, Any]:
-    """Return colour and marker of a method, the same in all pictures; other names take those of their line number."""
+    """Return colour and marker of an asperity method, the same in all figures.
+
+    Other names take the colour and marker of their line number.
+    """
     known = list(methods())
     number = known.index(method) if method in known else number
     return {"color": COLOURS[number % len(COLOURS)], "marker": _MARKERS[number % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:
-    """Describe in a few words what an asperity method finds; other names lose their underscores."""
+    """Return a short description of what an asperity method finds; other names lose their underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """Return the factor and the unit for drawing values in SI units up to `largest`."""
+    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`."""
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
     return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

@@ -28,10 +28,10 @@ _OPEN = "([{⟨"
 
 @dataclass
 class _Piece:
-    """Hold a part of a formula.
+    """Store a part of a formula as text, with what decides its spacing.
 
-    word: needs a space next to another value. relation: a sign between two spaces. fraction: a fraction or power, after
-    which a bracket needs a space.
+    word: put a space between it and another value. relation: put it between two spaces. fraction: a fraction or power; put
+    a space before a bracket that follows. function: the name of a function.
     """
 
     text: str
@@ -43,14 +43,14 @@ class _Piece:
 
 @dataclass
 class _Reader:
-    """Read the tokens of a formula from left to right."""
+    """Convert the tokens of a LaTeX formula to pieces of text, from left to right."""
 
     tokens: list[str]
     place: int = 0
     pieces: list[_Piece] = field(default_factory=list)
 
     def pieces_until(self, end: str) -> list[_Piece]:
-        """Read pieces up to a closing token, which is read too; "" for the end of the formula."""
+        """Read and return the pieces before a closing token, and skip that token; "" reads to the end of the formula."""
         before, self.pieces = self.pieces, []
         while self.place < len(self.tokens) and self.tokens[self.place] != end:
             self._add(self._next())
@@ -148,7 +148,7 @@ class _Reader:
         return text
 
     def _rows(self, kind: str) -> str:
-        """Return the rows of an environment on lines of their own, their cells parted by spaces."""
+        """Return the rows of a LaTeX environment as text, one line each; "cases" become one line."""
         inner = []
         while self.place < len(self.tokens) and self.tokens[self.place] != "\\end":
             inner.append(self._next())
@@ -173,7 +173,7 @@ def _joined(pieces: list[_Piece]) -> str:
 
 
 def _apart(before: _Piece, piece: _Piece) -> bool:
-    """Return whether two values would be read as one, or a bracket as part of the fraction before it."""
+    """Return whether a space is needed between two pieces, so that they are not read as one value."""
     if before.fraction:
         return piece.text[:1].isalnum() or piece.text[:1] in (*_OPEN, "√")
     if not before.text or not (before.text[-1].isalnum() or before.text[-1] in ")]*'∞\u0304"):
@@ -182,7 +182,10 @@ def _apart(before: _Piece, piece: _Piece) -> bool:
 
 
 def _grouped(pieces: list[_Piece], product: bool = False) -> str:
-    """Return an argument in brackets, unless it is one value, or, with `product`, a product."""
+    """Return an argument as text, in brackets if it is more than one value.
+
+    product: leave out the brackets of a product too.
+    """
     text = _joined(pieces)
     single = " " not in text and "/" not in text and sum(bool(piece.text.strip()) for piece in pieces) == 1
     several = any(piece.relation or "/" in piece.text or piece.text[:1] in ("∑", "∫") for piece in pieces)
@@ -190,7 +193,7 @@ def _grouped(pieces: list[_Piece], product: bool = False) -> str:
 
 
 def formula(tex: str) -> str:
-    """Return one formula as plain text; line breaks of a display stay."""
+    """Convert one LaTeX formula to plain text; a displayed formula keeps its line breaks."""
     tokens = _TOKEN.findall(re.sub(r"\s*\n\s*", "\n", tex.strip()))
     lines = _joined(_Reader(tokens).pieces_until("")).split("\n")
     return "\n".join(re.sub(r" {4,}", "   ", line).strip() for line in lines if line.strip())
@@ -205,14 +208,14 @@ def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """Return Markdown with its formulas as code, without links into other pages, and keys with their underscores."""
+    """Convert Markdown: formulas become code, links to other pages become text, underscores are escaped."""
     marked = _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
     parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # every second one is code
     return "".join(part if number % 2 else part.replace("_", r"\_") for number, part in enumerate(parts))
 
 
 def as_text(text: str) -> str:
-    """Return Markdown as plain text: formulas, emphasis and links without their marks."""
+    """Convert Markdown to plain text without marks of formulas, emphasis, code and links."""
     plain = _replaced(_without_links(text), "{}", "{}", "    ").replace("`", "")
     return re.sub(r"(?<!\w)\*([A-Z][^*\n]*)\*(?!\w)", r"\1", plain)
 

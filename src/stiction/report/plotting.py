@@ -25,15 +25,16 @@ _DRAWN = {
 
 @xarray.register_dataset_accessor("stiction")
 class Plotting:
-    """Add `plot` to datasets, as `result.stiction.plot()`."""
+    """Add the method `result.stiction.plot()` to xarray datasets."""
 
     def __init__(self, data: xarray.Dataset):
         self._data = data
 
     def plot(self) -> "Figure":
-        """Draw the result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses or validate.
+        """Draw this result as a matplotlib Figure.
 
-        Returns a matplotlib Figure. Raises InputError for a dataset that is no such result.
+        The dataset must be a result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses or
+        validate; others raise InputError.
         """
         require("plot", "matplotlib")
         data = self._data

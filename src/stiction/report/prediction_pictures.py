@@ -1,4 +1,4 @@
-"""Draw a prediction: mu over load with its interval, or its distribution at one load."""
+"""Draw a prediction: mu against load with its interval, or the distribution of mu at one load."""
 
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ _MU = "friction_coefficient"
 
 
 def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Return a figure of mu: a band along the load, or a histogram of the draws at one load."""
+    """Draw mu of a prediction: an interval band against load, or a histogram of the samples at a single load."""
     figure, (axes,) = canvas(8.53, 4.8)
     if data["load"].size > 1:
         _band(axes, data, data)
@@ -28,9 +28,9 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Return mu along the load, of the named model and the prediction, and the three main parts of the interval.
+    """Draw mu against load next to the three largest sources of the prediction interval.
 
-    data: the result of a named model, or the prediction itself.
+    data: result of the model that the user named, or the prediction itself.
     """
     figure, (along, rests) = canvas(9.6, 3.4, 1, 2, width_ratios=(1.5, 1.0))
     if _MU in data and (data is not prediction or data["load"].size > 1):
@@ -42,14 +42,14 @@ def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> F
 
 
 def validation_figure(data: "xarray.Dataset") -> Figure:
-    """Return a figure of measured friction and the prediction at each load."""
+    """Draw measured friction next to the prediction at each load."""
     figure, (axes,) = canvas(7.0, 4.4)
     validation_panel(axes, data)
     return figure
 
 
 def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw measured friction next to the predicted median with its 50 % (thick) and 90 % interval."""
+    """Draw measured friction next to the predicted median with its 50 % (thick) and 90 % intervals."""
     data = data.isel(row=np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))))
     load, quantiles = data["load"].values, data["prediction"].transpose("quantile", "row").values
     axes.vlines(load, quantiles[0], quantiles[4], color=BLUE, linewidth=2, label="90 % interval")
@@ -64,7 +64,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the interval as an error bar, with the shares of the three largest parts of the variance."""
+    """Draw the interval of mu, and the interval that each of its three largest sources would cause alone."""
     here = at_working_load(data)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
     shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
@@ -78,7 +78,7 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
-    """Draw friction over load, the prediction at its working load, and a legend below the figure."""
+    """Draw friction against load, the prediction at its working load, and a legend below the figure."""
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
     here = at_working_load(prediction)
     low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))

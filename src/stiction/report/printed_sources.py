@@ -1,4 +1,4 @@
-"""Format bibliography entries for print from BibTeX: authors, title, journal, year and link."""
+"""Convert BibTeX entries to printed references: authors, title, journal, year and link."""
 
 import re
 import unicodedata
@@ -17,7 +17,7 @@ _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 @dataclass(frozen=True)
 class Printed:
-    """Hold one entry: key, text, and DOI, "" if no DOI was verified."""
+    """Store one reference of the bibliography: key, text, and DOI ("" if no DOI was verified)."""
 
     key: str
     text: str
@@ -25,7 +25,7 @@ class Printed:
 
 
 def printed(keys: Iterable[str]) -> list[Printed]:
-    """Return the entries of these keys, in the order of the bibliography. Raises InputError for an unknown key."""
+    """Return the references with these keys, in the order of the bibliography. Raises InputError for an unknown key."""
     return [_printed(entry["key"], entry["fields"]) for entry in ENTRY.finditer(entries(keys))]
 
 
@@ -42,7 +42,7 @@ def _printed(key: str, body: str) -> Printed:
 
 
 def in_letters(text: str) -> str:
-    """Return TeX as plain text: letters with their accents, no braces."""
+    """Convert TeX to plain text: accented letters, no braces."""
     text = _ACCENT.sub(lambda match: unicodedata.normalize("NFC", match[2] + _ACCENTS[match[1].strip()]), text)
     text = re.sub(r"\$_(\d)\$", lambda match: match[1].translate(_LOW), text)
     for tex, letter in _LETTERS.items():

@@ -1,4 +1,4 @@
-"""Draw a contact as a dot in two maps: adhesion of its asperities, and their plasticity."""
+"""Draw where a contact lies on two maps: the adhesion map and the plasticity map of its asperities."""
 
 from collections.abc import Callable
 from functools import cache
@@ -22,10 +22,10 @@ _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw the adhesion map of Johnson and Greenwood for an adhesive asperity, and the plasticity index for bare bodies.
+    """Draw a contact on the adhesion map of Johnson and Greenwood and on the plasticity map of Greenwood and Williamson.
 
-    contact: a single contact with adhesion, or without a film. data: its result, whose `touching_asperities`, if present, share
-    the load.
+    The adhesion map is drawn if the contact has a work of adhesion, the plasticity map if it has no film; at least one must
+    hold. contact: a single contact. data: its result; if `touching_asperities` is present, the mean asperity is drawn.
     """
     load = float(data["load"].max())
     drawn: list[Callable[[Axes], None]] = []
@@ -70,7 +70,10 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
 
 
 def negligible_load_of_jkr() -> float:
-    """Return the load over pi w R above which the adhesive part of JKR, 3 + sqrt(6 P + 9), is below 5 % of the load."""
+    """Return the load over pi w R above which adhesion is below 5 % of the load by the JKR theory.
+
+    The adhesive part of the load is 3 + sqrt(6 P + 9), with P the load over pi w R.
+    """
     # (P/20 - 3)^2 = 6 P + 9
     return (6.0 + 6.0 * _LEAST) / _LEAST**2
 
@@ -95,7 +98,10 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
 
 
 def pressure_of_first_flow(index: float, density: float) -> float:
-    """Return the nominal pressure over hardness at which 2 % of the area flows (Greenwood & Williamson); density: N R sigma."""
+    """Return the nominal pressure over hardness at which 2 % of the contact area yields (Greenwood & Williamson 1966).
+
+    index: plasticity index. density: N R sigma. The pressure is infinite if it lies beyond the tabulated separations.
+    """
     z, heights, area, load = _gaussian_sums()
     flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)
     first = np.flatnonzero(flowing >= _FLOWING * area)
@@ -104,7 +110,10 @@ def pressure_of_first_flow(index: float, density: float) -> float:
 
 @cache
 def _gaussian_sums() -> tuple[np.ndarray, ...]:
-    """Return depths z, heights there at 201 separations (201, z.size), and the sums of z and of z^1.5 over the heights."""
+    """Return the table from which `pressure_of_first_flow` reads, for Gaussian asperity heights.
+
+    Returns depths z (n,), the height density at 201 separations (201, n), and its integrals with z and z^1.5 (201,).
+    """
     z = np.linspace(0.0, 12.0, 1201)
     separation = np.linspace(-4.0, 6.0, 201)[:, None]
     heights = np.exp(-0.5 * (separation + z) ** 2) / np.sqrt(2.0 * np.pi)
