@@ -1,4 +1,4 @@
-"""State the question and the answer of a report in words, with validity warnings."""
+"""State the question and the answer of a report in sentences, with validity warnings."""
 
 from typing import TYPE_CHECKING
 
@@ -28,7 +28,7 @@ def plain_name(name: str) -> str:
 
 
 def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) -> str:
-    """Return a result with its unit or divisor; "not defined" for NaN."""
+    """Format a value of a result with its unit or divisor; NaN gives "not defined"."""
     if not np.isfinite(value):
         return "not defined"
     if variable.attrs.get("normalised_by"):
@@ -37,9 +37,9 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 
 
 def interval_of(here: "xarray.Dataset") -> list[float]:
-    """Return the ends of the interval of mu for a named model; [] if there is none.
+    """Return the ends of the interval of mu for the named model; [] if it has no interval.
 
-    The interval is over uncertain inputs, or else over asperity methods.
+    The interval covers uncertain inputs; without these it covers the asperity methods.
     """
     if f"{_MU}_quantile" in here:
         ends = [float(here[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
@@ -49,7 +49,7 @@ def interval_of(here: "xarray.Dataset") -> list[float]:
 
 
 def question(findings: ReportData) -> str:
-    """Return the question that the report answers."""
+    """Return the question that the report answers, as a sentence."""
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
     if not isinstance(subject, Contact):
@@ -78,7 +78,10 @@ def load_in_words(findings: ReportData) -> str:
 
 
 def headline(findings: ReportData) -> str:
-    """Return the number with as many digits as its uncertainty allows, or the ends of several numbers."""
+    """Return the headline of the report: mu (or the contact area) with significant digits only.
+
+    Without a working load it states the smallest and the largest value.
+    """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
     data, here = findings.data, findings.here
@@ -106,7 +109,7 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
 
 
 def answer_in_words(findings: ReportData) -> str:
-    """Return the answer as one sentence with its validity."""
+    """Return the answer as one sentence that also states its validity."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
     data, here = findings.data, findings.here
@@ -128,7 +131,7 @@ def answer_in_words(findings: ReportData) -> str:
 
 
 def _along(findings: ReportData) -> str:
-    """Return a sentence for a curve, or for array parameters, without a working load."""
+    """Return the sentence for a curve or for array parameters, where no working load is given."""
     data = findings.data
     dim = points_dimension(data)
     ends = list(dict.fromkeys(of_point(data, end) for end in (0, -1))) if dim else []
@@ -142,7 +145,7 @@ def _along(findings: ReportData) -> str:
 
 
 def _span(data: "xarray.Dataset", name: str) -> str:
-    """Return the ends of a varied quantity: "thickness = 100 nm to 1 µm"."""
+    """State the symbol of a varied quantity with its first and last value: "t = 100 nm to 1 µm"."""
     quantity = name.rpartition(".")[2]
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else name
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"

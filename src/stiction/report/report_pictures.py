@@ -1,4 +1,4 @@
-"""Draw the pictures of a report as parts of the page, with captions and descriptions for screen readers."""
+"""Draw the pictures of a report as HTML, with captions and descriptions for screen readers."""
 
 import base64
 import html
@@ -39,9 +39,9 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """Return a figure as HTML in the colours of the page; equal figures give equal HTML.
+    """Convert a figure to HTML in the colours of the page: SVG, or PNG if the SVG is large.
 
-    name: letters, unique on the page. words: description for screen readers.
+    name: letters, unique on the page. words: description for screen readers. Equal figures give equal HTML.
     """
     drawn = io.StringIO()
     figure.savefig(drawn, format="svg", transparent=True)
@@ -83,7 +83,10 @@ _NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
 
 @dataclass(frozen=True)
 class Picture:
-    """Hold a picture of the page; wide: whether it spans the page, and scrolls on narrow pages."""
+    """Store a picture of the report as HTML with its caption.
+
+    wide: whether the picture spans the page; on narrow pages it can be scrolled.
+    """
 
     content: str
     caption: str
@@ -97,7 +100,7 @@ def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str =
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
-    """Describe a line by its values at both ends."""
+    """Describe a curve by its values at both ends, for screen readers. what: quantity along y. against: quantity along x."""
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
@@ -108,7 +111,10 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 
 
 def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
-    """Yield friction, area and force against load, load against separation, and shares; one picture of array parameters."""
+    """Yield the pictures of a curve: one for each panel, and one for each stack of shares.
+
+    A case with array parameters has one picture. A prediction has none here, because its curve is on the first page.
+    """
     # Validity warnings stand in words on the page, and not below every picture.
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
     if findings.prediction is not None:
@@ -134,13 +140,13 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the part that makes up nearly all of its stack at every compressive load; "" if none does."""
+    """Return the part that exceeds 99.5 % of its total at every compressive load; "" if there is no such part."""
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, share in zip(parts, shares, strict=True) if share.size and np.nanmin(share) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return sentences that replace pictures of shares with a single colour."""
+    """Return sentences that replace pictures in which one part makes up nearly all of the total."""
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []
@@ -153,7 +159,7 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield mu along the load next to the parts of its interval, if there is a prediction."""
+    """Yield the picture of the first page, if there is a prediction: mu against load, and the sources of its interval."""
     data, prediction = findings.data, findings.recommended
     if prediction is not None:
         caption = "mu against load, and the parts of its interval at the working load, each alone."
@@ -161,7 +167,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
-    """Yield the models that agree at the working load, with the prediction."""
+    """Yield the picture of all possible models with the prediction."""
     data_of_models, data = findings.told, findings.recommended
     if data_of_models is None:
         return
@@ -175,7 +181,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """Yield the band of a named model over uncertain inputs, and over methods of finding asperities."""
+    """Yield friction by the named model with its band over uncertain inputs, and with its range over asperity methods."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
         caption = "The friction coefficient with its band over what is uncertain of the inputs."
@@ -187,7 +193,7 @@ def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
-    """Yield heights, spectrum and asperities of the scan of one body."""
+    """Yield heights, spectrum and asperities of the scan of one body ("first" or "second")."""
     analysis = findings.analyses[body]
     surface = replace(analysis.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."

@@ -1,4 +1,4 @@
-"""The sections of a report as plain text and tables; the template formats and escapes them."""
+"""Build the sections of a report as plain text and tables; the HTML template formats and escapes them."""
 
 import json
 import platform
@@ -54,7 +54,7 @@ _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
-    """Return the inputs of a case, a table for each part of the contact."""
+    """Return the inputs of a case as tables, one for each part of the contact."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {
@@ -77,7 +77,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
 
 
 def groups_of_groups(findings: ReportData) -> list[Table]:
-    """Return tables of the dimensionless groups computed from the bodies; none if the inputs are groups."""
+    """Return a table of the dimensionless groups of a contact; none if the case itself states groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return []
@@ -104,14 +104,17 @@ def _material(subject: Any, part: str) -> Material | None:
 
 
 def _range(material: Material | None, name: str, counted: bool) -> str:
-    """Return the known range of a number of a material, and whether the answer counts it."""
+    """State the known range of a material property, and whether the interval of mu includes it."""
     if material is None or name not in material.range:
         return ""
     return with_powers(f"known to be {range_in_words(*material.range[name], name)}: {'counted' if counted else 'not counted'}")
 
 
 def _source_of_material(material: Material, name: str, here: tuple[str, ...], places: frozenset) -> str:
-    """Return the source of a number of a material: its preset, or the case where that overrides the number."""
+    """Return the source of a material property: its preset, or the case if the case states the property.
+
+    here: path of the property in the case file. places: paths of all values in the case file.
+    """
     tables = (here[:-1], ("materials", material.name))
     in_case = any((*table, name) in places for table in tables)
     said_in_case = any((*table, "source") in places for table in tables)
@@ -148,16 +151,16 @@ def _warning_in_words(warning: ValidityWarning) -> str:
 
 
 def answer_table(findings: ReportData, name: str) -> Table:
-    """Return the rows of the prediction; name: of the case file."""
+    """Return the rows of the answer of a prediction. name: name of the case file."""
     assert findings.prediction is not None  # the template has looked
     rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
     return Table([Column(""), Column("")], rows, "What the number rests on")
 
 
 def card(findings: ReportData, name: str) -> Markup:
-    """Return the card of the prediction, with the number of a named model above; empty where there is no prediction.
+    """Return the answer card as HTML; empty if there is no prediction.
 
-    name: of the case file.
+    The result of a model that the user named stands above it. name: name of the case file.
     """
     if findings.recommended is None:
         return Markup("")
@@ -168,7 +171,7 @@ def card(findings: ReportData, name: str) -> Markup:
 
 
 def main_inputs(findings: ReportData) -> Table | None:
-    """Return a table of the six main inputs; None for a contact given by dimensionless groups."""
+    """Return a table of the six main inputs; None for a contact that is given by dimensionless groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return None
@@ -199,7 +202,7 @@ def main_inputs(findings: ReportData) -> Table | None:
 
 
 def validity_line(findings: ReportData) -> str:
-    """State in one line how reliable the answer is."""
+    """State in one line against what the answer was checked, or where it is outside its range of validity."""
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         known = f"Checked against {checked}." if checked else "Not checked against anything measured."
@@ -212,7 +215,10 @@ def validity_line(findings: ReportData) -> str:
 
 
 def here_table(findings: ReportData) -> Table | None:
-    """Return results at the working load, each with its validity warnings; other warnings are in the first row."""
+    """Return a table of the results at the working load, each with its validity warnings.
+
+    Warnings of quantities without a row are in the first row. The table is None without a working load.
+    """
     here = findings.here
     if here is None:
         return None
@@ -234,7 +240,7 @@ def here_table(findings: ReportData) -> Table | None:
 
 
 def model_lines(findings: ReportData) -> list[str]:
-    """Return the named model and laws with their grade; nothing for a prediction."""
+    """State the named model with its laws and grade; empty for a prediction."""
     used = findings.data.attrs
     if used.get("model", RECOMMENDED) == RECOMMENDED:
         return []
@@ -242,7 +248,7 @@ def model_lines(findings: ReportData) -> list[str]:
 
 
 def curve_rows(findings: ReportData) -> Table:
-    """Return some points of the curve, or of array parameters."""
+    """Return a table of some points of the curve, or of some combinations of array parameters."""
     data = findings.data
     if findings.prediction is not None:
         return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
@@ -254,7 +260,7 @@ def curve_rows(findings: ReportData) -> Table:
 
 
 def compared(findings: ReportData) -> Table | None:
-    """Return a row for every model at the working load."""
+    """Return a table with a row for every model at the working load; None without a comparison."""
     if findings.told is None:
         return None
     rows = [[letters(cell) for cell in group_row(group)] for group in groups_of(findings.told, every=True)]
@@ -263,7 +269,7 @@ def compared(findings: ReportData) -> Table | None:
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
-    """Return the lines on criteria, and the models that are excluded with the reasons."""
+    """Return the criteria of the comparison, and the models that are not applicable with their reasons."""
     if findings.told is None:
         return {}
     used = findings.told.attrs
@@ -274,7 +280,7 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
 
 
 def uncertainty_lines(findings: ReportData) -> list[str]:
-    """Return lines on uncertain inputs, on how they were sampled, and on their effect."""
+    """State which inputs are uncertain, how they were sampled, and how this changes the result."""
     used = findings.data.attrs
     if findings.prediction is not None:
         return [
@@ -292,14 +298,14 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
 
 
 def _unknown(some: "list[Uncertain]") -> str:
-    """Describe uncertain numbers that vary together: names, place in the case, and distribution."""
+    """Describe inputs that vary together: meanings, places in the case, and distribution."""
     names = dict.fromkeys(QUANTITIES[uncertain.quantity].meaning for uncertain in some)
     places = ", ".join(uncertain.where for uncertain in some)
     return f"{' and '.join(names)} ({places}): {with_powers(some[0].distribution.words)}"
 
 
 def validity_table(findings: ReportData) -> Table | None:
-    """Return every validity warning of the curve: quantity, value, claimed range, and what it means."""
+    """Return a table of all validity warnings of the curve; None without warnings."""
     warnings = warnings_of(findings.data)
     if not warnings:
         return None
@@ -321,7 +327,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """Return further notes on the result: measured errors, unused inputs, the meaning of mu."""
+    """Return notes on the result: input warnings, measured errors, unused inputs, and where mu is not defined."""
     warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
@@ -329,7 +335,7 @@ def notes(findings: ReportData) -> list[str]:
 
 
 def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
-    """Return title, facts, asperities by every method, and notes of each scan."""
+    """Return (title, facts, table of asperities by method, notes) for each scan."""
     from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
     parts = []
@@ -347,14 +353,17 @@ def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
 
 
 def versions() -> list[tuple[str, str]]:
-    """Return the programs that computed this, with their versions."""
+    """Return the name and version of each program that computed the report."""
     rows = [("stiction", version("stiction")), ("Python", platform.python_version())]
     rows += [(name, version(name)) for name in _PACKAGES]
     return [*rows, ("system", f"{platform.system()} {platform.machine()}")]
 
 
 def command(name: str, load: Any, ranges: bool | None) -> str:
-    """Return the command line that makes the report again."""
+    """Return the command line that makes the report again.
+
+    name: name of the case file. load, ranges: options of the report, or None.
+    """
     words = ["stiction", "report", name, "--out", "report.html"]
     words += ["--load", str(load)] if load is not None else []
     words += [] if ranges is None else ["--ranges" if ranges else "--no-ranges"]
@@ -362,7 +371,7 @@ def command(name: str, load: Any, ranges: bool | None) -> str:
 
 
 def measured_table(findings: ReportData) -> Table | None:
-    """Return sigma, R and N of a measured surface by every method, with the resulting friction."""
+    """Return sigma, R and N of the scanned bodies by every asperity method, with the resulting friction."""
     if findings.case.measured is None:
         return None
     from stiction.report.views.surface import roughness_table
@@ -372,7 +381,7 @@ def measured_table(findings: ReportData) -> Table | None:
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
-    """Return bibliography keys of the answer, of the materials, and of models used in the comparison only."""
+    """Return three lists of bibliography keys: of the answer, of the materials, and of other compared models."""
     measured = findings.case.measured
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())

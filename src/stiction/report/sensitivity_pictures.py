@@ -1,4 +1,4 @@
-"""The picture of sensitivity: Sobol indices, effects of Morris, indices over load, and logarithmic sensitivities."""
+"""Draw a sensitivity study: Sobol indices, Morris effects, indices against load, and logarithmic sensitivities."""
 
 from typing import TYPE_CHECKING
 
@@ -22,9 +22,9 @@ _NAMED = 0.05  # of the largest effect, above which an input has its name
 
 
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
-    """Draw ranked Sobol indices, total indices over load, effects of Morris, and logarithmic sensitivities.
+    """Draw ranked Sobol indices, total indices against load, Morris effects and logarithmic sensitivities.
 
-    Without uncertain inputs only the last is drawn.
+    Without uncertain inputs only the logarithmic sensitivities are drawn.
     """
     if "friction_coefficient_share" in data:
         figure, (shares, slopes) = canvas(11.0, 4.8, 1, 2)
@@ -48,7 +48,7 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
 
 
 def _shares(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the share of each part in the variance of ln mu."""
+    """Draw the share of each source in the variance of ln mu."""
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()
@@ -60,7 +60,10 @@ def _symbol(name: str) -> str:
 
 
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    """Draw total and first indices of one result with their intervals, and the total indices of others as marks."""
+    """Draw total and first-order Sobol indices of one result with their intervals.
+
+    Total indices of other results are drawn as marks.
+    """
     results = at_working_load(data)
     order = ranked(results, name, "total_order", "input")[:_SHOWN]
     y = np.arange(len(order))[::-1]

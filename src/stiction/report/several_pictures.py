@@ -1,4 +1,4 @@
-"""Draw a parameter sweep: lines over one array parameter, heat maps over two with many values."""
+"""Draw a parameter sweep: lines for one array parameter, heat maps for two that have many values."""
 
 from itertools import product
 from typing import TYPE_CHECKING
@@ -45,7 +45,10 @@ _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they
 
 
 def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction, or contact area without friction, against the array parameters at some of the points."""
+    """Draw friction against the array parameters at some of the loads or separations.
+
+    A model without friction has its contact area drawn.
+    """
     dims, points = varied(data), points_dimension(data)
     if len(dims) > 2 or (len(dims) == 2 and min(data.sizes[dim] for dim in dims) > _LINES):
         figure = _maps(data, dims)
@@ -68,7 +71,10 @@ def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
-    """Draw one line for each of a few positions along `by`; a single line is drawn with its interval, if known."""
+    """Draw one line for each of a few positions along dimension `by`.
+
+    A single line is drawn with its interval if the interval is known.
+    """
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
     places = [{by: int(index)} for index in some(data.sizes[by], _LINES)] if by else [{}]
@@ -97,7 +103,10 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
 
 
 def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
-    """Describe a position along dimensions by its load or the values of its parameters."""
+    """Describe a position in the sweep by its load and the values of its parameters.
+
+    place: index along each dimension.
+    """
     points, texts = points_dimension(data), []
     for dim, index in place.items():
         names = coordinates_along(data, dim)
@@ -111,10 +120,10 @@ def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
 
 
 def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
-    """Draw heat maps over the two dimensions with most values.
+    """Draw heat maps over the two dimensions that have most values.
 
-    Two dimensions have one map at each of some points; more have a row and a column of maps, at the middle point, for some
-    values of the next two. Everything else is at its middle.
+    A sweep of two dimensions has one map for each of some points. A sweep of more dimensions has a grid of maps at the
+    middle point, for some values of the next two dimensions; all further dimensions are at their middle index.
     """
     points = points_dimension(data)
     count = data.sizes[points] if points else 1
@@ -158,13 +167,16 @@ def _rises(values: np.ndarray) -> bool:
 
 
 def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
-    """Return where values along a dimension are drawn: at those of its first quantity, or in order if it is unsorted."""
+    """Return the axis positions of the values along a dimension.
+
+    They are the values of its first quantity, or 1, 2, 3, ... if these values are not sorted.
+    """
     values = data[dim if dim == points_dimension(data) else coordinates_along(data, dim)[0]].values
     return values if _rises(values) else np.arange(1.0, values.size + 1.0)
 
 
 def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None:
-    """Label and scale an axis along a dimension."""
+    """Label and scale the axis ("x" or "y") that shows a dimension."""
     if dim == points_dimension(data):
         along_points(axes, data[dim])
         return
@@ -192,7 +204,7 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
 
 
 def _is_log(values: np.ndarray) -> bool:
-    """Return whether values span a decade and are spaced by their logarithms rather than evenly."""
+    """Return whether values span a decade and have steps of more equal ratio than equal difference."""
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))
@@ -200,7 +212,10 @@ def _is_log(values: np.ndarray) -> bool:
 
 
 def _edges(values: np.ndarray) -> np.ndarray:
-    """Return the borders (n + 1,) of cells around values (n,): halfway between them, on a logarithmic axis by ratio."""
+    """Return the edges (n + 1,) of heat map cells around values (n,).
+
+    Edges are halfway between values, or at their geometric mean on a logarithmic axis.
+    """
     log = _is_log(values)
     centres = np.log(values) if log else values
     if centres.size == 1:

@@ -1,4 +1,4 @@
-"""Tables of a parameter sweep for the terminal: a row for each combination, mu at some of the points."""
+"""Build the terminal table of a parameter sweep: a row for each combination, mu at some of the points."""
 
 from itertools import product
 from typing import TYPE_CHECKING
@@ -17,34 +17,34 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area"}
 
 
 def shown_quantity(data: "xarray.Dataset") -> str:
-    """Return the quantity to show: the friction coefficient, or the contact area of a model without friction."""
+    """Return the name of the result to show: friction coefficient, or contact area for a model without friction."""
     return "friction_coefficient" if "friction_coefficient" in data else "contact_area"
 
 
 def points_dimension(data: "xarray.Dataset") -> str | None:
-    """Return the dimension of the loads or separations; None for a single one without a dimension."""
+    """Return the dimension of the loads or separations; None if there is a single point."""
     return next((name for name in _POINT_NAMES if name in data.dims), None)
 
 
 def varied(data: "xarray.Dataset") -> list[str]:
-    """Return the dimensions of the array parameters, in their order."""
+    """Return the dimensions of the array parameters, in order."""
     return [str(dim) for dim in data[shown_quantity(data)].dims if dim not in _POINT_NAMES]
 
 
 def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
-    """Return the quantities that vary along a dimension."""
+    """Return the names of the quantities that vary along a dimension."""
     return [str(name) for name, coordinate in data.coords.items() if coordinate.dims == (dim,)]
 
 
 def of_value(data: "xarray.Dataset", name: str, index: int) -> str:
-    """Return one value of a varied quantity as text: "200 nm"."""
+    """Format one value of a varied quantity with its unit: "200 nm"."""
     quantity = name.rpartition(".")[2]
     value = data[name].values[index]
     return shown(float(value), quantity) if quantity in QUANTITIES else f"{value:g}"
 
 
 def of_point(data: "xarray.Dataset", index: int) -> str:
-    """Return a load or a separation as text: "P = 1 N", "d/sigma = 2"."""
+    """Format the load or separation with this index: "P = 1 N", "d/sigma = 2"."""
     dim = points_dimension(data)
     if dim is None:
         return "at the point"
@@ -54,14 +54,17 @@ def of_point(data: "xarray.Dataset", index: int) -> str:
 
 
 def _head(name: str) -> str:
-    """Return the symbol of a quantity below its body or film: "second" and "H" on a line each."""
+    """Return a two-line column head: the part of the contact above the symbol, "second" above "H"."""
     part, _, quantity = name.rpartition(".")
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else quantity
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
 def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """Return about nine combinations of array parameters, or all, with a column for at most four points."""
+    """Return a table of about nine combinations of array parameters, with columns for at most four points.
+
+    all_rows: show every combination.
+    """
     name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
     intervals = f"{name}_low" in data
     columns = some(data.sizes[points], 2 if intervals else _POINTS).tolist() if points else [0]

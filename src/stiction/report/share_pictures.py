@@ -1,4 +1,4 @@
-"""Draw the parts of load, area and friction as stacked shares."""
+"""Draw the parts of load, contact area and friction as stacked shares."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,10 @@ _HATCHES = ("", "//", "..", "\\\\", "xx")
 
 
 def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
-    """Return what can be drawn as shares: words -> the total and its parts, by their names and units in the result."""
+    """Return the stacks that can be drawn for a curve.
+
+    Each entry maps a description to (name of the total, names of its parts).
+    """
     stacked: dict[str, tuple[str, list[str]]] = {}
     for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
                                ("load", "load", "load")):  # fmt: skip
@@ -35,20 +38,23 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Return the absolute values of parts over their sum (parts, points); NaN where all are 0."""
+    """Return each part as a share of the sum of absolute parts (parts, points); NaN if all parts are 0."""
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
     return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)
 
 
 def part_in_words(name: str, total: str) -> str:
-    """Return the name of a part: "elastic-plastic" for contact_area_elastic_plastic."""
+    """Return the readable name of a part: "elastic-plastic" for contact_area_elastic_plastic."""
     stem = "friction_" if total == "friction_force" else f"{total}_"
     return name.removeprefix(stem).replace("_", "-")
 
 
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
-    """Draw one stack of a curve over compressive loads, in colours with hatches for colour-blind readers."""
+    """Draw one stack of shares against compressive load, with hatches for colour-blind readers.
+
+    what: a key of `stacks(curve)`.
+    """
     total, parts = stacks(curve)[what]
     figure, (axes,) = canvas(5.2, 3.9)
     load, shares = curve["load"].values, shares_of(curve, parts)

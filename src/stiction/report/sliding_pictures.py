@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 
 def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw force over load against displacement, and the energy lost in cycles where asperities keep their strength.
+    """Draw tangential force over load against displacement for each load or separation.
 
-    data: result of `slide` with one dimension of points, or none. Dotted lines are the static friction coefficient, dots its
-    largest force.
+    If asperities keep their strength, the energy lost in cycles is drawn too. Dotted lines mark the static friction
+    coefficient, dots the largest force. data: result of `slide` with at most one dimension of points.
     """
     lost = "energy_loss" in data
     figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)
@@ -35,9 +35,9 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def write_animation(data: "xarray.Dataset", path: Path) -> None:
-    """Write a GIF of the points that stick and slide, and the force on the way, at the heaviest load of a map.
+    """Write a GIF that shows which points of a map stick or slip as the displacement grows.
 
-    data: result of `slide` of a map.
+    It shows the largest load. data: result of `slide` for a map.
     """
     points = [one for one in data["tangential_force"].dims if one != "displacement"]
     row = data.isel({points[0]: int(np.argmax(data["load"].values))}) if points else data
@@ -56,7 +56,7 @@ def write_animation(data: "xarray.Dataset", path: Path) -> None:
 
 
 def _named(row: "xarray.Dataset") -> str:
-    """Return the load of a row as text."""
+    """Format the load of one row of a result."""
     return f"${QUANTITIES['load'].latex}$ = {with_unit(row['load'], digits=3)}"
 
 

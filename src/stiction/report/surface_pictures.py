@@ -1,6 +1,6 @@
-"""Draw surfaces: a height map, spectra, or the asperities of several methods.
+"""Draw surfaces: height maps, spectra, and the asperities that several methods find.
 
-Every length is drawn in the unit that fits its size.
+Each length is drawn in the unit that suits its size.
 """
 
 import math
@@ -32,10 +32,10 @@ _ENOUGH = 10**6
 
 
 def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | None = None) -> Figure:
-    """Draw the heights in colours, or a profile as a line, with a histogram; missing points are grey and hatched.
+    """Draw a height map in colours, or a profile as a line, next to a histogram of heights.
 
-    Colours and histogram leave out a thousandth of the heights at either end, and spikes. title: by default the name of the
-    surface. asperities: of this surface, marked where the method gives places.
+    Missing points are grey and hatched. Colours and histogram omit spikes and the lowest and highest 0.1 % of the heights.
+    title: by default the name of the surface. asperities: asperities to mark, if their method gives positions.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -67,7 +67,10 @@ def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | Non
 
 
 def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor: float) -> str:
-    """Draw a mark at every asperity, smaller where they are many; return what the marks are."""
+    """Mark every asperity, and return a text for the title that says what the marks are.
+
+    Marks are smaller if there are many. factor: factor from metres to the unit of the height axis.
+    """
     if not len(asperities.places):
         return f"{plain(asperities.method)}: averages only, no places"
     across, _ = prefix("scan_size", surface.size[1] if surface.is_profile else max(surface.size))
@@ -82,12 +85,15 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """Return an evenly spaced selection of the heights, which has nearly the same histogram."""
+    """Return evenly spaced heights, at most a million, for a quick histogram."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 
 def _limits(heights: np.ndarray) -> tuple[float, float]:
-    """Return limits that include nearly all heights without outliers; the full range if the heights are alike."""
+    """Return the height limits of a picture: without spikes and the outer 0.1 % at each end.
+
+    If all heights are alike, the limits are their minimum and maximum.
+    """
     low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
     reach = _FAR * 0.5 * (above - below)
     if reach > 0.0:
@@ -121,13 +127,13 @@ def _draw_profile(axes: Axes, surface: HeightMap, factor: float, unit: str) -> N
 
 
 def _runs(marked: np.ndarray) -> np.ndarray:
-    """Return (first, last + 1) of every unbroken row of marked points, shape (n, 2)."""
+    """Return (first, last + 1) of each run of consecutive marked points, shape (n, 2)."""
     steps = np.diff(np.concatenate(([0], marked.astype(np.int8), [0])))
     return np.column_stack((np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)))
 
 
 def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit: str) -> None:
-    """Draw the distribution of heights on its side, and the Gaussian of the same mean and deviation."""
+    """Draw a horizontal histogram of heights, and the Gaussian with the same mean and deviation."""
     edges, share = _shares(heights, ends, _BINS)
     outside = 100.0 * float(np.mean((heights < ends[0]) | (heights > ends[1])))
     text = "points" + (f" ({outside:.2g} % outside)" if outside else "")
@@ -146,7 +152,10 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
 
 
 def _shares(heights: np.ndarray, ends: tuple[float, float], most: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return edges and share of all heights per length of a histogram between two heights."""
+    """Return edges and densities of a histogram of the heights between two heights.
+
+    The densities refer to all heights, also those outside the limits. most: largest number of bins.
+    """
     number, edges = np.histogram(heights, bins=min(most, max(6, math.isqrt(heights.size))), range=ends)
     return edges, number / (heights.size * np.diff(edges))
 
@@ -159,9 +168,10 @@ def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
 
 
 def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
-    """Draw power spectra against the wavevector; marks are filled in the reliable band, which is shaded.
+    """Draw power spectra against the wavevector, with the reliable band shaded and its marks filled.
 
-    spectrum: one, or several by name; all of maps or all of profiles. The shaded band is that of the first.
+    spectrum: one spectrum, or several by name, all of maps or all of profiles. The shaded band is that of the first
+    spectrum.
     """
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
     figure, (axes,) = canvas(8.2, 5.6)
@@ -208,7 +218,7 @@ def _wavelengths_above(axes: Axes, factor: float) -> None:
 
 
 def _round_lengths(low: float, high: float) -> list[float]:
-    """Return powers of ten between two lengths; where they are fewer than two, 1, 2 and 5 times these."""
+    """Return round lengths between two lengths: powers of ten, or also 2 and 5 times these if they are too few."""
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     tens, more = ([lead * 10.0**power for power in powers for lead in leads] for leads in ((1,), (1, 2, 5)))
     tens, more = ([length for length in lengths if low <= length <= high] for lengths in (tens, more))
@@ -219,10 +229,9 @@ def _round_lengths(low: float, high: float) -> list[float]:
 
 
 def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
-    """Draw how the asperity heights of one surface are distributed by several methods, with sigma, R and N of each.
+    """Draw the distribution of asperity heights by each method, with sigma, R and N in the legend.
 
-    A method with averages only is drawn as a dashed Gaussian. surface: the map of the asperities; the heights of all its points
-    are grey.
+    A method that gives only averages is drawn as a dashed Gaussian. surface: height map whose points are drawn in grey.
     """
     sets = list(asperity_sets)
     figure = Figure(figsize=(11, 5.2), layout="constrained")
@@ -247,7 +256,7 @@ def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | No
 
 
 def _ends(sets: list[Asperities]) -> tuple[float, float]:
-    """Return the heights [m] that limit the picture: of single asperities, or else of the averages."""
+    """Return the height limits [m] of the asperity picture: from single asperities, or else from averages."""
     each = [_limits(asperities.heights) for asperities in sets if asperities.count and asperities.deviation > 0.0]
     each = each or [
         (asperities.mean_height - 4.0 * asperities.deviation, asperities.mean_height + 4.0 * asperities.deviation)
@@ -259,7 +268,7 @@ def _ends(sets: list[Asperities]) -> tuple[float, float]:
 
 
 def _summed_up(asperities: Asperities, factor: float, unit: str) -> str:
-    """Return lines of a legend: the method, how many asperities it found, and its sigma, R and N."""
+    """Return the legend of one method: its name, the number of asperities, sigma, R and N."""
     count = f": {asperities.count}" if asperities.count else ", averages only"
     sigma, radius = show(asperities.deviation, "asperity_height_deviation", 3), show(asperities.radius, "asperity_radius", 3)
     density = f"{asperities.density * factor:.3g}{unit.removeprefix('1')}"

@@ -1,4 +1,4 @@
-"""Represent tables as data that a terminal, a page and a report render, and format their numbers."""
+"""Represent tables as data that terminal, page and report can render, and format their numbers."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -25,9 +25,9 @@ _WIDE = 10_000
 
 @dataclass(frozen=True)
 class Column:
-    """Hold a column of a table.
+    """Describe a column of a table.
 
-    right: whether it is right-aligned; wrap: whether its cells may wrap; most: largest width in characters.
+    right: whether it is right-aligned. wrap: whether its cells may wrap. most: largest width in characters.
     """
 
     head: str
@@ -37,17 +37,20 @@ class Column:
 
 
 def numbers(*heads: str, wrap: bool = False) -> list[Column]:
-    """Return columns of numbers."""
+    """Return right-aligned columns with these heads."""
     return [Column(head, True, wrap) for head in heads]
 
 
 @dataclass(frozen=True)
 class Table:
-    """Hold rows of cells, each a text or, on a page, a list of lines; the first of a row is its name.
+    """Store a table as rows of cells; the first cell of a row is its name.
 
-    looks: of each row, "bold", "dim" or "". ruled: whether a line stands below the heads. gap: between columns. whole: a name
-    without room in its row stands on a line above it, so that it can be copied. stacked: on a narrow page cells stand below one
-    another, each with the head of its column. ranked: the first rows matter most.
+    A cell is a text or, on a page, a list of lines.
+
+    looks: style of each row, "bold", "dim" or "". ruled: whether a line separates heads and rows. gap: number of spaces
+    between columns. whole: never shorten a name; a name that does not fit stands on a line above its row. stacked: on a
+    narrow page, put the cells of a row below one another, each with the head of its column. ranked: the first rows matter
+    most.
     """
 
     columns: Sequence[Column]
@@ -62,11 +65,14 @@ class Table:
 
     @property
     def heads(self) -> list[str]:
-        """Return the heads of the columns; all are empty where the names are bold in their place."""
+        """Return the heads of the columns; a table may have only empty heads."""
         return [column.head for column in self.columns]
 
     def few(self, most: int) -> "Table":
-        """Return at most `most` rows: the first ones of a ranked table, else evenly spaced ones with both ends."""
+        """Return a table of at most `most` rows.
+
+        A ranked table keeps its first rows; others keep evenly spaced rows including the first and the last.
+        """
         chosen = range(min(len(self.rows), most)) if self.ranked else some(len(self.rows), most)
         looks = [self.looks[row] for row in chosen] if self.looks else ()
         return replace(self, rows=[self.rows[row] for row in chosen], looks=looks)
@@ -91,7 +97,10 @@ class Table:
             yield Segment.line()
 
     def _printed(self, names: list[Any], head: str = "") -> Printed:
-        """Return the table of a terminal with these names; a row whose name is the mark begins a line further down."""
+        """Return a rich table with these row names.
+
+        A name that is _MARK stands for a long name: its cells are moved down by one line, to make room for the name.
+        """
         headed = any(self.heads)
         box = SIMPLE_HEAD if self.ruled else None
         table = Printed(box=box, header_style="bold", pad_edge=False, padding=(0, self.gap, 0, 0), show_header=headed)
@@ -116,40 +125,46 @@ class Table:
 
 
 def some(count: int, most: int) -> np.ndarray:
-    """Return at most `most` evenly spaced indices below `count`, including both ends."""
+    """Return at most `most` evenly spaced indices from 0 to count - 1, including both ends."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 
 def short(value: float, digits: int = 4) -> str:
-    """Format a number with a few digits; "-" for NaN."""
+    """Format a number with a few significant digits; "-" for NaN or infinity."""
     return f"{float(f'{value:.{digits}g}'):g}" if np.isfinite(value) else "-"
 
 
 def with_powers(text: str) -> str:
-    """Return a text with m² in place of m^2."""
+    """Replace m^2 by m² and m^3 by m³ in a text."""
     return text.replace("m^2", "m²").replace("m^3", "m³")
 
 
 def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
-    """Return a table of notes with hanging indents in a list; the list is empty without notes."""
+    """Return a list with one table of bulleted notes; the list is empty without notes.
+
+    look: style of the notes.
+    """
     rows = [("-", line) for line in lines]
     return [Table([Column(""), Column("", wrap=True)], rows, gap=1, looks=[look] * len(rows))] if rows else []
 
 
 def shown(value: float, name: str, digits: int = 4) -> str:
-    """Return a value of the named quantity, given in SI, with a fitting prefix and a few digits; "-" for NaN."""
+    """Format an SI value of the named quantity with a prefixed unit; "-" for NaN or infinity."""
     return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
 def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
-    """Format a value of a result with a prefixed unit, by default its only value; plain if it has no unit."""
+    """Format a value of a result with a prefixed unit, or as a plain number if it has no unit.
+
+    value: by default the only value of `variable`.
+    """
     value, name = float(variable if value is None else value), str(variable.name)
     plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES
     return short(value, digits) if plain else shown(value, name, digits)
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:
-    """Return the factor and the prefixed unit for values of a quantity up to this one, in SI."""
+    """Return (factor, prefixed unit) for SI values of a quantity whose largest value is `largest`."""
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
     return float(text) / size, with_powers(unit)
@@ -159,7 +174,7 @@ _LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # of ro
 
 
 def facts(pairs: Iterable[tuple[str, Any]]) -> Table:
-    """Return rows of a bold name and a text, the answer and warnings highlighted; those without text are left out."""
+    """Return a table of names and texts, with mu and warnings highlighted; rows without text are omitted."""
     rows = [pair for pair in pairs if pair[1]]
     looks = [_LOOKS.get(name.partition(" ")[0], "") for name, _ in rows]
     return Table([Column(""), Column("", wrap=True)], rows, looks=looks)

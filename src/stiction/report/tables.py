@@ -1,4 +1,4 @@
-"""Tables and text for the terminal, built from results and records."""
+"""Build tables and text for the terminal from results and model records."""
 
 import json
 import re
@@ -40,9 +40,9 @@ HEADS = {
 
 
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
-    """Return about twelve points of a curve of one dimension, or all, in units with a fitting prefix.
+    """Return a table of about twelve points of a curve, or of all points, in prefixed units.
 
-    heads: name of a result -> head of its column; by default those of a curve.
+    heads: column head by name of the result; by default those of a curve.
     """
     heads = HEADS if heads is None else heads
     count = data["load"].size
@@ -58,14 +58,17 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
 
 
 def rows_shown(data: "xarray.Dataset") -> str:
-    """Return how many of the points `curve_table` shows; "" if all."""
+    """State how many points `curve_table` shows; "" if it shows all."""
     count = data["load"].size
     text = f"{_ROWS} of {count} points are shown; --all-rows shows all, and --out writes all to curve.csv"
     return text if count > _ROWS else ""
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
-    """Return the unit for the head, and the cells."""
+    """Return the unit for the head of a column, and its cells.
+
+    chosen: indices of the rows to show.
+    """
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
     if values.dtype.kind in "OU":
         return "", [value or "-" for value in values.tolist()]
@@ -78,7 +81,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
-    """Describe the solved case: contact, groups, model with options and grade, and the pull-off force if known."""
+    """Return a table that describes the solved case: contact, groups, model, grade and pull-off force."""
     return facts(
         [
             ("case", case.title),
@@ -92,7 +95,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
 
 
 def _contact(subject: Any) -> list[tuple[str, str]]:
-    """Return rows that describe a contact of real materials; none for dimensionless groups."""
+    """Describe a contact in rows of heading and text; no rows for a case of dimensionless groups."""
     if not isinstance(subject, Contact):
         return []
     rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
@@ -109,20 +112,20 @@ def _material(material: Any) -> str:
 
 
 def _numbers(part: Any) -> str:
-    """Return the numbers of a part of a contact with symbols and units: "E = 210 GPa, nu = 0.3"."""
+    """List the numbers of a part of a contact with symbols and units: "E = 210 GPa, nu = 0.3"."""
     stated = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
     return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in stated if value is not None)
 
 
 def _number(value: Any, name: str) -> str:
-    """Return one number, or the ends of an array: "100 nm to 2 um (5 values)"."""
+    """Format one number, or the ends of an array: "100 nm to 2 um (5 values)"."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     text = " to ".join(show(float(end), name).replace("m^2", "m²") for end in ends)
     return f"{text} ({value.size} values)" if hasattr(value, "dims") else text
 
 
 def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield title, model, friction at the middle load with its interval, and the validity for this contact."""
+    """Yield a short answer: title, mu at the middle load with its interval, model, and first validity warning."""
     if case.title:
         yield Text(case.title, style="bold")
     warnings = [str(warning) for warning in warnings_of(data)]
@@ -159,7 +162,7 @@ _OF_MATERIALS = (
 
 
 def _groups(subject: Any) -> str:
-    """Return the groups by name, or by their formula: "elastic adhesion index = 40, N R sigma = 0.04"."""
+    """List the dimensionless groups with names or formulas: "elastic adhesion index = 40, N R sigma = 0.04"."""
     groups = (
         group for group in subject.all_groups().items() if not (isinstance(subject, Contact) and group[0] in _OF_MATERIALS)
     )
@@ -172,7 +175,7 @@ def _group(name: str) -> str:
 
 
 def group_in_words(value: Any) -> str:
-    """Return a dimensionless group, or the ends of an array."""
+    """Format a dimensionless group; an array is shown by its smallest and largest value."""
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     return " to ".join(dict.fromkeys(f"{float(end):.4g}" for end in ends))
 
@@ -194,7 +197,7 @@ _NO_TENSION = "none: there is no tension at any separation"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:
-    """Return notes on a result, one line each: its normalisation, the meaning of mu, the laws."""
+    """Return notes on a result, one line each: normalisation, where mu is undefined, measured errors, and laws."""
     used = data.attrs
     notes = []
     normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
@@ -222,19 +225,19 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
 
 
 def _measured(rows: list[dict[str, Any]]) -> list[str]:
-    """Return the measured errors of the film law near this result, or why there are none."""
+    """State the benchmark errors of the film law near this result, or why no error is known."""
     return [f"measured: {in_words(row)}" for row in [row for row in rows if "error" in row] or rows[:1]]
 
 
 def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield warnings, highlighted, where a law is used outside the range that its authors claim."""
+    """Yield the validity warnings of a result, highlighted, below a heading."""
     if warnings := warnings_of(data):
         yield Text("outside the range of validity", style="bold yellow")
         yield from notes(map(str, warnings), "yellow")
 
 
 def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:
-    """Yield the registry by kind, a line for each record: key, grade and what it is, cut to the width of a terminal."""
+    """Yield one line for each model record, sorted by kind: key, grade and title, cut to the terminal width."""
     kind = ""
     for row in rows:
         if kind != row["kind"]:
@@ -254,7 +257,7 @@ _IN_FULL = {
 
 
 def model_in_full(row: Mapping[str, Any]) -> Group:
-    """Describe one record completely, with the assumptions and equations of its module."""
+    """Describe one model record completely, with the assumptions and equations of its module."""
     pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
     for name, head in _IN_FULL.items():
         value = row.get(name) or []
@@ -268,5 +271,5 @@ def model_in_full(row: Mapping[str, Any]) -> Group:
 
 
 def grades() -> Table:
-    """Return the meaning of the grades."""
+    """Return a table of the grades and their meanings."""
     return facts((f"grade {grade}", meaning) for grade, meaning in GRADES.items())

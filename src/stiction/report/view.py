@@ -1,4 +1,4 @@
-"""Represent a result for every output: paragraphs and tables, files, pictures and JSON."""
+"""Represent a result for all outputs: terminal text, files, pictures and JSON."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ _COLUMNS, _ROWS = 80, 5
 
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
-    """Return how many lines a paragraph or a table takes on a terminal."""
+    """Return how many lines a text or table takes on a terminal of this width."""
     from rich.console import Console
     from rich.text import Text
 
@@ -30,9 +30,10 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 
 
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
-    """Yield the parts that fit into MOST_LINES, with shortened tables, and a line on how to see the rest.
+    """Yield the parts of an answer that fit into MOST_LINES, then a line on how to see the rest.
 
-    written: whether a line on the written files follows.
+    Tables are shortened to five rows. A part that does not fit is left out. written: reserve room for a line about the
+    written files.
     """
     left = MOST_LINES - 1 - 2 * written
     for part in filter(None, parts):
@@ -45,20 +46,24 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """Hold a picture; description: text for screen readers; draw: function that makes the figure."""
+    """Store a picture that is drawn when needed.
+
+    description: text for screen readers. draw: function that returns the figure.
+    """
 
     description: str
     draw: "Callable[[], Figure]"
 
     def write(self, path: Path) -> None:
-        """Draw the picture into a file."""
+        """Draw the picture and write it to a file."""
         write_picture(self.draw(), path)
 
 
 def picture(description: str, place: str, *arguments: Any) -> Picture:
-    """Return a picture drawn by a function of this package with these arguments.
+    """Return a picture that a function of this package draws from the given arguments.
 
-    place: "module.function"; imported only when drawn, because matplotlib may be absent.
+    place: the function as "module.function". It is imported only when the picture is drawn, because matplotlib may be
+    missing.
     """
 
     def draw() -> "Figure":
@@ -70,7 +75,10 @@ def picture(description: str, place: str, *arguments: Any) -> Picture:
 
 
 def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> dict[str, Picture]:
-    """Return the maps of adhesion and plasticity with the contact as a dot, by file name; a film without adhesion has none."""
+    """Return the picture of the adhesion and plasticity maps, by file name.
+
+    The dict is empty for dimensionless groups and for a coated contact without adhesion.
+    """
     if not isinstance(subject, Contact) or (subject.coating is not None and not subject.work_of_adhesion):
         return {}
     description = "the contact on maps of adhesion and of plasticity"
@@ -79,12 +87,12 @@ def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> di
 
 @dataclass(frozen=True)
 class View:
-    """Hold what is shown and written of one result.
+    """Store what all outputs show of one result.
 
-    data: the dataset, written as `name`.nc, or None. parts: function that returns what a terminal prints, in order.
-    record: function that returns the content for JSON. files: writer functions by file name. pictures: by file name.
-    warnings: sentences. short: function that returns the parts of a short answer, the most important first; by default
-    all parts. is_brief: whether `parts` already is the short answer.
+    data: the dataset, written as `name`.nc, or None. parts: function that returns the texts and tables for a terminal.
+    record: function that returns the content for JSON. files: functions that write a file, by file name. pictures: by file
+    name. warnings: sentences. short: function that returns the short answer, most important part first; by default it is
+    `parts`. is_brief: whether `parts` already is the short answer.
     """
 
     name: str
@@ -98,14 +106,14 @@ class View:
     is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
-        """Return a function for each table, dataset and picture that writes it to a path, by file name."""
+        """Return a function that writes each table, dataset and picture, by file name."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)
         return files | {name: drawn.write for name, drawn in self.pictures.items()}
 
     def write(self, folder: Path) -> list[str]:
-        """Write tables, dataset and pictures into a folder; return their names."""
+        """Write tables, dataset and pictures to a folder, and return the file names."""
         files = self.writers()
         write_folder(folder, files)
         return list(files)
