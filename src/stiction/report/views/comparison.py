@@ -1,4 +1,4 @@
-"""Show a comparison of models as tables, JSON and files; models that agree share one row."""
+"""Show a comparison of models as tables, JSON and files. Models that agree on mu share one row."""
 
 import json
 import math
@@ -31,14 +31,17 @@ _DIGITS = 6  # of a load that is read: its result differs in the sixth
 
 
 def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
-    """Return the command line that computes one row of a comparison again; exact: with all digits of the load."""
+    """Return the command line that computes one model of a comparison again.
+
+    exact: whether to state the load with all its digits.
+    """
     case = data.attrs.get("case_file", "CASE.toml")
     load = _load_in_words(data, exact)
     return f"stiction run {shlex.quote(case)} --model {shlex.quote(model)}" + (f" --load {shlex.quote(load)}" if load else "")
 
 
 def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
-    """Return the working load as --load takes it."""
+    """Return the working load in a form that the option --load accepts; "" without a working load."""
     if "working_load" not in data.attrs:
         return ""
     unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
@@ -52,7 +55,7 @@ _TEXTS = {"why_not": "why_not", "family": "family_of_curve", "plastic_junctions_
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return a comparison for JSON: attributes, and a list of models with their results."""
+    """Return a comparison as a dict for JSON: attributes, and one entry with results for each model."""
     units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
     rows = []
     for index, name in enumerate(data["model"].values):
@@ -73,7 +76,10 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
-    """Return the friction of one model at the working load for every asperity method."""
+    """Return the friction of one model at the working load by each asperity method, with its range.
+
+    The dict is empty if the roughness was not measured in scans.
+    """
     name = "friction_coefficient_at_load"
     if f"{name}_by_method" not in result:
         return {}
@@ -86,7 +92,10 @@ def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the results of every model at the working load, with the range of friction over asperity methods if any."""
+    """Return the results of all models at the working load.
+
+    Friction has its range over asperity methods if the roughness was measured in scans.
+    """
     mu, *others = (f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1]))
     names = [mu, *(f"{mu}_{end}" for end in ("low", "high") if f"{mu}_{end}" in data), *others]
     errors = ["measured_area_error", "measured_area_error_rms", "measured_friction_error"]
@@ -103,11 +112,11 @@ GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model
 
 @dataclass(frozen=True)
 class Group:
-    """Hold models that agree on mu.
+    """Represent one row of the comparison: models that agree on mu.
 
-    family: the basis of their friction. names: in the order of mu. low, high: range of mu. errors: known mean errors of
-    the area on solved surfaces. least, most: mu corrected for the ends of the 90 % interval of that error; low and high
-    if it is unknown. status: of the first model.
+    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: known mean
+    errors of the contact area on benchmark surfaces. least, most: range of mu corrected for the 90 % interval of that
+    error; equal to low and high if the error is unknown. status: status of the first model.
     """
 
     family: str
@@ -121,29 +130,30 @@ class Group:
 
     @property
     def title(self) -> str:
-        """Return the name of the first model, and the number of models that agree."""
+        """Return the name of the first model and the number of other models, "hertz +2"."""
         return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
 
     @property
     def fits(self) -> bool:
-        """Return whether the contact is within the claimed ranges of the models."""
+        """Return whether the contact is within the ranges that the authors of the models claim."""
         return self.status.startswith("fits")
 
     @property
     def kind(self) -> tuple[str, bool, str]:
-        """Return the properties, besides mu, that models of one row share."""
+        """Return the properties, besides mu, that must be equal for models to share a row."""
         return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property
     def possible(self) -> bool:
-        """Return whether the results of the models are physically possible for this contact."""
+        """Return whether the models can be right for this contact, physically."""
         return not self.status.startswith("cannot")
 
 
 def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
-    """Return groups of models that agree at the working load: first those that fit, then possible ones, by family and mu.
+    """Return groups of models whose mu at the working load agrees within 10 %.
 
-    every: each model by itself.
+    Order: groups within their claimed range, then other possible groups, then impossible ones; within these by family and
+    mu. every: put each model into a group of its own.
     """
     models = [data.isel(model=index) for index in range(data.sizes["model"])]
     alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]
@@ -172,14 +182,17 @@ def _group(models: "list[xarray.Dataset]") -> Group:
 
 
 def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
-    """Return mu corrected for the ends of the 90 % interval of its error on solved surfaces."""
+    """Return mu corrected for both ends of the 90 % interval of the area error on benchmark surfaces.
+
+    mu is unchanged where that interval is unknown.
+    """
     errors = json.loads(result["measured_error"].item()) or {}
     ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
     return [mu if end[0] is None else mu / (1.0 + end[0]) for end in ends]
 
 
 def group_row(group: Group) -> tuple[str, str, str, str]:
-    """Return the texts of GROUP_HEADS for a group."""
+    """Return the table cells of a group, one for each of GROUP_HEADS."""
     mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
     ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
     status = group.status.replace("does not fit", "no", 1)
@@ -187,9 +200,10 @@ def group_row(group: Group) -> tuple[str, str, str, str]:
 
 
 def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, more: str = ALL) -> Iterator[Table | Text]:
-    """Yield rows for groups, as many as fit into so many lines, and a line on what is left out.
+    """Yield a table of the groups that fit into `room` lines, then a line that counts the omitted models.
 
-    silent: number of models without friction, as the interface is not stated; more: where every model is listed.
+    room: None for all groups. silent: number of models without friction because the interface is not stated. more: text
+    that says where every model is listed.
     """
     shown = groups if room is None else [group for group in groups if group.possible]
 
@@ -212,7 +226,7 @@ def _table(groups: list[Group]) -> Table:
 
 
 def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
-    """State how many models the rows omit; "" if none."""
+    """State how many models the table omits, and why; "" if it omits none."""
     counts = [
         (sum(len(group.names) for group in groups if group.possible and group not in shown), "more models not shown"),
         (sum(len(group.names) for group in groups if not group.possible and group not in shown), "cannot be right here"),
@@ -222,7 +236,7 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
 
 
 def silent_models(case: "Case", data: "xarray.Dataset") -> int:
-    """Return the number of models without friction because neither interface nor shear strength is stated."""
+    """Return how many models give no friction because neither interface nor shear strength is stated."""
     contact = case.subject
     if not isinstance(contact, Contact) or contact.interface is not None or contact.interfacial_shear_strength is not None:
         return 0
@@ -236,9 +250,9 @@ _OF_ANSWER = ("friction force", "warning", "not used")
 def comparison_view(
     case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
-    """Return the view of a comparison, shown below the prediction.
+    """Return the view of a comparison, with the prediction above it.
 
-    every: each model in a row of its own, with all notes. more: text on where every model is listed.
+    every: show each model in a row of its own, with all notes. more: text that says where every model is listed.
     """
     measured = case.measured
     groups = groups_of(data, every) if "working_load" in data.attrs else []

@@ -1,4 +1,4 @@
-"""Show the dataset of a study without a view of its own: tables, sentences and files."""
+"""Show the dataset of any study that has no view of its own."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -17,7 +17,10 @@ _ROWS, _COLUMNS = 12, 6
 
 
 def dataset_view(name: str, data: "xarray.Dataset") -> View:
-    """Return the view of a dataset: single values, and a table and CSV file for the variables of each dimension."""
+    """Return the view of a dataset: its scalars, and a table and a CSV file for each dimension.
+
+    name: name of the study, with which file names begin.
+    """
     ordered = [*data.coords, *data.data_vars]
     columns = {str(along): [variable for variable in ordered if data[variable].dims == (along,)] for along in data.dims}
 

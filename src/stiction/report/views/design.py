@@ -1,4 +1,4 @@
-"""Show a design as tables, sentences and files."""
+"""Show the result of a design study."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -24,14 +24,17 @@ _ROWS = 12
 
 
 def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
-    """Return variables by column name for the best designs, the Pareto front, or all evaluated designs."""
+    """Return the variables along a dimension by column name.
+
+    along: "design" for the best designs, "pareto" for the Pareto front, "evaluated" for all evaluated designs.
+    """
     before = "" if along == "design" else f"{along}_"
     names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
     return {name.removeprefix(before): name for name in names}
 
 
 def design_table(data: "xarray.Dataset", along: str) -> Table:
-    """Return a row for each design, at most about twelve."""
+    """Return a table with one row for each design, at most twelve rows. along: as for `columns_of`."""
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("constraint_violation", "violated")]
     rows = [[_cell(name, data[columns[name]].values[row]) for name in shown_columns] for row in range(data.sizes[along])]
@@ -60,7 +63,7 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield the objectives, and those that are not met."""
+    """Yield notes on a design: objectives, constraints, and those that are not met."""
     used = data.attrs
     yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:
@@ -79,7 +82,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Name a design by its choices from lists; "" if there is only one."""
+    """Return the list choices of a design in brackets, to name it; "" if there is only one design."""
     taken = [
         data[name].values[row]
         for name in data.data_vars
@@ -89,7 +92,10 @@ def _which(data: "xarray.Dataset", row: int) -> str:
 
 
 def design_view(design: "Designing", folder: Path | None = None) -> View:
-    """Return the view of a design; folder: where files go, as the base of paths in the designed case."""
+    """Return the view of a design study.
+
+    folder: output folder, to which paths in the designed case file are relative; None writes no case file.
+    """
     data = design.data()
 
     def parts() -> Iterator[Any]:

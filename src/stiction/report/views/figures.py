@@ -1,4 +1,4 @@
-"""Show the figures of the 2015 paper and the map of its claims as tables and files."""
+"""Show the figures of the 2015 paper and the map of its claims."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
-    """Return for each claim and variant the share of the plane where it holds, and where.
+    """Return a table that states for which part of the theta-lambda plane each claim holds, by variant.
 
-    here: the indices of the last column, the share of films for which the claim holds there.
+    here: theta and lambda of the last column, which gives the share of films for which the claim holds at that point.
     """
     some, not_comparable, there = numbers("for some", "not com-\nparable", here, wrap=True)
     columns = [Column("claim"), Column("variant"), Column("holds for all films", wrap=True), some,
@@ -38,13 +38,13 @@ def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
 
 
 def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
-    """Return the text of each claim and its exact definition."""
+    """Return a table with the text of each claim and its exact definition."""
     unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
     return facts((f"({key})", text) for key, text in unique.items())
 
 
 def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[str, float], variant: str) -> View:
-    """Return what figures 1 to 3 and the claims show. here: theta and lam of the figures."""
+    """Return the view of figures 1 to 3 of the paper and of its claims. here: theta and lam of the figures."""
     theta, lam = here["theta"], here["lam"]
     rows = summary(claims, theta, lam)
 

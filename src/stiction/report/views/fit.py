@@ -1,4 +1,4 @@
-"""Show a fit as tables, sentences and files."""
+"""Show the result of a fit."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def parameter_table(data: "xarray.Dataset") -> Table:
-    """Return a row for each free number: its best value, and its interval."""
+    """Return a table of the fitted parameters: best value, 95 % interval and searched range."""
     rows = []
     for number, name in enumerate(data["parameter"].values.tolist()):
         row, quantity = data.isel(parameter=number), name.partition(" (")[0].rpartition(".")[2]
@@ -35,7 +35,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 
 
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield the quality of the fit, and the numbers that the data do not determine."""
+    """Yield notes on a fit: its quality, parameters that the data do not determine, and correlations."""
     used = data.attrs
     good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
@@ -49,7 +49,7 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def evidence_table(data: "xarray.Dataset") -> Table:
-    """Return the models ranked by how well the data support them."""
+    """Return a table of the models, ranked by how well the data support them."""
     left = "chi_square" if "chi_square" in data else "scatter"
     rows: list[list[Any]] = []
     for number, name in enumerate(data["model"].values.tolist()):
@@ -64,7 +64,7 @@ def evidence_table(data: "xarray.Dataset") -> Table:
 
 
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return heads and rows of the table of free numbers, for a file."""
+    """Return column heads and rows of the fitted parameters, for a CSV file."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
     heads = ["parameter", *keys]
     rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
@@ -72,7 +72,7 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return heads and rows of measured and fitted values in SI units."""
+    """Return column heads and rows of measured and fitted values in SI units, for a CSV file."""
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
     return keys, rows_of(data, keys)
 
@@ -85,10 +85,10 @@ _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
 def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
-    """Return what a fit shows.
+    """Return the view of a fit.
 
-    found: a fit, or the path of the case, the case, its prediction and whether to show details. folder: where its files go,
-    from which the fitted case names other files.
+    fit: a fit, or (path of the case, case, prediction with measured friction, whether to show details). folder: output
+    folder, to which paths in the fitted case file are relative.
     """
     if isinstance(fit, tuple):
         return _prediction_view(fit, folder)
@@ -117,7 +117,7 @@ def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> Vi
 
 
 def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
-    """Return the view of a prediction with measured friction."""
+    """Return the view of a prediction that uses measured friction. out: output folder."""
     path, case, data, details = fit
     view = prediction_view(case, data, str(path), details)
     if out is not None and "parameter" in data.dims:

@@ -1,4 +1,4 @@
-"""Show a prediction as tables, sentences and files."""
+"""Show a prediction."""
 
 import json
 from collections.abc import Iterator
@@ -25,7 +25,10 @@ _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")
 
 
 def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False) -> View:
-    """Return the view of a prediction; file: name of the case file, for suggested commands."""
+    """Return the view of a prediction.
+
+    file: name of the case file, for the commands that the view suggests. details: whether to show the full answer.
+    """
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -54,7 +57,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
-    """Drop the least important rows of an answer until it fits into `most` lines."""
+    """Return the table of an answer, without the least important rows if it exceeds `most` lines."""
     for name in ("along the load", "model", "checked against", "uncertainty from", "bare metal"):
         if lines_of(facts(rows)) <= most:
             break
@@ -63,7 +66,7 @@ def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
 
 
 def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
-    """Return the view of predictions for a case with array parameters."""
+    """Return the view of the predictions for a case with array parameters."""
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -78,7 +81,7 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield details that the answer omits: the curve, every warning, and the basis of the interface strength."""
+    """Yield what only the detailed answer shows: curve, all warnings, models, samples, inputs and interface."""
     if data["load"].size > 1:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
@@ -101,7 +104,7 @@ def _models(data: "xarray.Dataset") -> str:
 
 
 def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
-    """Return the comment lines above the table of a prediction."""
+    """Return the comment lines for the CSV file of a prediction."""
     used = data.attrs
     notes = {"warning": used.get("warnings"), "not used": used.get("inputs_not_used"), "input": _inputs(case.subject)}
     models = _models(data) if "models" in used else ""
@@ -109,7 +112,7 @@ def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def plain(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the dataset with attributes that a netCDF file accepts; tables and lists become JSON."""
+    """Convert attributes that are lists or dicts to JSON text, because netCDF files cannot store them."""
     texts = {
         name: json.dumps(value, ensure_ascii=False) for name, value in data.attrs.items() if isinstance(value, dict | list)
     }

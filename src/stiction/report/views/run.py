@@ -1,4 +1,4 @@
-"""Show a solved case as tables, sentences and files."""
+"""Show a solved case."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -28,7 +28,7 @@ _ROWS = 12
 
 
 def band_table(data: "xarray.Dataset") -> Table | Text:
-    """Return the nominal result and its quantiles at about twelve points, with the largest sampling error."""
+    """Return a table of the nominal result, its quantiles and their largest sampling error, for about twelve points."""
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:
         return Text(f"{name} does not vary with what is uncertain", style="dim")
@@ -46,13 +46,13 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
 
 
 def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield the table of quantiles, whole on a terminal of any width, and what is uncertain."""
+    """Yield the table of quantiles, then notes on the uncertain inputs."""
     yield band_table(data)
     yield from notes(uncertain_notes(data))
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield the uncertain inputs, how they were sampled, and how often a sample has no result."""
+    """Yield notes: uncertain inputs, how they were sampled, and how many samples are excluded or out of range."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
         yield f"uncertain: {line}"
@@ -65,18 +65,18 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
-    """Return the number of samples and their seed, from the attributes of a result."""
+    """State the number of random samples and their seed. used: attributes of a result."""
     return f"random samples of the uncertain inputs: {used['uncertainty'].replace(' points', '')}"
 
 
 def with_meaning(warning: str) -> str:
-    """Replace the name of a quantity in a validity warning by its meaning."""
+    """Replace the quantity that starts a validity warning by its meaning."""
     name, _, rest = warning.partition(" ")
     return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else warning
 
 
 def in_draws(share: float, text: str) -> str:
-    """State the share of samples in which a text holds."""
+    """State in which share of the random samples a warning applies. text: the warning."""
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
@@ -84,7 +84,7 @@ _FEW = 5  # rows of a short answer
 
 
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
-    """Return the view of a solved case."""
+    """Return the view of a solved case. all_rows: show every point of the curve."""
 
     def table(path: Path) -> None:
         wide = in_columns(data, METHOD, "by_method")

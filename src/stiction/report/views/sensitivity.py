@@ -1,4 +1,4 @@
-"""Sensitivity: inputs from the most to the least important at the working load, as tables, sentences and files."""
+"""Show a sensitivity study: inputs ranked by importance at the working load."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -27,7 +27,10 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 
 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
-    """Return results that have a variable with this name ending, friction first; unknown results are omitted."""
+    """Return the results that have a variable `{result}_{end}`, friction first.
+
+    end: e.g. "total_order". Results whose values are all NaN are omitted, except the first.
+    """
     there = [name for name in _HEADS if f"{name}_{end}" in data]
     return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
 
@@ -37,7 +40,7 @@ def head_of(name: str) -> str:
 
 
 def working_place(data: "xarray.Dataset") -> int:
-    """Return the index of the working load; the middle index if no load is compressive."""
+    """Return the index of the point nearest to the working load; the middle index without a working load."""
     dim = points_dimension(data)
     count = data.sizes[dim] if dim else 1
     if "working_load" not in data.attrs or dim != "load":
@@ -46,19 +49,22 @@ def working_place(data: "xarray.Dataset") -> int:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the results at the working load."""
+    """Return the results at the working load, without the other points."""
     dim = points_dimension(data)
     return data.isel({dim: working_place(data)}) if dim else data
 
 
 def ranked(results: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
-    """Return indices along a dimension in descending order of absolute value; NaN last."""
+    """Return the indices along `dim` that sort `{name}_{end}` by descending absolute value; NaN last."""
     size = np.abs(results[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
 
 def indices_table(data: "xarray.Dataset") -> Table:
-    """Return Sobol indices and Morris effects of the first result, and total indices of the others, ranked."""
+    """Return a ranked table of Sobol indices and Morris effects of the first result.
+
+    Other results have a column with their total indices.
+    """
     results, (first, *others) = at_working_load(data), results_of(data, "total_order")
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
     rows = []
@@ -77,7 +83,7 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 
 
 def log_sensitivities_table(data: "xarray.Dataset") -> Table:
-    """Return d ln y/d ln x of every number of the contact at the working load, ranked by friction."""
+    """Return a table of d ln y/d ln x at the working load for every input number x, ranked by friction."""
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
     order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
@@ -96,7 +102,7 @@ def _signed(value: float) -> str:
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield the parts of the prediction interval, and the change of mu for a 1 % increase of the main numbers."""
+    """Yield the shares of the variance of mu by source, then the logarithmic sensitivities of mu."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
@@ -104,7 +110,7 @@ def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
 
 
 def sensitivity_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield what was varied, how, and the validity warnings of the nominal contact."""
+    """Yield notes: which inputs were varied and how, and the validity warnings at nominal inputs."""
     used = data.attrs
     if "input" in data.dims:
         for line in used["uncertain_inputs"].splitlines():
@@ -133,7 +139,7 @@ _TABLES = {"sensitivity.csv": "input", "log_sensitivities.csv": "number"}
 
 
 def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None = None) -> View:
-    """Return the view of a sensitivity study."""
+    """Return the view of a sensitivity study. groups: dimensionless groups of the contact, for JSON."""
 
     def parts() -> Iterator[Any]:
         if _SHARE in data:

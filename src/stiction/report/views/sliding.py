@@ -1,4 +1,4 @@
-"""Show the tangential force from rest to sliding as a table, sentences and files."""
+"""Show the tangential force from rest to sliding."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,12 +27,15 @@ _HEADS = {
 
 
 def sliding_table(data: "xarray.Dataset") -> Table:
-    """Return a row for each point: mu, the largest force over load, its displacement, and the initial stiffness."""
+    """Return a table with one row for each load.
+
+    Columns: mu, largest tangential force over load, its displacement, and the tangential stiffness at rest.
+    """
     return curve_table(data.drop_dims("displacement"), True, _HEADS)
 
 
 def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield notes on a result, one line each."""
+    """Yield notes on a result of `slide`, one line each."""
     used = data.attrs
     yield f"mu: the whole contact at its strength together; {used['sliding']}"
     if used["residual_strength"] == 1.0:

@@ -1,4 +1,4 @@
-"""Show the stresses in a film as a table, sentences and files."""
+"""Show the stresses in a film."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -32,7 +32,10 @@ _HEADS = {
 
 
 def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
-    """Return the view of the film stresses of a case; with_section: also write stresses below the asperity to files."""
+    """Return the view of the film stresses of a case.
+
+    all_rows: show every point of the curve. with_section: also compute the stresses in a cross-section, for files.
+    """
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", curve_table(data, all_rows, _HEADS), "")

@@ -1,4 +1,4 @@
-"""Show a measured surface as tables, sentences and files."""
+"""Show a measured surface."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def surface_summary(analysis: Analysis) -> Table:
-    """Return the scan, its statistics and its spectral moments."""
+    """Return a table of a scan: size, heights, slopes, curvatures and spectral moments."""
     surface, measured, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size") for length in surface.size)
@@ -65,7 +65,7 @@ def surface_summary(analysis: Analysis) -> Table:
 
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
-    """Return further parameters of ISO 25178-2, with their names."""
+    """Return rows with more height, spatial and functional parameters of ISO 25178-2."""
     parameters = asdict(areal_parameters(surface))
     ratios = {"Sdr", "Str", "Smr1", "Smr2"}
     texts = {
@@ -77,7 +77,7 @@ def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
 
 
 def surface_in_short(analysis: Analysis) -> Table:
-    """Summarise the scan in one line each: the scan, its heights with the kind of surface, and its asperities."""
+    """Return a short table of a scan: size, heights with the kind of surface, spikes, and asperities."""
     surface, of_heights = analysis.surface, analysis.statistics
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size", 3) for length in surface.size)
@@ -107,9 +107,9 @@ def _in_short(analysis: Analysis) -> str:
 
 
 def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
-    """Return the lines of a case file that use this surface: the scan itself, and its asperities as numbers.
+    """Return lines for a case file that uses this surface, either by the scan or by its asperities.
 
-    case_table: the roughness of a case file that reads the scan again.
+    case_table: roughness table of a case that reads the scan again.
     """
     numbers = asperity_numbers(analysis)
     lines = ["Use this in a case:", *_lines(case_table, "the scan itself")]
@@ -118,10 +118,10 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 
 
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
-    """Return the roughness table of a case with asperities that represent the surface; empty if none were found.
+    """Return the roughness table of a case with the asperities of this surface; empty if none were found.
 
-    Heights without a formula, and those of a known kind of surface, are stated as Gaussian, because model errors are
-    known for Gaussian heights.
+    The heights are stated as Weibull only if a Weibull distribution was fitted and the kind of surface is unknown. Other
+    heights are stated as Gaussian, because model errors are known for these.
     """
     if not analysis.standing:
         return {}
@@ -153,7 +153,7 @@ def _moments(profile: ProfileMoments) -> str:
 
 
 def asperity_table(analysis: Analysis) -> Table:
-    """Return sigma, R, N by every method."""
+    """Return a table of sigma, R and N by each asperity method."""
     rows = []
     for method, result in analysis.asperities.items():
         cells = _cells(result.deviation, result.radius, result.density)
@@ -163,7 +163,7 @@ def asperity_table(analysis: Analysis) -> Table:
 
 
 def surface_notes(analysis: Analysis) -> list[Table]:
-    """Return the basis of each asperity method, and the reason if a method found nothing."""
+    """Return notes on how each asperity method works here, and why a method found nothing."""
     lines = []
     if analysis.spikes:
         lines.append(
@@ -177,7 +177,10 @@ def surface_notes(analysis: Analysis) -> list[Table]:
 
 
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
-    """Return sigma, R, N by every method, and mu at the least and largest compressive load; the method used is bold."""
+    """Return a table of sigma, R and N by each asperity method; the method used is bold.
+
+    data: result of the case; it adds mu at the smallest and the largest compressive load.
+    """
     friction = None if data is None else data.get("friction_coefficient_by_method")
     loads = _ends(data) if friction is not None and data is not None else []
     rows = []
@@ -190,7 +193,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 
 
 def roughness_notes(measured: "Measured") -> list[Table]:
-    """Return how scans were processed, which methods found nothing, and the meaning of the band."""
+    """Return notes on the asperity method used, methods that found nothing, and how the scans were processed."""
     count = measured.counts[measured.method]
     counted = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the range over all methods" if len(measured.by_method) > 1 else ""
@@ -201,7 +204,7 @@ def roughness_notes(measured: "Measured") -> list[Table]:
 
 
 def map_notes(data: "xarray.Dataset") -> list[Table]:
-    """Return how the maps were prepared, how well they are resolved, and both areas at the last load."""
+    """Return notes on a solved map: preparation, resolution, and contact area at the last load."""
     last = data.isel({name: -1 for name in data["load"].dims})
     every = int(last["point_spacing"])
     lines = [
@@ -217,14 +220,14 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
 
 
 def contact_table(contact: "ContactOfMap") -> Table:
-    """Return the contact of a map: a row for each nominal pressure."""
+    """Return a table of the contact of a map, one row for each nominal pressure."""
     heads = (re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns)
     rows = [[short(value, 3) for value in row] for row in zip(*contact.columns.values(), strict=True)]
     return Table(numbers(*heads, wrap=True), rows)
 
 
 def contact_notes(contact: "ContactOfMap") -> list[Text]:
-    """Return how the contact of a map was solved, and its validity warnings."""
+    """Return notes on how the contact of a map was solved, with its validity warnings."""
     yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
     of_map = contact.curve.of_map
     solved = (
@@ -248,7 +251,7 @@ def _cells(deviation: float, radius: float, density: float) -> list[str]:
 
 
 def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
-    """Return index and load [N] of the smallest and the largest compressive load."""
+    """Return (index, load [N]) of the smallest and the largest compressive load; [] without one."""
     loads = np.atleast_1d(data["load"].values).ravel()
     pressed = np.flatnonzero(loads > 0.0)
     if not pressed.size:
@@ -266,8 +269,8 @@ def surface_view(
 ) -> View:
     """Return the view of a measured surface.
 
-    case_table: roughness table of a case that reads the scan again. solved: contact of the map; resolution: resolution
-    study, for files. details: whether to print all results.
+    case_table: roughness table of a case that reads the scan again. solved: contact of the map. resolution: resolution
+    study, to be written to files. details: whether to print all results.
     """
 
     def parts() -> Iterator[Any]:
@@ -312,7 +315,7 @@ def _pictures(analysis: "Analysis", resolution: "xarray.Dataset | None") -> dict
 
 
 def _write_pressure(path: Path, solved: "ContactOfMap") -> None:
-    """Write the pressure maps over E* h', one for each solved nominal pressure."""
+    """Write the pressure maps, divided by E* h', to a .npy file: one map for each nominal pressure."""
     import numpy as np
 
     maps = [

@@ -1,4 +1,4 @@
-"""Show a sweep as tables, sentences and files."""
+"""Show a completed sweep."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -19,7 +19,11 @@ _MOST = 1_000_000  # points of a store that are read to be told
 
 
 def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View:
-    """Return the view of a complete store; computed: number of points computed in this run, within `seconds`."""
+    """Return the view of a completed sweep.
+
+    store: results of all points. out: folder of the store. computed: number of points computed in this run. seconds: time
+    that this run took.
+    """
     size, validity_warnings = store.plan.size, store.validity_warnings()
 
     def parts() -> Iterator[Any]:
@@ -39,7 +43,7 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
 
 
 def _friction(store: "Store") -> Iterator[str]:
-    """Yield the range of mu over all points, if the store holds mu."""
+    """Yield the range of mu over all points, if the store contains mu."""
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
     if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:
@@ -56,7 +60,10 @@ def _friction(store: "Store") -> Iterator[str]:
 
 
 def _scatter(mu: np.ndarray, loads: np.ndarray | None) -> Iterator[str]:
-    """Yield mu (maps, loads) at each load with its scatter between maps; maps without mu are ignored."""
+    """Yield for each load the median of mu and its scatter between maps.
+
+    mu: (maps, loads); NaN is ignored.
+    """
     for index, column in enumerate(mu.T):
         there = column[np.isfinite(column)]
         if len(there) < 2:

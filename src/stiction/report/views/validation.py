@@ -1,4 +1,4 @@
-"""Show models against measured series as tables, sentences and files."""
+"""Show how well models and the prediction agree with measured series."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ _HOW = {
 
 
 def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield title and source of the values."""
+    """Yield title, source and note of a measured series, and how many values it has."""
     about = data.attrs
     if about["kind"] == "synthetic":
         yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
@@ -39,7 +39,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def validation_table(data: "xarray.Dataset") -> Table:
-    """Return a row for each model: grade, answered values, error, and the claims it leaves."""
+    """Return a table of the models: grade, number of predicted values, error, and ranges that the series leaves."""
     errors = {"bias": "mean ratio", "factor": "factor off"}
     if np.isfinite(data["error"].values).any():
         errors["in_errors"] = "in errors"
@@ -55,7 +55,10 @@ def validation_table(data: "xarray.Dataset") -> Table:
 
 
 def prediction_table(data: "xarray.Dataset") -> Table | None:
-    """Return a row for each measured friction: the prediction, and whether its intervals contain the measured value."""
+    """Return a table of measured and predicted friction; None if nothing was predicted.
+
+    Each row states whether the 50 % and 90 % intervals contain the measured value.
+    """
     rows = []
     for index in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
         result = data.isel(row=index)
@@ -69,7 +72,7 @@ def prediction_table(data: "xarray.Dataset") -> Table | None:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return heads and rows of a file: measured values and those of each model, in SI units."""
+    """Return column heads and rows of measured and predicted values in SI units, for a CSV file."""
     columns = ["quantity", "sample", "load", "measured", "error"]
     levels = [f"prediction_{level:g}" for level in data["quantile"].values]
     rows = zip(rows_of(data, columns), data["prediction"].values.T.tolist(), data["predicted"].values.T.tolist(), strict=True)
@@ -78,7 +81,7 @@ def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return all results for JSON."""
+    """Return all results of one measured series as a dict for JSON."""
     over_models = ("grade", "answered", "bias", "factor", "in_errors", "outside_validity")
     keys = ["model", *over_models, "predicted"]
     models = [dict(zip(keys, row, strict=True)) for row in rows_of(data, keys)]
@@ -89,7 +92,7 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
-    """Return the view of models against measured series, by name of the series."""
+    """Return the view of models against measured series. series: results by name of the series."""
 
     def parts() -> Iterator[Any]:
         for data in series.values():
