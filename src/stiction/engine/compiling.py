@@ -2,30 +2,16 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
-
-from numba.core import event
 
 
-class _Kernels(event.Listener):
-    """Listen to Numba's compile events and count the kernels compiled; cached kernels and inlined formulas do not count."""
+class _Listener:
+    """Count the kernels compiled since the listener was installed."""
 
     def __init__(self, tell: Callable[[int], None]):
         self.tell, self.done = tell, 0
 
-    def on_start(self, event: Any) -> None:
-        if _is_kernel(event):
-            self.tell(self.done)
 
-    def on_end(self, event: Any) -> None:
-        if _is_kernel(event):
-            self.done += 1
-            self.tell(self.done)
-
-
-def _is_kernel(event: Any) -> bool:
-    """Return whether a compile event belongs to a kernel; inlined formulas have the option `forceinline`."""
-    return event.data["dispatcher"].targetoptions.get("forceinline") is None
+_listeners: list[_Listener] = []
 
 
 @contextmanager
@@ -34,5 +20,16 @@ def telling(tell: Callable[[int], None]) -> Iterator[None]:
 
     `tell` is not called for kernels that are loaded from the cache.
     """
-    with event.install_listener("numba:compile", _Kernels(tell)):
+    listener = _Listener(tell)
+    _listeners.append(listener)
+    try:
         yield
+    finally:
+        _listeners.remove(listener)
+
+
+def report(finished: int) -> None:
+    """Tell all listeners that a kernel starts compiling (0) or has been compiled (1)."""
+    for listener in tuple(_listeners):
+        listener.done += finished
+        listener.tell(listener.done)

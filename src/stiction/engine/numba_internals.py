@@ -19,6 +19,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 from numba.np.unsafe.ndarray import to_fixed_tuple as to_fixed_tuple
 
+from stiction.engine.compiling import report
 from stiction.quantities.cache import cache_folder, is_private, keep_file
 from stiction.quantities.notices import notice
 
@@ -46,7 +47,7 @@ class _KernelCache(NullCache):
         return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled kernel for inputs of the types `sig`, or None if it is not in the cache.
+        """Return the compiled kernel for inputs of the types `sig`, or None if it is not in the cache and is compiled next.
 
         The digest is computed here, at the first call: only then are all functions defined to which the kernel refers.
         """
@@ -55,8 +56,12 @@ class _KernelCache(NullCache):
             self._digest = self._digest_of(self._compiled)
             self._compiled.py_func.__qualname__ += f"_{self._digest[:16]}"
         target_context.refresh()
-        if not _is_trusted():
-            return None
+        loaded = self._loaded(sig, target_context) if _is_trusted() else None
+        if loaded is None:
+            report(finished=0)
+        return loaded
+
+    def _loaded(self, sig: Any, target_context: Any) -> Any:
         file = self._file(sig, target_context.codegen())
         try:
             content = file.read_bytes()
@@ -72,6 +77,7 @@ class _KernelCache(NullCache):
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
+        report(finished=1)
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted) or not _is_trusted():
             return
         file = self._file(sig, data.codegen)

@@ -1,6 +1,7 @@
 """Manage the cache on disk: files that are slow to compute and can be computed again."""
 
 import os
+import time
 import uuid
 from collections.abc import Callable
 from contextlib import suppress
@@ -10,6 +11,8 @@ from typing import BinaryIO
 import platformdirs
 
 from stiction.quantities.notices import notice
+
+_UNUSED = 90 * 24 * 3600.0  # seconds after which a file that nobody used is deleted
 
 
 def cache_folder(part: str) -> Path:
@@ -28,7 +31,7 @@ def is_private(folder: Path) -> bool:
 
 
 def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
-    """Write a file to the cache and delete its oldest files of the same kind beyond `most` bytes.
+    """Write a file to the cache and delete old files of the same kind: unused for 90 days, or beyond `most` bytes.
 
     The file is written completely or not at all. A full disk or missing permission gives a notice, not an error: results do
     not depend on the cache.
@@ -48,16 +51,16 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 
 
 def _delete_oldest(path: Path, most: int) -> None:
-    """Delete the least recently used files until the rest has at most `most` bytes.
+    """Delete files that were not used for long, as those of earlier versions, and others until the rest has `most` bytes.
 
-    Another process may delete the same files at the same time.
+    The least recently used files are deleted first. Another process may delete the same files at the same time.
     """
     known = []
     for file in path.parent.glob(f"*{path.suffix}"):
         with suppress(FileNotFoundError):
             known.append((file.stat().st_mtime, file.stat().st_size, file))
-    total = 0
-    for _, size, file in sorted(known, reverse=True):
+    total, too_old = 0, time.time() - _UNUSED
+    for used, size, file in sorted(known, reverse=True):
         total += size
-        if total > most:
+        if total > most or used < too_old:
             file.unlink(missing_ok=True)
