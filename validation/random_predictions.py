@@ -64,7 +64,7 @@ def predicted(rng: np.random.Generator):
     if isinstance(fields.get("interface"), float):
         share = fields.pop("interface")
         bare = st.Contact(**fields)
-        names = allowed_interfaces(*bare.touching)
+        names = allowed_interfaces(*bare.touching, coated=bare.has_film)
         fields["interface"] = names[int(share * len(names))] if names else None
     contact = st.Contact(**fields)
     return contact, st.predict(contact, load=load)

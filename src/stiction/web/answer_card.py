@@ -93,7 +93,7 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     if named:
         return card._replace(decides="", next_step="")
     action, _, _ = card.next_step.replace(" (stiction interfaces)", "").partition(": stiction fit")
-    repeated = action.startswith("state the interface") and card.warning == "The interface is not stated"
+    repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
     return card._replace(next_step=action, warning="" if repeated else card.warning)
 
 

@@ -14,6 +14,7 @@ __all__ = ["next_step", "regime_of", "warnings_of"]
 _STICKS = 2.0  # factor of the area by adhesion above which it, and not the load, makes the contact
 _FLAT = 0.95  # of the nominal area
 _PLASTIC = 0.9  # mean pressure over hardness
+_SOME = 0.1  # share of the draws
 _GROWN = 1.5  # area after shear over that before
 _FEW = 10.0
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
@@ -40,7 +41,11 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
         sentences.append("Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P.")
     elif pressure > _PLASTIC:
         grows = ", times the growth of junctions under shear" if growth > _GROWN else ""
-        sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
+        elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
+        if elastic > _SOME:
+            sentences.append(f"The contacts are probably plastic: then mu = tau_0/H{grows}. If they are elastic, mu is larger.")
+        else:
+            sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
         sentences.append(_of_pressure(mixture, pressure, index))
     if touching < _FEW:
@@ -97,7 +102,9 @@ def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[
     is_open = area < _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)) and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
     if decides and (is_open or mixture.sampled.contact.has_film) and _kind_is_missing(mixture):
-        warnings.append("The kind of surface is not stated: with the same numbers, the contact area can differ several times.")
+        text = "The kind of surface is not stated: with the same numbers, the contact area can differ several times."
+        first = shares.get("area model", 0.0) > shares.get("interface", 0.0)
+        warnings.insert(0 if first else len(warnings), text)
     if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:
         warnings.append("No benchmark surface is near this contact: its real area is uncertain by a factor of 2.")
     return warnings
@@ -128,11 +135,13 @@ _STEPS = {
 
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
     """Return what to measure or state next, from the part with the largest share of the variance."""
+    largest = max(shares, key=lambda name: shares[name], default="")
     if len(mixture.strength.states) > 1:
+        if largest == "area model" and _kind_is_missing(mixture):
+            return 'state the kind of surface, e.g. kind = "ground", and the interface (stiction interfaces)'
         return "state the interface (stiction interfaces), or measure mu once: stiction fit CASE.toml --data FILE"
     if not shares:
         return ""
-    largest = max(shares, key=lambda name: shares[name])
     if _kind_is_missing(mixture) and shares.get("area model", 0.0) > _MUCH:
         kind = 'state the kind of surface, e.g. kind = "ground"'
         return f"{kind}, or give a scan" if largest == "area model" else f"{kind}; then {_step(largest)}"
