@@ -10,7 +10,7 @@ from stiction.case.several import Points, numbers_schema
 from stiction.case.study_tables import study_tables
 from stiction.case.uncertain import FORMS, Uncertainty
 from stiction.contact.contact import Body, Contact, Indices
-from stiction.quantities.errors import InputError, nearest
+from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.records.additions import names_of_additions
 from stiction.records.registry import all_options
@@ -19,6 +19,9 @@ from stiction.surfaces.finished import Finished, FinishedBodies
 from stiction.surfaces.measured import MeasuredRoughness
 
 _SOLVE = "a table with separation or load"
+
+
+_OF_SOLVE = ("contact", "heights", "threads")  # other keywords of `solve`
 
 
 class _Solve(Input):
@@ -44,13 +47,12 @@ class _Solve(Input):
         if not isinstance(table, Mapping):
             return table
         table, own = dict(table), table.get("options", {})
-        own = own if isinstance(own, Mapping) else {}
-        if not own and not table.keys() - cls.model_fields.keys():
+        for name in own if isinstance(own, Mapping) else ():
+            if name in cls.model_fields or name in _OF_SOLVE:
+                raise InputError(f"options.{name}", own[name], f"an option of a model or a law; {name} is none")
+        if not table.keys() - cls.model_fields.keys():
             return table  # without loading all models
         known = all_options()
-        for name in own:
-            if name not in known:
-                raise InputError(f"options.{name}", own[name], f"{nearest(name, known)}; {name} is no option")
         named = {name: table.pop(name) for name in known if name in table}
         for name, value in named.items():
             if value not in known[name]:
