@@ -28,7 +28,7 @@ measured on rough maps of 8 points in the shortest wave against the same maps wi
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.fft import irfft2, next_fast_len, rfft2
@@ -117,6 +117,57 @@ def solve_adhesive(
 
 
 @dataclass(frozen=True)
+class Adhering:
+    """Adhesive contact of a map at one load, to go on from with less adhesion.
+
+    faces, gap: over the range of attraction; grid; pressure: over the largest attraction.
+    """
+
+    faces: Faces
+    gap: np.ndarray
+    grid: "_Grid"
+    pressure: float
+
+    @property
+    def touching(self) -> np.ndarray:
+        """Return whether points touch (rows, columns)."""
+        return self.gap <= 0.0
+
+    @property
+    def pixel(self) -> float:
+        """Return the area of a point [m2]."""
+        return self.grid.nominal / self.gap.size
+
+    @property
+    def area(self) -> float:
+        """Return the area of the points that touch, corrected for pixels [m2]."""
+        return self.grid.area(self.touching) * self.pixel
+
+    def with_share(self, share: np.ndarray | None) -> "Adhering":
+        """Return the contact where only a share (rows, columns) of the work of adhesion is left, downhill from this one."""
+        faces = replace(self.faces, share=share)
+        descent = Downhill(faces, self.gap, self.pressure)
+        descent.run(min(_LEFT, -_OF_TENSION * self.pressure) if self.pressure < 0.0 else _LEFT)
+        return replace(self, faces=faces, gap=descent.gap)
+
+
+def adhering(
+    heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float
+) -> Adhering:
+    """Return the adhesive contact of a periodic map at a load [N], on the points of the map.
+
+    heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError.
+    """
+    require_memory(np.shape(heights), kept=_ARRAYS)
+    size, heights = size_in_metres(size), usable_map(heights)
+    compliance = Compliance(modulus)
+    grid = _Grid(size, work / reach, reach, reach**2 / (compliance.near * work) / _pitch(heights.shape, size))
+    gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal, work) / reach
+    start = Adhering(_faces(heights, size, compliance, work, reach), gap, grid, load / grid.nominal / grid.largest)
+    return start.with_share(None)
+
+
+@dataclass(frozen=True)
 class _Grid:
     """Store the quantities that are the same at all loads.
 
@@ -136,6 +187,10 @@ class _Grid:
     def excess(self) -> float:
         """Return the coefficient c of (2), which corrects the area for pixel size."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
+
+    def area(self, touch: np.ndarray) -> float:
+        """Return the number of points that touch, less the excess of those at edges."""
+        return max(np.count_nonzero(touch) - self.excess * edges(touch, True).count, 0.0)
 
     @property
     def validity_warnings(self) -> tuple[ValidityWarning, ...]:
@@ -195,7 +250,7 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
         )
     return AdhesiveContact(
         load=load,
-        area=max(points - grid.excess * sides.count, 0.0) * pixel,
+        area=grid.area(touch) * pixel,
         area_pixels=points * pixel,
         points=points,
         perimeter=0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1]),

@@ -34,11 +34,13 @@ _LARGEST = 700.0  # exponent, of a floating point number
 class Faces:
     """Heights and stiffness of the faces in (1).
 
-    heights: h; stiffness: K of every wave of `rfft2`, 0 for the mean.
+    heights: h; stiffness: K of every wave of `rfft2`, 0 for the mean; share: of the work of adhesion that is left at every
+    point, None: all of it.
     """
 
     heights: np.ndarray
     stiffness: np.ndarray
+    share: np.ndarray | None = None
     _smooth: np.ndarray = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -49,6 +51,11 @@ class Faces:
     def elastic(self, shape: np.ndarray) -> np.ndarray:
         """Return K times a shape, such as g + h."""
         return self._through(shape, self.stiffness)
+
+    def attraction(self, gap: np.ndarray) -> np.ndarray:
+        """Return the attraction e^(-g), less where the work of adhesion is."""
+        whole = np.exp(-gap)
+        return whole if self.share is None else self.share * whole
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
         """Return the force divided by K, the mean divided by half of the least K.
@@ -83,7 +90,7 @@ class Downhill:
         for _ in range(_MOST):
             if self.residual <= tolerance:
                 return
-            if math.exp(-float(self.gap.min())) < -self._pressure:
+            if float(self._near.max()) < -self._pressure:
                 self.gap = self.gap + FAR
                 self.apart = True
                 return
@@ -94,7 +101,7 @@ class Downhill:
 
     def _arrive(self) -> None:
         """Update gradient, free points and residual after a change of the gap."""
-        self._near = np.exp(-self.gap)
+        self._near = self._faces.attraction(self.gap)
         self._slope = self._elastic + self._near
         self._slope += self._pressure
         self._free = (self.gap > 0.0) | (self._slope < 0.0)
