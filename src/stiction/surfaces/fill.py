@@ -1,4 +1,4 @@
-"""Heights in place of missing points."""
+"""Replace the missing points of a height map by interpolated heights."""
 
 from collections.abc import Callable
 
@@ -11,11 +11,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
-    """Replace the missing points by heights.
+    """Replace the missing points of a map by interpolated heights.
 
-    way: "harmonic", each the mean of its four neighbours (as a membrane spans a hole), or "nearest", the height of the nearest
-    known point. Both are smoother than the surface was: where much is missing, slopes and summits suffer. Raises InputError if
-    no height is known, or for another way.
+    way: "harmonic" makes each missing height the mean of its four neighbours, as a membrane spans a hole. "nearest" takes the
+    height of the nearest known point. Filled regions are smoother than the real surface, so slopes and summits are inaccurate
+    if many points are missing. Raises InputError if no height is known or `way` is unknown.
     """
     if way not in FILLS:
         raise InputError("fill", way, " or ".join(FILLS))
@@ -34,9 +34,10 @@ def _nearest(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> np.ndarray:
-    """Solve for the missing heights by conjugate gradients.
+    """Fill the missing heights with the solution of Laplace's equation (conjugate gradients).
 
-    Each equation belongs to one missing point, with fewer neighbours at the edge of the map.
+    There is one equation per missing point. Points at the edge of the map have fewer neighbours. A profile is interpolated
+    linearly.
     """
     if heights.shape[0] == 1:
         place = np.arange(heights.shape[1])
@@ -59,10 +60,10 @@ _FEW = 1000  # points, for which the equations are solved at once
 
 
 def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) -> LinearOperator:
-    """Return an approximate inverse, by relaxation on ever coarser grids.
+    """Return an approximate inverse of the matrix by one multigrid cycle.
 
-    It keeps the iterations few, however wide the holes. Blocks of two by two points form a point of the next grid. Between
-    these blocks there are twice the links, hence the half.
+    As a preconditioner it keeps the number of iterations small, however wide the holes are. Each block of two by two points
+    forms one point of the next coarser grid. Two links join neighbouring blocks, hence the factor 0.5 for the coarse matrix.
     """
     levels = []
     size = matrix.shape
@@ -89,9 +90,9 @@ def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) ->
 
 
 def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> tuple[sparse.csr_array, np.ndarray]:
-    """Return matrix and right side: each missing height is the mean of its neighbours.
+    """Return the matrix and right side of the equations for the missing heights.
 
-    The pitch weighs the neighbours along x and y.
+    Each missing height is the mean of its neighbours, weighted by the pitch along x and y.
     """
     dy, dx = pitch
     number = np.full(missing.shape, -1, dtype=np.int32)
@@ -113,7 +114,10 @@ def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """Return slices of the points with a next one along the axis, and of the next ones."""
+    """Return two slices along an axis: all points but the last, and all points but the first.
+
+    Points at the same position of both slices are neighbours.
+    """
     everything = slice(None)
     low, high = slice(None, -1), slice(1, None)
     return ((low, everything), (high, everything)) if axis == 0 else ((everything, low), (everything, high))

@@ -1,8 +1,9 @@
-"""Asperities of a measured surface: sigma, R and N by a chosen method.
+"""Find the asperities of a measured surface: sigma, R and N by a chosen method.
 
-The numbers differ with the method of finding asperities as much as with the resolution of the map.
+The results depend on the method as strongly as on the resolution of the map.
 
-A method is a file in `asperity_method`, or an entry point of another package, with a record of the kind AsperityMethod.
+Each method is a record of the class AsperityMethod. It stands in a file of `asperity_method`, or another package provides it
+as an entry point.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def methods() -> dict[str, AsperityMethod]:
-    """Return all ways of finding asperities, key -> record, in the order shown."""
+    """Return all methods that find asperities as a dict key -> record, in display order."""
     known = of_kind(AsperityMethod)
     return dict(sorted(known.items(), key=lambda one: (one[1].order, one[0])))
 
@@ -33,9 +34,9 @@ def methods_for(surface: HeightMap) -> tuple[str, ...]:
 
 
 def method_of_moments() -> str:
-    """Return the method that keeps the spectral moments and finds no summits.
+    """Return the key of the method that computes spectral moments and finds no summits.
 
-    Theories of the whole surface use it.
+    Theories that describe the surface by its spectral moments use this method.
     """
     return next(key for key, one in methods().items() if one.of_moments)
 
@@ -46,21 +47,22 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     Parameters
     ----------
     surface : HeightMap
-        Heights (rows, columns) [m], levelled and filtered beforehand: heights are counted from their mean.
+        Heights (rows, columns) [m]. Level and filter the map first. Heights are measured from their mean.
     method : str
-        Key of a way of finding asperities, as `st.models()` lists them.
+        Key of a method that finds asperities, as `st.models()` lists them.
     **options : float, int, str or None
-        Options of that method, None for the default; lengths in metres or as text with a unit.
+        Options of that method. None selects the default. Lengths are in metres, or text with a unit.
 
     Returns
     -------
     Asperities
-        Deviation sigma [m], radius R [m] and density N [1/m^2]; heights and radii (n,) [m] where the method finds them.
+        Standard deviation sigma of the heights [m], radius R [m] and density N [1/m^2]. Heights and radii (n,) [m] of
+        the single asperities are included if the method finds them.
 
     Raises
     ------
     InputError
-        The method is unknown, an option or the map does not suit it, or no asperity is found.
+        The method is unknown, an option or the map does not suit the method, or no asperity is found.
 
     Examples
     --------
@@ -90,7 +92,7 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """List the ranges of validity that the asperities leave, in words."""
+    """Return one sentence for each validity range of the method that the asperities violate."""
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [
         f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, valid range {rule.range}: {rule.why}"
@@ -100,9 +102,9 @@ def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
 
 
 def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return every option of a method, the default where None or nothing is stated.
+    """Return the value of every option of a method; options without a value get their default.
 
-    Raises InputError for an unknown option or a bad value.
+    Raises InputError for an unknown option or a value that is not allowed.
     """
     for name in given:
         if name not in record.parameters:
@@ -115,7 +117,7 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _checked(name: str, option: Parameter, value: Any) -> Any:
-    """Return the value of an option, a length in metres. Raises InputError."""
+    """Return the value of an option, lengths in metres. Raises InputError if it is not allowed."""
     if option.unit and not option.values and not isinstance(value, bool):
         value = in_metres(value, name)
     if isinstance(value, bool) or not option.allows(value):

@@ -1,11 +1,12 @@
-"""A rough surface with a stated finish: sigma, R and N from Sq and the finish.
+"""Compute sigma, R and N of a rough surface from its rms height Sq and its finish.
 
-Sq, the rms slope h' and N R sigma fix the spectral moments of a Gaussian surface: m0 = Sq^2, m2 = h'^2/2, m4 = alpha m2^2/m0,
-alpha being Nayak's, from N R sigma (stiction.surfaces.theory.moments). Its summits are the asperities (McCool 1986), so that
+The rms height Sq, the rms slope h' and the product N R sigma determine the spectral moments of a Gaussian surface: m0 = Sq^2,
+m2 = h'^2/2, m4 = alpha m2^2/m0. The bandwidth parameter alpha (Nayak) follows from N R sigma
+(stiction.surfaces.theory.moments). The summits of the surface are its asperities (McCool 1986). Hence
 
     R = (3/4) (pi/alpha)^(1/2) Sq/h'^2,
 
-0.54 Sq/h'^2 at alpha = 6. Moments of two independent surfaces add.
+which is 0.54 Sq/h'^2 at alpha = 6. The moments of two independent surfaces add.
 """
 
 from collections.abc import Mapping
@@ -35,10 +36,11 @@ def _finish(value):
 
 
 class Finished(Input):
-    """A rough body with a stated finish.
+    """A rough body described by a finish.
 
-    finish: name of a finish class (docs/interfaces.md). rms_height: Sq; mean_height: Ra, Sq being 1.25 Ra; without either, the
-    height is taken from the finish. kind: as in Roughness; by default that of the finish. Raises InputError.
+    finish: name of a finish class (docs/interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
+    either height, the finish provides Sq. kind: kind of surface as in Roughness; the default is the kind of the finish.
+    Raises InputError.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="the name of a finish class")
@@ -67,18 +69,18 @@ class Finished(Input):
 
     @property
     def height(self) -> Any:
-        """Return Sq [m] as stated; None where it is not."""
+        """Return the stated Sq [m], or 1.25 Ra; None if neither height is stated."""
         return self.rms_height if self.mean_height is None else SQ_OVER_RA * self.mean_height
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the numbers with a range instead of a value."""
+        """Return the names of the quantities that the finish states only as a range."""
         return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
 
     def moments(self, levels: Mapping[str, Any]) -> Moments:
-        """Return the spectral moments at quantile levels of the uncertain numbers.
+        """Return the spectral moments at quantile levels of the uncertain quantities.
 
-        Numbers without a level are at their median.
+        levels: name -> level between 0 and 1. A quantity without a level takes its median.
         """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
@@ -86,7 +88,7 @@ class Finished(Input):
         return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
 
     def notes(self) -> list[str]:
-        """Return the numbers taken from the finish, in a line, and how Ra was converted."""
+        """Return a line with the quantities taken from the finish, and one for the conversion of Ra."""
         made = finish(self.finish)
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
@@ -100,7 +102,10 @@ def _median(made: Finish, name: str) -> str:
 
 
 def _body(value):
-    """Return a finish, or the numbers of a body."""
+    """Return a Finished or Roughness object made from the table of a body.
+
+    A table with sigma, R or N and without a finish gives a Roughness. Other values are returned unchanged.
+    """
     if not isinstance(value, Mapping):
         return value
     return Roughness(**value) if value.keys() & set(_ASPERITIES) and "finish" not in value else Finished(**value)
@@ -110,9 +115,9 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 
 
 class FinishedBodies(Input):
-    """Two rough bodies, at least one with a stated finish, or one such body on a smooth one.
+    """The rough bodies of a contact, of which at least one is described by a finish.
 
-    Raises InputError.
+    A contact has two rough bodies, or one rough body on a smooth one. Raises InputError.
     """
 
     first: _Body | None = Field(default=None, description="a table with the finish, or the numbers, of the first body")
@@ -120,46 +125,49 @@ class FinishedBodies(Input):
 
     @property
     def bodies(self) -> dict[str, Finished | Roughness]:
-        """Return the rough bodies by name."""
+        """Return the rough bodies as a dict with the keys "first" and "second"."""
         return {name: body for name in ("first", "second") if (body := getattr(self, name)) is not None}
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of numbers with a range only, e.g. "first.rms_slope"."""
+        """Return the names of the quantities known only as a range, e.g. "first.rms_slope"."""
         finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
         return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
 
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of uncertain numbers.
+        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of the uncertain quantities.
 
-        Numbers without a level are at their median.
+        levels: name (as in `unknowns`) -> level between 0 and 1. A quantity without a level takes its median.
         """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness at the medians, with a reference to the ranges."""
+        """Return the roughness at the medians; it keeps a reference to this object."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         return Roughness(**numbers, kind=self._kind()).attached(finished=self)
 
     def with_first(self, **changes: Any) -> "FinishedBodies":
-        """Return the same bodies with another height or finish of the first.
+        """Return a copy with changed fields of the only rough body, e.g. another height or finish.
 
-        Raises InputError where there are two.
+        Raises InputError if there are two rough bodies or the first has no finish.
         """
         if len(self.bodies) > 1 or not isinstance(self.first, Finished):
             raise InputError(next(iter(changes)), "one number", "first or second before it: each body has its own")
         return self.replace(first=self.first.replace(**changes))
 
     def notes(self) -> list[str]:
-        """Return the numbers taken from each finish."""
+        """Return one line for each group of quantities taken from the finish of a body."""
         return [
             f"{name} body {line}" for name, body in self.bodies.items() if isinstance(body, Finished) for line in body.notes()
         ]
 
     def _kind(self) -> str | None:
-        """Return the kind of the much steeper body, or of both; None where they differ."""
+        """Return the kind of surface of the contact; None if the relevant bodies differ in kind.
+
+        A body with at least 80 % of the mean square slope decides alone. Otherwise both bodies count.
+        """
         kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}
         ruling = [kinds[name] for name in slopes if slopes[name] >= _RULES * sum(slopes.values())] or list(kinds.values())
@@ -173,7 +181,7 @@ def _moments(body: Finished | Roughness, name: str, levels: Mapping[str, Any]) -
 
 
 def is_finished(table: Any) -> bool:
-    """Return whether a table states a finish or a height for it, and no scan."""
+    """Return whether a roughness table states a finish or a body's height, and no scan."""
     if not isinstance(table, Mapping):
         return False
     if table.keys() & {"finish", *_HEIGHTS}:
@@ -184,7 +192,7 @@ def is_finished(table: Any) -> bool:
 
 
 def roughness_of_finish(table: Mapping[str, Any]) -> Roughness:
-    """Return the roughness of a table for which `is_finished` is true.
+    """Return the roughness for a table that states a finish (`is_finished`).
 
     Raises InputError.
     """

@@ -1,4 +1,4 @@
-"""Finish classes: numbers of surfaces by the way they were made, from finish_data/."""
+"""Finish classes: typical roughness of surfaces by manufacturing process, from finish_data/."""
 
 from collections.abc import Iterable
 from functools import cache
@@ -23,10 +23,11 @@ NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 
 
 class Finish(Input):
-    """A finish class: 5 and 95 % quantiles of the numbers of surfaces made this way.
+    """A finish class: 5 and 95 % quantiles of roughness quantities for one process.
 
-    range: of NUMBERS, each lognormal with its median at the geometric mean. surface_kind: one of SURFACE_KINDS.
-    source, grade: of each number (data_files.GRADES). Raises InputError.
+    range: quantity in NUMBERS -> (5 % quantile, 95 % quantile). Each quantity is lognormal; its median is the geometric mean
+    of the two. surface_kind: one of SURFACE_KINDS. source, grade: origin and quality grade of each range (data_files.GRADES).
+    Raises InputError.
     """
 
     name: str = "unnamed"
@@ -43,9 +44,9 @@ class Finish(Input):
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:
-        """Return one of NUMBERS [SI] at quantile levels between 0 and 1.
+        """Return a quantity in NUMBERS [SI] at quantile levels between 0 and 1.
 
-        Raises InputError.
+        Raises InputError for another quantity.
         """
         if name not in NUMBERS:
             raise InputError("quantity", name, ", ".join(NUMBERS))
@@ -59,9 +60,9 @@ def finish_names() -> list[str]:
 
 
 def finish(name: str, /) -> Finish:
-    """Return the finish class of that name.
+    """Return the finish class with this name.
 
-    Raises InputError for an unknown name, listing similar ones.
+    Raises InputError for an unknown name, with similar names as suggestions.
     """
     if not isinstance(name, str) or name not in _finishes():
         raise InputError("finish", name, "a finish: " + nearest(name, finish_names()))
@@ -69,9 +70,9 @@ def finish(name: str, /) -> Finish:
 
 
 def surface_kind_of(word: Any) -> str:
-    """Return the kind of surface, one of SURFACE_KINDS, for a kind or a finish name.
+    """Return the kind of surface, one of SURFACE_KINDS, for the name of a kind or a finish.
 
-    Raises InputError.
+    Raises InputError for any other name.
     """
     if isinstance(word, str) and word in SURFACE_KINDS:
         return word
@@ -82,10 +83,10 @@ def surface_kind_of(word: Any) -> str:
 
 
 def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return a dict for each of these finishes, or of all.
+    """Return one dict per finish, for the given names or for all finishes.
 
-    Each has name, surface_kind and numbers (unit, 5 and 95 % quantiles, source and grade). Raises InputError for an unknown
-    name.
+    Each dict has the keys name, surface_kind and numbers. numbers holds the unit, the 5 and 95 % quantiles, the source and
+    the grade of each quantity. Raises InputError for an unknown name.
     """
     return [_row(finish(name)) for name in (finish_names() if names is None else names)]
 

@@ -31,11 +31,12 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
 def combine(first: Asperities, second: Asperities) -> Asperities:
     """Return the asperities of the sum of two independent rough surfaces.
 
-    The contact of both is equivalent to that sum on a smooth surface.
+    The contact of two rough surfaces is equivalent to the contact of their sum with a smooth surface.
 
-    Heights of independent surfaces add, and so do m0, m2 and m4. Each set of sigma, R and N is turned into the moments of the
-    Gaussian surface that has it (McCool 1986), and their sum back. sigma^2 of the heights adds exactly; that of the summits
-    does so as far as Nayak's alpha is large. Raises InputError as of `of_moments`.
+    Heights of independent surfaces add, and so do the moments m0, m2 and m4. Each set of sigma, R and N is converted to the
+    moments of a Gaussian surface (McCool 1986). The sum of the moments is converted back. sigma^2 of the heights adds
+    exactly. sigma^2 of the summits adds only approximately, the better the larger Nayak's alpha is. Raises InputError as
+    `of_moments` does.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)

@@ -1,17 +1,20 @@
-"""Surfaces of a power spectrum, from a seed: Gaussian, or with skewness and kurtosis.
+"""Generate random surfaces with a given power spectrum, Gaussian or with skewness and kurtosis.
 
-Gaussian: white noise whose Fourier transform is multiplied by sqrt(C / (dx dy)); then every wave on the grid has the mean
-square C / (area of the map), and their sum is the integral of C up to the spacing of the waves (the linear filter of Hu &
-Tonder 1992). Waves of the spectrum that are shorter than two pitches or longer than the map are missing from the heights.
+Gaussian surfaces are filtered white noise (linear filter, Hu & Tonder 1992). The Fourier transform of the noise is multiplied
+by sqrt(C / (dx dy)). Every wave on the grid then has the mean square C / (area of the map), and the sum over all waves
+approximates the integral of C. Waves of the spectrum that are shorter than two pitches or longer than the map are missing
+from the heights.
 
-Non-Gaussian: the ranks of a Gaussian surface get the heights of Johnson's distribution, which changes the spectrum; then in
-turn the amplitudes of the waves, and the heights, are put back to what they should be (Schreiber & Schmitz 1996, for series).
-Both cannot be met exactly by a finite map. What remains is written into the history.
+Non-Gaussian surfaces start from a Gaussian one. Its heights are replaced, rank by rank, by heights of Johnson's distribution.
+This changes the spectrum, so an iteration alternately restores the amplitudes of the waves and the distribution of heights
+(Schreiber & Schmitz 1996, for time series). A finite map cannot meet both exactly. The remaining error is written into the
+history of the map.
 
-Stretched along a direction by s: h(x / s, y) of the isotropic surface. Along it the mean square slope falls by s^2 and the mean
-square second derivative by s^4; across it, and for the heights, nothing changes. Its spectrum is s C(s q_along, q_across).
+Stretching an isotropic surface by a factor s along a direction gives h(x / s, y). Along this direction the mean square slope
+falls by s^2 and the mean square second derivative by s^4. Heights, and slopes across it, keep their statistics. The spectrum
+becomes s C(s q_along, q_across).
 
-A surface to look at, or to give to `stiction surface made.npy --size "10 um" --unit m`:
+Save a generated surface to read it with `stiction surface made.npy --size "10 um" --unit m`:
 
     target = SelfAffine(hurst=0.8, rolloff=2e-6, shortest=50e-9, deviation=10e-9)
     surface = gaussian_surface((512, 512), (10e-6, 10e-6), target, seed=1)
@@ -45,7 +48,7 @@ _SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less 
 
 
 class Lay(TypedDict, total=False):
-    """Further options of `gaussian_surface`."""
+    """Optional keyword arguments of `gaussian_surface` that `non_gaussian_surface` also accepts."""
 
     stretch: float
     angle: float
@@ -54,7 +57,7 @@ class Lay(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class _Periodic:
-    """A requested Gaussian surface: arguments of `gaussian_surface`, size in metres.
+    """The checked arguments of `gaussian_surface`, with the size in metres.
 
     Raises InputError.
     """
@@ -75,13 +78,13 @@ class _Periodic:
         self._check_spectrum()
 
     def heights(self) -> np.ndarray:
-        """Return its heights (rows, columns) [m]."""
+        """Return the Gaussian heights (rows, columns) [m]."""
         waves = rfft2(np.random.default_rng(self.seed).standard_normal(self.shape), workers=_WORKERS)
         self._colour(waves)
         return irfft2(waves, s=self.shape, workers=_WORKERS, overwrite_x=True)
 
     def said(self, kind: str) -> str:
-        """Describe the surface in words."""
+        """Return one line that describes the surface, for its history."""
         text = f"made: {kind} {'profile' if self.shape[0] == 1 else 'surface'}, seed {self.seed}, spectrum {self.spectrum}"
         if self.stretch != 1.0:
             text += f", stretched {self.stretch:g} times along {math.degrees(self.angle):g} degrees from x"
@@ -102,9 +105,9 @@ class _Periodic:
                 raise InputError("shortest", spectrum.shortest, allowed)
 
     def _colour(self, waves: np.ndarray) -> None:
-        """Turn white noise into waves of the spectrum, in place.
+        """Multiply the Fourier transform of white noise by the root of the spectrum, in place.
 
-        The factor is sqrt(C / (dx dy)), of a profile sqrt(C / dx).
+        The factor is sqrt(C / (dx dy)) for a map and sqrt(C / dx) for a profile.
         """
         (rows, columns), size, spectrum = self.shape, self.size, self.spectrum
         cosine, sine = math.cos(self.angle), math.sin(self.angle)
@@ -231,23 +234,23 @@ def non_gaussian_surface(
 
 
 def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:
-    """Scale the heights so that their rms about the mean is exactly this [m]."""
+    """Return the map with its heights scaled to the rms height `deviation` [m] about the mean."""
     require_positive(deviation=deviation)
     step = f"heights multiplied to an rms height of {show(deviation, 'mean_separation')}"
     return _multiplied(surface, deviation, float(np.std(surface.heights)), step)
 
 
 def with_slope(surface: HeightMap, slope: float) -> HeightMap:
-    """Scale the heights so that `rms_slope` is exactly this [1]."""
+    """Return the map with its heights scaled to the rms slope `slope` [1]."""
     require_positive(slope=slope)
     return _multiplied(surface, slope, rms_slope(surface), f"heights multiplied to an rms slope of {slope:g}")
 
 
 def rms_slope(surface: HeightMap) -> float:
-    """Return the rms gradient [1] of a periodic map: sum of q^2 |h|^2 (Parseval).
+    """Return the rms gradient [1] of a periodic map, from the sum of q^2 |h|^2 (Parseval).
 
-    It counts the waves between the points; finite differences see short waves as less steep. Raises InputError where points are
-    missing.
+    All waves on the grid count fully; finite differences would underestimate the slope of short waves. Raises InputError if
+    points are missing.
     """
     if not surface.complete:
         raise InputError("heights", f"{surface.missing} missing points", "a map without missing points")
@@ -276,9 +279,9 @@ def _check_grid(shape, seed) -> None:
 
 
 def _blocks(shape, size):
-    """Yield (slice of rows, q_y (n, 1), q_x (1, columns/2 + 1)) [rad/m] in blocks.
+    """Yield (slice of rows, q_y (n, 1), q_x (1, columns // 2 + 1)) [rad/m] for blocks of rows.
 
-    The waves are those of a half-sided transform.
+    The wave numbers belong to the output of `rfft2`.
     """
     rows, columns = shape
     along_y = 2.0 * math.pi * np.fft.fftfreq(rows, size[0] / rows)[:, np.newaxis]
@@ -292,10 +295,10 @@ def _blocks(shape, size):
 
 
 def _alternate(start, amplitudes, wanted, steps):
-    """Alternate between the distribution of heights and the spectrum.
+    """Alternately impose the distribution of heights and the spectrum.
 
-    Returns the heights of the distribution, the heights of the spectrum, the relative rms error of the amplitudes of the
-    former, and the steps taken.
+    Returns the heights with the exact distribution, the heights with the exact spectrum, the relative rms error of the
+    amplitudes of the first, and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

@@ -1,4 +1,4 @@
-"""Distribution of asperity heights in a contact: Gaussian, Weibull, or empirical."""
+"""Choose the distribution of asperity heights: Gaussian, Weibull or empirical."""
 
 import math
 from dataclasses import dataclass, field
@@ -24,11 +24,11 @@ _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.engine.heights
 
 @dataclass(frozen=True)
 class HeightModel:
-    """A height distribution, and how well each distribution fits.
+    """A chosen height distribution, and how well each candidate distribution fits the heights.
 
-    name and parameters: as in Roughness. distances: Kolmogorov-Smirnov distances, by name; allowed: the largest acceptable one;
-    likelihoods: log-likelihood per asperity of the standardised heights, -inf where a height is impossible. skewness: of the
-    heights. reason: of the choice.
+    name and parameters: as in Roughness. distances: Kolmogorov-Smirnov distance by name of the distribution. allowed: largest
+    acceptable distance. likelihoods: mean log-likelihood of the standardised heights, by name; -inf if a height is
+    impossible. skewness: of the heights. reason: why this distribution was chosen.
     """
 
     name: str
@@ -43,10 +43,10 @@ class HeightModel:
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
     """Choose the simplest distribution that fits: Gaussian, else Weibull, else empirical.
 
-    A requested distribution is used instead. All have the mean and deviation of the heights; the Weibull exponent reproduces
-    their skewness. The limit of a good fit is explained at _INDEPENDENT. The choice is always Gaussian if there are no heights
-    (averages only), all are equal, or fewer than FEW. Raises InputError if another than gaussian, weibull and empirical is
-    requested.
+    If `wanted` names a distribution, it is used instead. Every distribution has the mean and standard deviation of the
+    heights. The Weibull exponent reproduces their skewness. The comment at _ONE_IN_TWENTY explains the limit for a good fit.
+    The choice is always Gaussian if the method found no single heights, if all heights are equal, or if there are fewer than
+    FEW. Raises InputError if `wanted` is not gaussian, weibull or empirical.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))
@@ -77,9 +77,9 @@ def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
 
 
 def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
-    """Return the rough surface of a contact with these asperities.
+    """Return the roughness of a contact from its asperities and their height distribution.
 
-    model: by default their `height_model`. Raises InputError if sigma is 0.
+    model: height distribution; the default is `height_model(found)`. Raises InputError if sigma is 0.
     """
     model = height_model(found) if model is None else model
     return Roughness(
@@ -92,9 +92,9 @@ def roughness(found: Asperities, model: HeightModel | None = None) -> Roughness:
 
 
 def exponent_of_skewness(skewness: float) -> float:
-    """Return the exponent of the Weibull distribution of this skewness.
+    """Return the exponent of the Weibull distribution with this skewness.
 
-    It is 1 at skewness 2 and 3.60 at skewness 0; clipped to 1 to 100.
+    The exponent is 1 for skewness 2 and 3.60 for skewness 0. It is limited to 1 to 100.
     """
     from scipy.optimize import brentq
     from scipy.special import gamma
@@ -112,9 +112,9 @@ def exponent_of_skewness(skewness: float) -> float:
 
 
 def _representatives(ascending: np.ndarray) -> list[float]:
-    """Return the samples, or as many quantiles as represent them.
+    """Return the sorted samples, or _QUANTILES quantiles of them if there are more samples.
 
-    The lowest and the highest are included: these touch first.
+    The lowest and the highest sample are included, because the highest asperities touch first.
     """
     if len(ascending) <= _QUANTILES:
         return ascending.tolist()

@@ -1,4 +1,4 @@
-"""Height map: the form in which every measured surface or profile is passed on."""
+"""Height map: the class that represents every measured or generated surface or profile."""
 
 import warnings
 from dataclasses import dataclass, replace
@@ -69,13 +69,13 @@ class HeightMap:
 
     @property
     def pitch(self) -> tuple[float, float]:
-        """Return (dy, dx) [m], the distance of neighbouring points, size / count."""
+        """Return (dy, dx) [m], the distance between neighbouring points: size / count."""
         rows, columns = self.heights.shape
         return self.size[0] / rows, self.size[1] / columns
 
     @property
     def coarsest_pitch(self) -> float:
-        """Return the larger of the two pitches, of a profile the only one [m]."""
+        """Return the larger of the two pitches [m]; for a profile, the pitch along it."""
         return self.pitch[1] if self.is_profile else max(self.pitch)
 
     @property
@@ -90,14 +90,14 @@ class HeightMap:
 
     @property
     def is_profile(self) -> bool:
-        """Return whether this is one line of points."""
+        """Return whether the map is a profile: a single row of points."""
         return self.heights.shape[0] == 1
 
     def to_xarray(self) -> "xarray.DataArray":
-        """Return the map as an xarray.DataArray (y, x) [m], a profile as (x,).
+        """Return the map as an xarray.DataArray with dimensions (y, x), or (x,) for a profile.
 
-        The positions of its points [m] are coordinates, its history is an attribute. Functions that accept a map accept this
-        too.
+        Heights and coordinates are in m. The history is an attribute. Functions that accept a HeightMap also accept this
+        array.
         """
         import xarray
 
@@ -112,7 +112,7 @@ class HeightMap:
     def to_topography(self) -> Any:
         """Return the map as a topography of the library SurfaceTopography.
 
-        Lengths are in m, missing points are masked. Raises InputError where that optional library is not installed.
+        Lengths are in m. Missing points are masked. Raises InputError if the optional library is not installed.
         """
         try:
             with warnings.catch_warnings():
@@ -127,19 +127,19 @@ class HeightMap:
         return Topography(heights.T, self.size[::-1], unit="m", info=about)
 
     def with_heights(self, heights: np.ndarray, step: str, size: tuple[float, float] | None = None) -> "HeightMap":
-        """Return the map after one more processing step.
+        """Return a copy with new heights and one more line in its history.
 
-        heights: new heights [m]; step: in words; size: (y, x) [m] if it changed.
+        heights: new heights [m]. step: description of the processing step. size: new size (y, x) [m] if it changed.
         """
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """Return the map marked as not periodic, as after a step that does not wrap around."""
+        """Return the map marked as not periodic, for use after a step that ignores periodicity."""
         return replace(self, periodic=False) if self.periodic else self
 
 
 def _unmasked(heights) -> np.ndarray:
-    """Return an array with NaN where a masked array is masked."""
+    """Return an array in which NaN replaces the masked values of a masked array."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         return np.asarray(heights)
     return np.ma.filled(heights.astype(np.float64), np.nan)
@@ -160,9 +160,9 @@ def size_in_metres(size) -> tuple[float, float]:
 
 
 def in_metres(value, field: str) -> float:
-    """Convert a length of any sign to metres: a number, or text like "10 um".
+    """Convert a length to metres, from a number [m] or text such as "10 um".
 
-    Raises InputError, which names the field.
+    The length may be negative or zero. Raises InputError, which names the field.
     """
     try:
         return float(value) if isinstance(value, Real) else to_si(str(value), "mean_separation")
@@ -173,7 +173,7 @@ def in_metres(value, field: str) -> float:
 
 
 def metres_per(unit: str, field: str) -> float:
-    """Return how many metres a length unit is. Raises InputError."""
+    """Return the length of one `unit` in metres. Raises InputError for an unknown unit."""
     try:
         return metres(f"1 {unit}", field)
     except InputError:
@@ -181,7 +181,7 @@ def metres_per(unit: str, field: str) -> float:
 
 
 def metres(value, field: str) -> float:
-    """Convert one length > 0 to metres: a number, or text like "10 um".
+    """Convert a positive length to metres, from a number [m] or text such as "10 um".
 
     Raises InputError, which names the field.
     """

@@ -1,8 +1,6 @@
-"""Convert maps of other packages: a topography, an xarray array, an array with its size.
+"""Convert maps of other packages to HeightMap: topographies, xarray arrays, NumPy arrays.
 
-HeightMap has the conversions back.
-
-What a HeightMap gives back to them stands with it.
+The methods of HeightMap convert back.
 """
 
 from typing import Any
@@ -22,12 +20,18 @@ _ROUNDING = 1e-6  # of the pitch, by which coordinates may be off
 
 
 def as_height_map(value: Any, field: str = "scan") -> HeightMap:
-    """Convert the map of another package to a HeightMap, heights in metres.
+    """Convert a map of another package to a HeightMap, heights in metres.
 
-    value: a HeightMap, returned unchanged; a topography of SurfaceTopography with a unit; an xarray.DataArray (y, x), or (x,)
-    of a profile, whose coordinates are equally spaced lengths and whose attribute `units`, like theirs, states the unit; or
-    (array, size): heights (rows, columns) or (columns,) in m, and the size along x, with square pixels, or (y, x), in metres or
-    as text with unit. Raises InputError, which names the field.
+    value is one of:
+
+    - a HeightMap, which is returned unchanged
+    - a topography of SurfaceTopography with a unit
+    - an xarray.DataArray with dimensions (y, x), or (x,) for a profile. Its coordinates are equally spaced lengths. The
+      attribute `units` of the array and of each coordinate states the unit.
+    - a pair (array, size). The array holds heights (rows, columns) or (columns,) in m. The size is the length along x,
+      for square pixels, or (y, x), in metres or as text with a unit.
+
+    Raises InputError, which names the field.
     """
     if isinstance(value, HeightMap):
         return value
@@ -54,7 +58,7 @@ def _is_pair(value: Any) -> bool:
 
 
 def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
-    """Return the map after the checks applied to a file."""
+    """Return a HeightMap after the checks that also apply to files."""
     surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
     check_numbers(surface.heights, surface.name)
     check_scale(surface.heights, surface.size, surface.name)
@@ -103,7 +107,7 @@ def _of_labelled(array: Any) -> HeightMap:
 
 
 def _pitch(array: Any, dim: str) -> float:
-    """Return the spacing [m] of the points along a dimension, from its coordinate."""
+    """Return the point spacing [m] along a dimension of an xarray array."""
     if dim not in array.coords:
         raise InputError(dim, None, "a coordinate with the places of the points, in m, or in its attribute `units`")
     coordinate = array.coords[dim]
@@ -118,9 +122,9 @@ def _pitch(array: Any, dim: str) -> float:
 
 
 def _unit_of(array: Any, field: str) -> str:
-    """Return the unit in the attribute `units`.
+    """Return the unit in the attribute `units` of an xarray array.
 
-    Metres are not assumed where it is missing: most maps are in um or nm.
+    Raises InputError if it is missing: metres are not assumed, because most maps are in um or nm.
     """
     if "units" not in array.attrs:
         raise InputError(f"units of {field}", None, 'the attribute `units` of the array, e.g. assign_attrs(units="um")')
