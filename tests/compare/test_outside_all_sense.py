@@ -53,6 +53,6 @@ def test_an_area_far_above_the_nominal_one_is_a_failure():
     data = st.compare(given, load=1e-3)
     failed = data.sel(model="rough_dmt")
     assert np.isnan(float(failed["friction_coefficient_at_load"]))
-    assert "times the nominal one" in str(failed["why_not"].item())
+    assert "times the nominal area" in str(failed["why_not"].item())
     fractions = data["contact_area_at_load"].values / 1e-6
     assert np.nanmax(fractions) <= 100.0

@@ -237,7 +237,7 @@ def test_a_scan_is_told_with_what_was_done_to_it(tmp_path):
 
 def replace_without_comparison(findings):
     """The same without all models, whose pictures other tests look at."""
-    return replace(findings, told=None, not_compared="left out here")
+    return replace(findings, comparison=None, not_compared="left out here")
 
 
 def test_a_case_that_does_not_press_says_so(tmp_path):
@@ -248,7 +248,7 @@ def test_a_case_that_does_not_press_says_so(tmp_path):
     record = write_report(small(tmp_path, text), tmp_path / "report.html")
     page = Page((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert record["friction_coefficient"] is None and "no load is compressive" in record["answer_in_words"]
-    assert "μ is not defined" in page.text and "Models are not compared: nothing presses" in page.text
+    assert "μ is not defined" in page.text and "Models are not compared: no load of the case is above 0" in page.text
 
 
 def test_tables_and_cases_in_python(tmp_path):

@@ -169,7 +169,7 @@ def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, l
 
 def report_record(findings: ReportData) -> dict[str, Any]:
     """Return the answer of a report as a dict of numbers and texts for JSON."""
-    data, here = findings.data, findings.here
+    data, here = findings.data, findings.working_results
     mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
     if findings.prediction is not None:
         mu = answer_record(findings.prediction)["friction_coefficient"]

@@ -84,7 +84,7 @@ def headline(findings: ReportData) -> str:
     """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
-    data, here = findings.data, findings.here
+    data, here = findings.data, findings.working_results
     name = shown_quantity(data)
     if here is not None:
         value = float(here[name])
@@ -112,7 +112,7 @@ def answer_in_words(findings: ReportData) -> str:
     """Return the answer as one sentence that also states its validity."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
-    data, here = findings.data, findings.here
+    data, here = findings.data, findings.working_results
     model = data.attrs["model"]
     if here is None:
         by = "by the prediction" if model == RECOMMENDED else f"by the model {model}{_trusted(findings)}"

@@ -168,7 +168,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
     """Yield the picture of all possible models with the prediction."""
-    data_of_models, data = findings.told, findings.recommended
+    data_of_models, data = findings.comparison, findings.recommended
     if data_of_models is None:
         return
     from stiction.report.views.comparison import groups_of

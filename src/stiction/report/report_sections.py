@@ -219,7 +219,7 @@ def here_table(findings: ReportData) -> Table | None:
 
     Warnings of quantities without a row are in the first row. The table is None without a working load.
     """
-    here = findings.here
+    here = findings.working_results
     if here is None:
         return None
     names = [name for name in _RESULTS if name in here]
@@ -261,18 +261,18 @@ def curve_rows(findings: ReportData) -> Table:
 
 def compared(findings: ReportData) -> Table | None:
     """Return a table with a row for every model at the working load; None without a comparison."""
-    if findings.told is None:
+    if findings.comparison is None:
         return None
-    rows = [[letters(cell) for cell in group_row(group)] for group in groups_of(findings.told, every=True)]
+    rows = [[letters(cell) for cell in group_row(group)] for group in groups_of(findings.comparison, every=True)]
     columns = [Column("model"), *numbers(*GROUP_HEADS[1:3]), Column(GROUP_HEADS[3])]
     return Table(columns, rows, "Every model at the working load, applicable ones first", stacked=True)
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
     """Return the criteria of the comparison, and the models that are not applicable with their reasons."""
-    if findings.told is None:
+    if findings.comparison is None:
         return {}
-    used = findings.told.attrs
+    used = findings.comparison.attrs
     return {
         "lines": [letters(f"{line}.") for line in used["criteria"].splitlines()],
         "not_applicable": used["not_applicable"].splitlines(),
@@ -388,7 +388,7 @@ def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
     known = bibliography()
     texts = " ".join(str(row[-1]) for table in groups_of_inputs(findings) for row in table.rows)
     of_materials = [key for key in dict.fromkeys(re.findall(r"\[(\w+)\]", texts)) if key in known and key not in own]
-    comparison = findings.told
+    comparison = findings.comparison
     others = (
         [] if comparison is None else [key for key in comparison.attrs["sources"].split() if key not in (*own, *of_materials)]
     )

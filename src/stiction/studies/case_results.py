@@ -1,4 +1,7 @@
-"""A case, solved or compared: also one whose surface was measured, with the range over the methods of finding asperities."""
+"""Functions that solve, slide or compare a case.
+
+For a surface measured by scans, they add the range of friction over the asperity methods.
+"""
 
 import math
 from dataclasses import replace
@@ -39,18 +42,18 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     Parameters
     ----------
     case : Case, path, or dict like a case file
-        What is in contact, and its points.
+        The contact and its points.
     choice : Choice, optional
-        Model, laws and options that replace the own ones of the case; the model may be any that `compare` shows, or
-        "recommended", which is `predict`.
+        Model, laws and options that replace those of the case. The model may be any model that `compare` shows, or
+        "recommended" for `predict`.
     progress : callable
         Receives a label and returns a function that wraps the list of steps.
 
     Returns
     -------
     xarray.Dataset
-        As from `solve`. With uncertain numbers it is computed at the nominal ones, and NAME_quantile (quantile, ...) and
-        NAME_quantile_error of friction, area, load and pull-off are added. With scans friction_coefficient_by_method
+        As from `solve`. With uncertain numbers, results are those of the nominal contact, and NAME_quantile (quantile, ...) and
+        NAME_quantile_error of friction, area, load and pull-off force are added. With scans, friction_coefficient_by_method
         (asperity_method, points), friction_coefficient_low and friction_coefficient_high are added.
 
     Raises
@@ -77,9 +80,9 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
-    """Compute the stresses in the film of a case at its points, as `film_stresses`.
+    """Compute the stresses in the film of a case at its points, as `film_stresses` does.
 
-    Raises InputError, also where numbers of the contact are arrays.
+    Raises InputError, also for swept numbers.
     """
     from stiction.studies.stresses.film_stress import film_stresses, require_film  # slow to import, and no other study needs it
 
@@ -95,14 +98,14 @@ def slide_case(
     residual_strength: float | None = None,
     weakening_slip: "QuantityLike | None" = None,
 ) -> "xarray.Dataset":
-    """Slide a case at its points, at most five of them.
+    """Compute the tangential force of a case against displacement, at no more than five of its points.
 
     Parameters
     ----------
     case : Case, path, or dict like a case file
-        One contact; with uncertain numbers the nominal ones are taken.
+        One contact; uncertain numbers have their nominal values.
     choice : Choice, optional
-        Model and laws that replace the own ones of the case.
+        Model and laws that replace those of the case.
     residual_strength : float, optional
         As in `slide`, 0 to 1.
     weakening_slip : float [m] or str with a unit, optional
@@ -111,12 +114,12 @@ def slide_case(
     Returns
     -------
     xarray.Dataset
-        As from `slide`, with the groups of the contact as attributes.
+        As from `slide`, with the dimensionless groups of the contact as attributes.
 
     Raises
     ------
     InputError
-        As `slide`; also where numbers of the contact are several.
+        As `slide`; also if numbers of the contact are swept.
 
     Examples
     --------
@@ -129,16 +132,16 @@ def slide_case(
     if case.is_several:
         raise InputError("contact", "array parameters", "a single contact; st.slide accepts arrays")
     choice = choice_of_case(case, choice or case.choice)
-    given = {name: value for name, value in choice.arguments().items() if name != "presliding"}
+    arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
-    points = {name: each[few_places(np.size(each), _FEW)] if np.ndim(each) else each for name, each in given_at.items()}
+    points = {name: row[few_places(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
     subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
-    data = slide(subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip, **given)
+    data = slide(subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip, **arguments)
     return _said(data, case).assign_attrs(case.subject.groups())
 
 
 def _check_size(case: Case) -> None:
-    """InputError for more points than fit in memory and patience."""
+    """Raise InputError for more than a million points, which would need too much memory and time."""
     points = case.load if case.load is not None else case.separation
     count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
     count *= 1 if hasattr(points, "dims") else np.size(points)
@@ -149,7 +152,7 @@ def _check_size(case: Case) -> None:
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
     """Return the dataset with the dimensionless groups of the contact.
 
-    Single numbers become attributes, arrays become variables unless they are coordinates.
+    A single number becomes an attribute. An array becomes a variable, unless it is a coordinate already.
     """
     several = {
         name: (value.dims, value.values, subject.attributes(name))
@@ -160,7 +163,7 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
-    """Return the choice with the model that its name stands for. Raises InputError."""
+    """Return the choice for a case, with a model name replaced by the model and laws that it selects. Raises InputError."""
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)
@@ -175,7 +178,7 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
     Parameters
     ----------
     case : Case, path, or dict like a case file
-        What is in contact, and its points.
+        The contact and its points.
     load : float [N] or str with a unit, optional
         Working load, above 0.
     progress : callable
@@ -203,6 +206,6 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
 
 
 def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
-    """With the title of the case, and the program."""
+    """Return the dataset with the title of the case and the version of the program as attributes."""
     title = {"case": case.title} if case.title else {}
     return data.assign_attrs(title, program=f"stiction {__version__}")

@@ -1,7 +1,7 @@
-"""Evaluate one case at many sets of numbers at once, some of which may be refused.
+"""Evaluation of many variants of one case, some of which a model may refuse.
 
-Every study of many contacts (uncertainty, sensitivity, sweep, fit, design) asks here. What it varies are labelled arrays in the
-places of numbers of the case, so that contacts are the combinations of their dimensions.
+All studies of many contacts (uncertainty, sensitivity, sweep, fit, design) use it. The numbers that vary are labelled
+arrays at their addresses in the case; the contacts are all combinations along the dimensions of these arrays.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,25 +25,31 @@ def evaluate_together(
     model: Choice,
     keep: Sequence[str] | None = None,
 ) -> tuple[Case, BatchResult]:
-    """Evaluate a case at these numbers, which must all make a contact.
+    """Evaluate a case with these numbers, all of which must give a valid contact.
 
     Parameters
     ----------
-    case : the case, with its nominal numbers.
-    numbers : address, ("contact", "first", "hardness") -> float or labelled array, in SI units.
-    points : {"load": ...} or {"separation": ...}; by default those of the case.
-    model : the model with its laws and options.
-    keep : names of results, by default all.
+    case : Case
+        The case with its nominal numbers.
+    numbers : dict
+        Number or labelled array in SI units by address, e.g. ("contact", "first", "hardness").
+    points : dict, optional
+        {"load": ...} or {"separation": ...}; by default the points of the case.
+    model : Choice
+        The model with its laws and options.
+    keep : sequence of str, optional
+        Names of the results to return, by default all.
 
     Returns
     -------
-    The case with these numbers, and its results: NaN where there are none, with the reason as bits. Warnings and floating-point
-    errors are not raised: they are among the bits of the results.
+    tuple
+        The case with these numbers and its results. A result is NaN where there is none; bits of the results give the reason.
+        Warnings and floating-point errors are not raised, but set bits too.
 
     Raises
     ------
     InputError, ArithmeticError
-        Where a number is out of bounds, or the model refuses all contacts.
+        A number is out of bounds, or the model refuses all contacts.
     """
     with np.errstate(all="ignore"):
         case = case.at(numbers)
@@ -60,10 +66,10 @@ def evaluate_many(
     *,
     along: Sequence[str],
 ) -> Iterator[tuple[Region, Case | None, BatchResult | None]]:
-    """Yield (region, case, results) in batches; arguments as of `evaluate_together`.
+    """Yield (region, case, results) in batches; arguments are those of `evaluate_together`.
 
-    A region maps each dimension of `along` that the numbers or points have to a slice. A batch that raises is bisected along
-    the longest of these dimensions; a single refused contact yields None, None.
+    along: dimensions along which batches may be split. A region maps each of them to a slice. A batch that raises is
+    bisected along its longest dimension. For a single refused contact, case and results are None.
     """
     varied = [*numbers.values(), *(points or {}).values()]
     sizes = {dim: size for dim, size in dimensions(varied).items() if dim in along}
@@ -73,11 +79,11 @@ def evaluate_many(
         some = None if points is None else {name: part_of(value, part) for name, value in points.items()}
         return evaluate_together(case, {path: part_of(value, part) for path, value in numbers.items()}, some, model, keep)
 
-    for region, found in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
-        yield (region, None, None) if isinstance(found, Exception) else (region, *found)
+    for region, outcome in bisected({dim: slice(0, size) for dim, size in sizes.items()}, evaluated):
+        yield (region, None, None) if isinstance(outcome, Exception) else (region, *outcome)
 
 
 def part_of(value: Any, region: Region) -> Any:
-    """Return the part of a labelled array in a region; anything else as it is."""
+    """Return the part of a labelled array that lies in a region; return other values unchanged."""
     mine = {dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())}
     return value.isel(mine) if mine else value

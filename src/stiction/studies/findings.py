@@ -1,4 +1,4 @@
-"""Everything a report needs of one case: its answer at a working load, all models, and its scans."""
+"""The results that a report shows of one case: its answer at a working load, all models, and its scans."""
 
 import tomllib
 from collections.abc import Mapping
@@ -25,21 +25,25 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ReportData:
-    """Hold the results that a report shows.
+    """The results that a report of one case shows.
 
-    case. text: its file as it was written, "" where there was none. data: its prediction, or the results of the named model.
-    load: the working load [N], or normalised; here: the results of a named model at it; told: all models at it; None
-    where nothing presses. not_compared: why models are not compared, "" if they are. analyses: body -> analysis of its
-    scan. input_warnings: about unlikely numbers. recommended: the prediction of one contact, also where a
-    model is named; None for array parameters and normalised contacts.
+    - text: the case file as written, "" if there was none
+    - data: the prediction, or the results of the named model at all points of the case
+    - load: working load in N (dimensionless for [indices]), or None if no load is above 0
+    - working_results: results of a named model at the working load
+    - comparison: comparison of all models at the working load, or None without one
+    - not_compared: why models are not compared, "" if they are
+    - analyses: analysis of the scan of each body
+    - input_warnings: warnings of unlikely inputs
+    - recommended: the prediction, also if the case names a model; None for swept numbers and [indices]
     """
 
     case: Case
     text: str
     data: "xarray.Dataset"
     load: float | None = None
-    here: "xarray.Dataset | None" = None
-    told: "xarray.Dataset | None" = None
+    working_results: "xarray.Dataset | None" = None
+    comparison: "xarray.Dataset | None" = None
     not_compared: str = ""
     analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
     input_warnings: tuple[str, ...] = ()
@@ -47,37 +51,42 @@ class ReportData:
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
-        """Return the prediction where it is the answer; None where a model is named, or numbers are several."""
+        """Return the prediction, or None if the answer is that of a named model or the case has swept numbers."""
         return self.data if "shares" in self.data.attrs else None
 
     @property
     def result(self) -> Any:
-        """The result at the working load; where there is none, all of it."""
-        return self.data if self.here is None else self.here
+        """Return the results at the working load, or all results without a working load."""
+        return self.data if self.working_results is None else self.working_results
 
 
 def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """Compute the results that a report of a case shows.
 
-    load: the working load [N]; by default the middle one of the case; a case with array parameters has none, and its models are
-    not compared. progress: callable(label) that returns an iterator wrapper. Raises InputError.
+    text: the case file as written. load: working load [N], by default the middle load of the case. A case with swept
+    numbers has no working load, and its models are not compared. progress: callable(label) that returns an iterator
+    wrapper. Raises InputError.
     """
     if case.is_several and load is not None:
-        raise InputError("--load", load, "not supported with array parameters; the case is solved at its own points")
-    at = None if case.is_several else working_load(case, load)
-    why = "numbers of the case are several, and models are compared for one contact" if case.is_several else ""
-    why = why or ("" if at is not None else "nothing presses at any of its points, and models are judged at a load above 0")
-    here = None
-    if is_predicted(case) and (at is not None or case.is_several):
-        data = predict(case) if load is None or at is None else predict(case, load=[at])
+        raise InputError("--load", load, "not supported with array parameters; the case is solved at its own loads")
+    at_load = None if case.is_several else working_load(case, load)
+    why = "the case has array parameters, and models are compared for a single contact" if case.is_several else ""
+    why = why or ("" if at_load is not None else "no load of the case is above 0, and models are compared at a load above 0")
+    at_working_load = None
+    if is_predicted(case) and (at_load is not None or case.is_several):
+        data = predict(case) if load is None or at_load is None else predict(case, load=[at_load])
     else:
         data = solve_case(case, progress=progress)
-        if at is not None:
-            here = solve_case(replace(case, separation=None, load=np.array([at])), progress=progress).squeeze("load")
-    predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at)
-    told = None if at is None else compare_case(case, at, progress)
-    asked = tuple(str(one) for one in input_warnings(case.subject))
-    return ReportData(case, text, data, at, here, told, why, _analyses(case, progress), asked, predicted)
+        if at_load is not None:
+            at_working_load = solve_case(replace(case, separation=None, load=np.array([at_load])), progress=progress).squeeze(
+                "load"
+            )
+    predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at_load)
+    comparison = None if at_load is None else compare_case(case, at_load, progress)
+    warnings = tuple(str(warning) for warning in input_warnings(case.subject))
+    return ReportData(
+        case, text, data, at_load, at_working_load, comparison, why, _analyses(case, progress), warnings, predicted
+    )
 
 
 def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
@@ -86,16 +95,16 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
     from stiction.studies.scans.analysis import analyse
 
     maps = case.measured.solvable.maps
-    return {body: analyse(one, progress=progress(f"Analysing the {body} body")) for body, one in maps.items()}
+    return {body: analyse(surface, progress=progress(f"Analysing the {body} body")) for body, surface in maps.items()}
 
 
 def places_in(text: str) -> frozenset[Address]:
-    """Return the addresses of all values in the text of a case file; none for invalid TOML."""
-    found: set[Address] = set()
+    """Return the addresses of all values in the text of a case file; none if it is not TOML."""
+    addresses: set[Address] = set()
 
     def walk(table: Mapping, path: Address) -> None:
         for key, value in table.items():
-            found.add((*path, key))
+            addresses.add((*path, key))
             if isinstance(value, Mapping):
                 walk(value, (*path, key))
 
@@ -103,9 +112,9 @@ def places_in(text: str) -> frozenset[Address]:
         walk(tomllib.loads(text), ())
     except tomllib.TOMLDecodeError:
         return frozenset()
-    return frozenset(found)
+    return frozenset(addresses)
 
 
 def text_of_file(path: Path) -> str:
-    """Return the text of a case file that was read already."""
+    """Return the text of a case file that could be read before."""
     return path.read_text(encoding="utf-8-sig")

@@ -1,4 +1,4 @@
-"""The loads of a case that press, and the one at which models are judged."""
+"""The loads of a case that are above 0, and the working load at which models are compared."""
 
 import numpy as np
 
@@ -8,15 +8,15 @@ from stiction.solving.solve import solve
 
 
 def few_places(size: int, few: int) -> np.ndarray:
-    """Return so many places of a list at most: first, last and some between."""
+    """Return at most `few` evenly spaced indices of a list of this size, including the first and the last."""
     return np.unique(np.linspace(0, size - 1, min(size, few)).round().astype(int))
 
 
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
-    """Return the loads of a case above 0, and the place among them of its working load.
+    """Return the loads of a case above 0 (n,), and the index of its working load among them.
 
-    The working load is the middle one of the case, or the one nearest to it in the list that presses. Where the case names
-    separations, the loads are those that its own model carries there. The array is empty where nothing presses.
+    The working load is the middle one of all loads of the case, or the load above 0 next to it. If the case has
+    separations, the loads are those that its own model carries at them. The array is empty if no load is above 0.
     """
     loads = case.load
     if loads is None:

@@ -1,4 +1,7 @@
-"""Find the studies of one case: the folders next to this file with a file `study.py` and its STUDY."""
+"""The declaration of a study of one case, and the list of all studies.
+
+A study is a folder next to this file with a module `study.py` that defines STUDY.
+"""
 
 import importlib
 import importlib.util
@@ -10,13 +13,16 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Study:
-    """A study of one case, the command `stiction NAME CASE.toml`.
+    """A study of one case, which becomes the command `stiction NAME CASE.toml`.
 
-    help: of the command, paragraphs. case: what the file has to have. plan(case, **options) -> plan, quick: it reads the case,
-    given by its path, and its signature has the options of the command; `out`, the folder of the results or None, `options`,
-    those of records, and others that commands share (load, ranges, model, ...) need no description. run(plan, progress) ->
-    arguments of its view, which is a function FOLDER_view in report/views/FOLDER.py, or one dataset; a parameter `tell` in
-    place of `progress` is called with sentences.
+    - help: help text of the command
+    - case: what the case file must contain, for the help
+    - plan(case, **options): reads the case file at this path and returns a plan, quickly. Its parameters are the options of
+      the command. Shared ones need no description: load, ranges, model, ..., `out` (folder for results, or None) and
+      `options` (those of models and laws).
+    - run(plan, progress): computes the results and returns the arguments of the view, a function FOLDER_view in
+      report/views/FOLDER.py, or a single dataset. If it has a parameter `tell` instead of `progress`, it receives a
+      function that shows a text as progress.
     """
 
     name: str
@@ -27,8 +33,8 @@ class Study:
 
 
 def studies() -> Iterator[tuple[str, Study]]:
-    """Yield the name of its folder and the declaration of every study that is a command."""
+    """Yield the folder name and the declaration of every study."""
     folder = importlib.import_module(__package__)
-    for one in pkgutil.iter_modules(folder.__path__, f"{folder.__name__}."):
-        if one.ispkg and importlib.util.find_spec(f"{one.name}.study"):
-            yield one.name.rpartition(".")[2], importlib.import_module(f"{one.name}.study").STUDY
+    for module in pkgutil.iter_modules(folder.__path__, f"{folder.__name__}."):
+        if module.ispkg and importlib.util.find_spec(f"{module.name}.study"):
+            yield module.name.rpartition(".")[2], importlib.import_module(f"{module.name}.study").STUDY

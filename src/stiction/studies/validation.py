@@ -1,7 +1,7 @@
-"""Models against measured series: an entry says what was in contact, who measured what, and where that is printed.
+"""Comparison of models and predictions with measured series from the literature.
 
-An entry is a TOML file with the tables [contact] of a case file and [measured], beside a CSV file of the values; or with ranges
-of friction, [[measured.band]], where no more is printed.
+An entry is a TOML file with the tables [contact] of a case file and [measured], which names the source. The measured values
+are in a CSV file next to it, or in tables [[measured.band]] if only ranges of friction are published.
 """
 
 from collections.abc import Mapping
@@ -41,7 +41,7 @@ LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 
 
 class Band(Input):
-    """A range of the friction coefficient at a load, where no points are printed."""
+    """A published range of the friction coefficient at one load."""
 
     load: str = Field(description='normal load with its unit, "0.98 mN"')
     low: float = Field(description="lower end of the measured friction coefficient, above 0")
@@ -57,11 +57,11 @@ class Band(Input):
 
 
 class Origin(Input):
-    """Who measured a series, and where it is printed.
+    """The source of a measured series.
 
-    file: the CSV file, from the folder of the entry; band: ranges in its place. kind: synthetic values were made up, to
-    show the format. source: authors, title, where it appeared, year. place: page, and table, figure or section. read: how
-    the values came into the file; values read off a picture have the error of reading in theirs. Raises InputError.
+    file: CSV file, relative to the folder of the entry; band: ranges instead of a file. kind: "synthetic" marks values made
+    up to show the format. source: authors, title, publication, year. place: page, and table, figure or section. read: how
+    the values were obtained; the standard errors of digitised values include the error of digitising. Raises InputError.
     """
 
     file: str = Field("", description="the CSV file with the values, from the folder of the entry")
@@ -76,22 +76,24 @@ class Origin(Input):
     @model_validator(mode="after")
     def _says_where(self):
         if bool(self.file) == bool(self.band):
-            raise InputError("file or band", "both" if self.file else None, "one of them: a CSV file, or [[measured.band]]")
+            raise InputError(
+                "file or band", "both" if self.file else None, "exactly one of the two: a CSV file or [[measured.band]]"
+            )
         if not self.source.strip():
             raise InputError("source", self.source, "authors, title, where it appeared, year")
         if self.kind == "measured" and not self.place.strip():
             raise InputError("place", self.place or None, 'page, and table, figure or section, e.g. "p. 57, Table 3"')
         if (self.kind == "synthetic") != (self.read == "computed"):
-            raise InputError("read", self.read, '"computed" where the kind is "synthetic", and only there')
+            raise InputError("read", self.read, '"computed" for the kind "synthetic", and for no other kind')
         return self
 
 
 @dataclass(frozen=True)
 class Entry:
-    """Hold a measured series with its contact.
+    """A measured series with its contact.
 
-    content: the tables of a case, with scans and own materials read; uncertain: its uncertain numbers, which the prediction
-    draws.
+    content: tables of the case, with scans and user-defined materials read in; uncertain: uncertain numbers of the contact,
+    which the prediction samples.
     """
 
     title: str
@@ -102,51 +104,56 @@ class Entry:
 
     @property
     def ends(self) -> np.ndarray:
-        """Return the ends of every measured value (2, n); of a point both are the value."""
+        """Return the lower and upper end of every measured value (2, n); both are the value unless it is a range."""
         bands = self.origin.band
-        return np.array([[one.low for one in bands], [one.high for one in bands]] if bands else [self.values.value] * 2)
+        return np.array([[band.low for band in bands], [band.high for band in bands]] if bands else [self.values.value] * 2)
 
     def cases(self) -> list[tuple[Case, np.ndarray]]:
-        """Return the cases that the series are of, each with its rows: one, unless the file gives numbers that differ."""
-        known = [tuple(sorted(one.items())) for one in self.values.known]
-        found = []
-        for one in dict.fromkeys(known):
-            rows = np.array([at for at, other in enumerate(known) if other == one])
-            found.append((replace(case_of(self.content, dict(one)), uncertain=self.uncertain), rows))
-        return found
+        """Return the cases of the series, each with the indices of its rows.
+
+        There is one case, unless the file has numbers of the contact that change from row to row.
+        """
+        known = [tuple(sorted(numbers.items())) for numbers in self.values.known]
+        cases = []
+        for numbers in dict.fromkeys(known):
+            rows = np.array([row for row, other in enumerate(known) if other == numbers])
+            cases.append((replace(case_of(self.content, dict(numbers)), uncertain=self.uncertain), rows))
+        return cases
 
 
 def read_entry(path: Any) -> Entry:
-    """Read the entry in a TOML file, with the values in its CSV file. Raises InputError."""
+    """Return the entry of a TOML file with the values of its CSV file. Raises InputError."""
     content = read_content(path)
     table = content.get("measured")
     if not isinstance(table, Mapping):
-        raise InputError("measured", table, f"a table [measured] that says who measured what, in {path}")
+        raise InputError("measured", table, f"a table [measured] with the source of the values, in {path}")
     unknown = [name for name in content if name not in _TABLES]
     if unknown:
-        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}; loads come from the measured values")
+        raise InputError(unknown[0], "a table", f"{', '.join(_TABLES)}; loads are read from the measured values")
     with field_below("measured"):
         origin = Origin(**table)
     load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
     tables = {name: value for name, value in content.items() if name != "measured"} | {"solve": load}
     folder = Path(path).parent
-    asked, several = opened(tables, folder)
-    uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
+    opened_tables, several = opened(tables, folder)
+    uncertain = tuple(number for number in several.values() if isinstance(number, Uncertain))
     if len(uncertain) < len(several):
-        one = next(one for one in several.values() if not isinstance(one, Uncertain))
-        raise InputError(one.where, one.words, "a single number; numbers that vary by row are columns of the file")
-    values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, asked)
+        number = next(number for number in several.values() if not isinstance(number, Uncertain))
+        raise InputError(
+            number.where, number.words, "a single number; numbers that change from row to row are columns of the file"
+        )
+    values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, opened_tables)
     _check(values, origin.file)
-    entry = Entry(str(content.get("title", "")), origin, asked, values, tuple(named(list(uncertain))))
+    entry = Entry(str(content.get("title", "")), origin, opened_tables, values, tuple(named(list(uncertain))))
     entry.cases()  # so that a contact that is none is refused here
     return entry
 
 
 def _of_bands(bands: list[Band]) -> Measurements:
-    """Return the geometric means of ranges as measured values."""
+    """Return ranges of friction as measured values: their geometric means."""
     count = len(bands)
-    load = np.array([float(to_si(one.load, "load")) for one in bands])
-    value = np.array([np.sqrt(one.low * one.high) for one in bands])
+    load = np.array([float(to_si(band.load, "load")) for band in bands])
+    value = np.array([np.sqrt(band.low * band.high) for band in bands])
     names = ("friction_coefficient",) * count
     return Measurements(names, ("",) * count, load, value, np.full(count, np.nan), ({},) * count, tuple(range(1, count + 1)))
 
@@ -160,32 +167,33 @@ def _check(values: Measurements, file: str) -> None:
 
 
 def entries_in(folder: Any) -> list[Path]:
-    """Return the files of the entries in a folder, those with a table [measured], by name. Raises InputError."""
-    found = [path for path in sorted(Path(folder).glob("*.toml")) if "measured" in read_content(path)]
-    if not found:
-        raise InputError("entry", str(folder), "a TOML file with a table [measured], or a folder that has some")
-    return found
+    """Return the TOML files with a table [measured] in a folder, sorted by name. Raises InputError if there are none."""
+    paths = [path for path in sorted(Path(folder).glob("*.toml")) if "measured" in read_content(path)]
+    if not paths:
+        raise InputError("entry", str(folder), "a TOML file with a table [measured], or a folder with such files")
+    return paths
 
 
 def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Dataset":
-    """Compare every model that applies, and the prediction, with measured values.
+    r"""Compare the prediction and every applicable model with measured values.
 
     Parameters
     ----------
     entry : path or Entry
-        TOML file with the tables [contact] and [measured], next to a CSV file of values; or what `read_entry` returns.
+        TOML file with the tables [contact] and [measured], next to a CSV file of values; or the result of `read_entry`.
     progress : callable
         Receives the list of models and returns an iterator over it.
 
     Returns
     -------
     xarray.Dataset
-        Over `row`: measured, error, quantity, sample, load; for bands measured_low and measured_high. Over (model, row):
-        `predicted`, NaN where a model refuses. Over `model`: `bias`, the geometric mean of predicted over measured; `factor`,
-        exp of the root mean square of its logarithm; `in_errors`, the root mean square difference over the standard error;
-        `answered`, the number of rows; grade, `outside_validity` and `outside`. Of friction also `prediction` (quantile, row),
-        and `within_50` and `within_90`: "inside", "partly" or "outside" of that interval. Attributes: title, kind, source,
-        place, doi, read, note, `not_applicable` (model: reason) and `sources`.
+        Over `row`: measured, error, quantity, sample, load; for ranges also measured_low and measured_high. Over (model,
+        row): `predicted`, NaN where a model refuses. Over `model`: `bias`, the geometric mean of predicted over measured;
+        `factor`, exp of the root mean square of ln(predicted over measured); `in_errors`, the root mean square difference
+        over the standard error; `answered`, the number of rows with a result; grade, `outside_validity` and `outside`. For
+        friction also `prediction` (quantile, row), and `within_50` and `within_90`: whether the measured value is "inside",
+        "partly" or "outside" of that interval. Attributes: title, kind, source, place, doi, read, note, `not_applicable`
+        (model: reason) and `sources`.
 
     Raises
     ------
@@ -194,14 +202,14 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
 
     Notes
     -----
-    Models are sorted by the number of rows that they answer, then by `factor`.
+    Models are sorted by the number of rows with a result, then by `factor`.
 
     Examples
     --------
     >>> import pathlib, tempfile
     >>> import stiction as st
     >>> folder = pathlib.Path(tempfile.mkdtemp())
-    >>> _ = (folder / "values.csv").write_text("load [N],friction_coefficient\\n0.1,0.3\\n1,0.2\\n")
+    >>> _ = (folder / "values.csv").write_text("load [N],friction_coefficient\n0.1,0.3\n1,0.2\n")
     >>> entry = '''
     ... contact.first = "gold"
     ... contact.second = "gold"
@@ -220,15 +228,16 @@ def validate(entry: "Entry | FilePath", *, progress: Steps = iter) -> "xarray.Da
     >>> st.validate(folder / "entry.toml").sizes["row"]
     2
     """
-    one = entry if isinstance(entry, Entry) else read_entry(entry)
-    cases = one.cases()
+    series = entry if isinstance(entry, Entry) else read_entry(entry)
+    cases = series.cases()
     subjects = [(case.subject, rows) for case, rows in cases]
-    answers = [_answer(each.name, one.values, subjects) for each in progress(candidates(subjects[0][0]))]
+    answers = [_answer(answer.name, series.values, subjects) for answer in progress(candidates(subjects[0][0]))]
     shown = sorted(
-        (each for each in answers if each["answered"]), key=lambda each: (-each["answered"], each["factor"], each["model"])
+        (answer for answer in answers if answer["answered"]),
+        key=lambda answer: (-answer["answered"], answer["factor"], answer["model"]),
     )
-    left_out = [f"{each['model']}: {each['why_not']}" for each in answers if not each["answered"]]
-    return _dataset(one, shown, left_out).assign(_predicted(one, cases))
+    left_out = [f"{answer['model']}: {answer['why_not']}" for answer in answers if not answer["answered"]]
+    return _dataset(series, shown, left_out).assign(_predicted(series, cases))
 
 
 # Variables over the models.
@@ -236,12 +245,15 @@ _OF_MODELS = ("bias", "factor", "in_errors", "answered", "grade", "outside_valid
 
 
 def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> dict[str, Any]:
-    """Evaluate one model at the measured values: _OF_MODELS, predicted (n,), sources, and why it has no results."""
+    """Return the results of one model at the measured values.
+
+    The table has the names in _OF_MODELS, `predicted` (n,), `sources`, and `why_not`, the reason if there are no results.
+    """
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
     sources: dict[str, None] = {}
     validity_warnings: dict[str, ValidityWarning] = {}
-    why = "it says nothing of what was measured"
+    why = "it does not compute the measured quantity"
     waiting = list(subjects)
     while waiting:
         subject, rows = waiting.pop()
@@ -250,7 +262,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         except InputError as error:
             why = reason_of(error)
             if len(rows) > 1 and error.field == "load":  # one that is not carried says nothing of the others
-                waiting += [(subject, rows[at : at + 1]) for at in range(len(rows))]
+                waiting += [(subject, rows[index : index + 1]) for index in range(len(rows))]
             continue
         for place, row in enumerate(rows):
             if values.quantity[row] in data:
@@ -260,6 +272,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         sources |= dict.fromkeys(data.attrs["sources"].split())
         validity_warnings |= {warning.rule: warning for warning in warnings_of(data)}
     logarithm = np.log(np.where(predicted > 0.0, predicted / values.value, np.nan))
+    quantities = [warning.quantity for warning in validity_warnings.values()]
     return {
         "model": name, "predicted": predicted, "sources": sources, "why_not": why,
         "bias": np.exp(_mean(logarithm)),
@@ -268,13 +281,12 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
         "answered": int(np.isfinite(logarithm).sum()),
         "grade": max(grades, default=""),
         "outside_validity": "; ".join(warning.short for warning in validity_warnings.values()),
-        "outside": ", ".join(dict.fromkeys(QUANTITIES[one.quantity].symbol for one in validity_warnings.values() if
-        one.quantity)),
+        "outside": ", ".join(dict.fromkeys(QUANTITIES[name].symbol for name in quantities if name)),
     }  # fmt: skip
 
 
 def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, Any]:
-    """Return the quantiles of the prediction at every measured friction, and whether its intervals hold what was measured."""
+    """Return quantiles of the prediction for each measured friction coefficient, and how they compare with it."""
     values, (low, high) = entry.values, entry.ends
     table = np.full((len(LEVELS), len(values)), np.nan)
     for case, rows in cases:
@@ -295,7 +307,10 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 
 
 def _within(low: float, high: float, least: float, most: float) -> str:
-    """Return where a measured range lies relative to an interval; "" without a prediction."""
+    """Return whether a measured range is "inside", "partly" or "outside" of an interval; "" without a prediction.
+
+    low, high: measured range; least, most: ends of the interval.
+    """
     if not np.isfinite(least):
         return ""
     return "inside" if least <= low and high <= most else "outside" if high < least or most < low else "partly"
@@ -305,17 +320,17 @@ def _dataset(entry: Entry, answers: list[dict[str, Any]], left_out: list[str]) -
     import xarray
 
     values = entry.values
-    predicted = np.array([one["predicted"] for one in answers]).reshape(len(answers), len(values))
+    predicted = np.array([answer["predicted"] for answer in answers]).reshape(len(answers), len(values))
     over_rows = {
         "measured": values.value, "error": values.error, "load": values.load,
         "quantity": list(values.quantity), "sample": list(values.sample), "line": list(values.line),
     }  # fmt: skip
-    used = dict.fromkeys(key for one in answers for key in one["sources"])
+    used = dict.fromkeys(key for answer in answers for key in answer["sources"])
     return xarray.Dataset(
-        {name: ("model", [one[name] for one in answers]) for name in _OF_MODELS}
+        {name: ("model", [answer[name] for answer in answers]) for name in _OF_MODELS}
         | {name: ("row", table) for name, table in over_rows.items()}
         | {"predicted": (("model", "row"), predicted)},
-        coords={"model": [one["model"] for one in answers]},
+        coords={"model": [answer["model"] for answer in answers]},
         attrs={"title": entry.title, "not_applicable": "\n".join(left_out), "sources": " ".join(used)}
         | entry.origin.model_dump(exclude={"file", "band"}),
     )

@@ -1,4 +1,4 @@
-"""Every model that applies, on one contact: what each says of its friction, and whether the contact fits it."""
+"""Comparison of all applicable models on one contact: their friction, and whether the contact is in their validity range."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 # Mean separations over sigma at which the curves are computed: out of touch to pressed together.
 SEPARATIONS = np.linspace(5.0, -2.0, 80)
-_ONE = "one number, where models are compared"
+_ONE = "a single number, because models are compared for one contact"
 # Contact area over the nominal one beyond which a model has failed, and has no numbers.
 _MOST_AREA = 100.0
 RESULTS = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
@@ -55,25 +55,26 @@ def compare(
     Parameters
     ----------
     contact : Contact or Indices
-        One contact: numbers, no arrays.
+        One contact, without arrays.
     load : float [N] or str with a unit, optional
-        Working load, above 0; normalised for Indices. Without it there are only curves.
+        Working load, above 0; dimensionless for Indices. Without it only curves are computed.
     separations : iterable of float, optional
-        Mean separations of the curves, over the sigma that a model takes; by default 80 from 5 to -2.
+        Mean separations of the curves, over the sigma that a model uses; by default 80 values from 5 to -2.
     progress : callable
         Receives the list of models and returns an iterator over it, e.g. a progress bar.
 
     Returns
     -------
     xarray.Dataset
-        Curves over (model, point), units as in `solve`: mean_separation [m], load [N], contact_area [m^2], friction_force [N],
-        friction_coefficient, and `range_status`: within the claims of the model, outside of them, or impossible (0, 1, 2).
-        Over `model`: the same five at the working load, with names that end in `_at_load`; `status`, whether the contact fits
-        the model and why not; grade, `outside_validity`, `validity_warnings` (JSON), `family_of_curve`,
-        `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and `measured_friction_error`, relative
-        errors on solved surfaces near this contact (docs/truth.md), NaN where there are none; `measured_error` (JSON) and
-        `measured_error_in_words`. Attributes: `working_load`, `criteria`, `not_applicable` (model: reason). With a measured
-        surface also friction_coefficient_at_load_by_method (asperity_method, model), with `_low` and `_high`.
+        Curves over (model, point), in units as in `solve`: mean_separation [m], load [N], contact_area [m^2],
+        friction_force [N], friction_coefficient, and `range_status`: inside the validity ranges of the model, outside, or
+        impossible (0, 1, 2). Over `model`: the same five results at the working load, with names that end in `_at_load`;
+        `status`, whether the contact fits the model and why not; grade, `outside_validity`, `validity_warnings` (JSON),
+        `family_of_curve`, `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and
+        `measured_friction_error`, relative errors on benchmark surfaces near this contact (docs/truth.md), NaN if none is
+        near; `measured_error` (JSON) and `measured_error_in_words`. Attributes: `working_load`, `criteria`,
+        `not_applicable` (model: reason). For a measured surface also friction_coefficient_at_load_by_method
+        (asperity_method, model), with `_low` and `_high`.
 
     Raises
     ------
@@ -82,8 +83,8 @@ def compare(
 
     Notes
     -----
-    A theory without a separation is computed at the loads of Greenwood and Williamson, with NaN for mean_separation. Where a
-    model has no tangential law and the contact states an interfacial shear strength, a law of the interface computes friction.
+    A theory without a separation is computed at the loads of Greenwood and Williamson, with NaN for mean_separation. If a model
+    has no tangential law and the contact states an interfacial shear strength, a law of the interface computes friction.
     `predict` combines the models into one answer.
 
     Examples
@@ -101,32 +102,33 @@ def compare(
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the result of `compare` without the range over asperity methods."""
+    """Return the comparison without the range over asperity methods."""
     h = SEPARATIONS if separations is None else _separations(separations)
     target = None if load is None else _pressing(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # which never pull
     situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
-    answers = [_ask(situation, one) for one in progress(candidates(contact))]
+    answers = [_ask(situation, candidate) for candidate in progress(candidates(contact))]
     return _dataset(contact, answers, target)
 
 
 def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the comparison with the friction of every asperity method at the working load."""
+    """Return the comparison with the friction at the working load for each asperity method."""
     contacts = contact.measured.contacts(contact)
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
         return data
-    each = [
-        data[name] if at == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
-        for at, other in enumerate(progress(list(contacts.values())))
+    frictions = [
+        data[name] if index == 0 else _compared(other, load, [0.0], iter)[name].reindex(model=data["model"])
+        for index, other in enumerate(progress(list(contacts.values())))
     ]
-    return with_range_over_methods(data, list(contacts), np.array([one.values for one in each]), ("model",), name)
+    table = np.array([friction.values for friction in frictions])
+    return with_range_over_methods(data, list(contacts), table, ("model",), name)
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """Return the separations of the curves, over sigma."""
-    allowed = f"a row of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
+    """Return the separations of the curves over sigma as an array. Raises InputError."""
+    allowed = f"a sequence of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)
     except TypeError:
@@ -139,10 +141,10 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Situation:
-    """Hold the points at which all candidates are evaluated.
+    """The points at which all models are evaluated, in the units of the contact.
 
-    h: separations over the sigma of each candidate; loads (1, h): for theories without separations; target: the working load or
-    None. Loads are in the units of the contact.
+    h: separations (h,) over the sigma of each model; loads: (1, h), for theories without separations; target: working load,
+    or None.
     """
 
     contact: Subject
@@ -172,12 +174,14 @@ _NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction
 
 @dataclass
 class _Answer:
-    """Hold the results of one candidate, in the units of the contact.
+    """The results of one model, in the units of the contact.
 
-    curve: results (points,); range_status: of each point, WITHIN, OUTSIDE or IMPOSSIBLE. at_load: results at the working load,
-    None if it is not carried. outside: validity warnings at the working load, or of the curve without one. told: values of
-    _TEXTS and _NUMBERS. dry: whether the liquid of the contact is left out. why_not: the reason for no results, or none of
-    friction.
+    - curve: results (points,) by name; range_status: WITHIN, OUTSIDE or IMPOSSIBLE for each point
+    - at_load: results at the working load, None if the model cannot carry it
+    - outside: validity warnings at the working load, or of the curve without one
+    - told: values for the names in _TEXTS and _NUMBERS
+    - dry: whether the model ignores the liquid of the contact
+    - why_not: the reason for missing results, or for missing friction
     """
 
     candidate: Candidate
@@ -192,21 +196,21 @@ class _Answer:
 
     @property
     def status(self) -> str:
-        """Whether the contact fits the model, and why it does not."""
+        """Return whether the contact fits the model, with the reason if it does not."""
         if self.why_not:
             return f"no answer: {self.why_not}"
         dry = ", without the liquid" if self.dry else ""
-        of_chance = [one.in_brief for one in self.outside if one.kind == "statistics"]
+        of_chance = [warning.in_brief for warning in self.outside if warning.kind == "statistics"]
         if len(of_chance) == len(self.outside):  # whatever the model
             return "; ".join((f"fits{dry}", *of_chance))
-        worst = [one for one in self.outside if one.kind == "impossible"]
-        told = list(dict.fromkeys(one.in_brief for one in worst or self.outside))
-        more = f" and {len(told) - 2} more" if len(told) > 2 else ""
-        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(told[:2])}{more}{dry}"
+        worst = [warning for warning in self.outside if warning.kind == "impossible"]
+        texts = list(dict.fromkeys(warning.in_brief for warning in worst or self.outside))
+        more = f" and {len(texts) - 2} more" if len(texts) > 2 else ""
+        return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(texts[:2])}{more}{dry}"
 
 
 def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
-    """Return the results of one candidate, or why it has none."""
+    """Return the results of one model, or the reason why it has none."""
     answer = _Answer(candidate)
     try:
         problem = make_problem(situation.contact, candidate.choice)
@@ -216,7 +220,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
         return answer
     answer.sources = [source.key for record in problem.records() for source in record.sources]
     if not problem.friction:
-        answer.why_not = "of contact only: it needs an interfacial_shear_strength to say anything of friction"
+        answer.why_not = "it computes contact only; state an interfacial_shear_strength for friction"
     rows = {name: table[None, :] for name, table in curve.items()}
     at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
     answer.told = _of_laws(problem)
@@ -233,7 +237,7 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return grade, family of friction and resistance of plastic junctions of a model."""
+    """Return the grade of a model, the origin of its friction, and its resistance of plastic junctions."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:
@@ -243,22 +247,25 @@ def _of_laws(problem: Problem) -> dict[str, str]:
 
 
 def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
-    """Return the measured error at the working load: mean of area and mu, rms of the area.
+    """Return the benchmark errors at the working load: mean error of area and of mu, and rms error of the area.
 
-    Relative; NaN where nothing was measured near.
+    They are relative, and NaN if no benchmark surface is near.
     """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))
 
 
 def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Normalised results in the units of the contact: each model normalises with the sigma, R and N that it takes."""
+    """Return normalised results in the units of the contact.
+
+    Each model normalises with the sigma, R and N that it uses.
+    """
     factors = problem.subject.scales().factors()
     return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
 
 
 def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
-    """Normalised results (points,) along the separations, or the loads in their place."""
+    """Return normalised results (points,) along the separations, or along the loads for theories without separations."""
     if problem.needs_load:
         loads = problem.few_of(situation.loads / problem.subject.scales().factors()["N"])
         return {name: table[0] for name, table in problem.at_load(loads).items()}
@@ -266,7 +273,7 @@ def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
 
 
 def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Normalised results (1, 1) at the working load; where it is not carried, nothing, and the answer says why."""
+    """Return normalised results (1, 1) at the working load, or None after adding the reason to the answer."""
     points = points_of(problem, target)
     try:
         solved = solve_points(points)
@@ -276,54 +283,58 @@ def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[s
     except Unreachable as error:
         unit = points.factors["N"]
         high, low = (problem.subject.show(load * unit, "load", 4) for load in (error.high, error.low))
-        answer.why_not = f"carries loads up to {high}" if points.wanted.item() > error.high else f"carries loads above {low}"
+        reached = f"up to {high}" if points.wanted.item() > error.high else f"above {low}"
+        answer.why_not = f"carries only loads {reached}"
     except InputError as error:
         answer.why_not = reason_of(error)
     return None
 
 
 def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Return the results, or None where their area is outside all sense; the answer then says why."""
+    """Return the results, or None after adding a reason if the contact area is over 100 times the nominal area."""
     fraction = state_of(problem, results).get("area_fraction")
     if fraction is None or not fraction.item() > _MOST_AREA:
         return results
-    answer.why_not = f"outside all sense: its contact area is {fraction.item():.2g} times the nominal one"
+    answer.why_not = f"impossible: its contact area is {fraction.item():.2g} times the nominal area"
     return None
 
 
 def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.Dataset":
-    """Answers as a dataset over model and point; those that say nothing at all are left out, with the reason."""
-    shown = [one for one in answers if one.curve]
-    dims = {"model": len(shown), "point": max((one.curve["load"].size for one in shown), default=0)}
+    """Return the answers as a dataset over model and point.
+
+    A model without any result is only listed in the attribute `not_applicable`, with the reason.
+    """
+    shown = [answer for answer in answers if answer.curve]
+    dims = {"model": len(shown), "point": max((answer.curve["load"].size for answer in shown), default=0)}
     as_it_is: dict[str, Any] = {}  # results are in the units of the contact already
 
     def padded(values: np.ndarray, nothing: float) -> np.ndarray:
         return np.pad(values, (0, dims["point"] - values.size), constant_values=nothing)
 
-    tables = {name: np.array([padded(one.curve.get(name, np.zeros(0)), np.nan) for one in shown]) for name in RESULTS}
-    data = labelled(contact, tables, as_it_is, dims, {"model": [one.candidate.name for one in shown]})
+    tables = {name: np.array([padded(answer.curve.get(name, np.zeros(0)), np.nan) for answer in shown]) for name in RESULTS}
+    data = labelled(contact, tables, as_it_is, dims, {"model": [answer.candidate.name for answer in shown]})
     if target is not None:
-        single = {name: np.array([(one.at_load or {}).get(name, np.nan) for one in shown]) for name in RESULTS}
-        found = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
-        data = data.merge(found.rename({name: f"{name}_at_load" for name in RESULTS}))
-    numbers = {name: np.array([one.told.get(name, np.nan) for one in shown]) for name in _NUMBERS}
-    texts = {name: [one.told.get(name, nothing) for one in shown] for name, nothing in _TEXTS.items()} | {
-        "outside_validity": ["; ".join(warning.short for warning in one.outside) for one in shown],
-        "validity_warnings": [as_attributes(one.outside)["validity_warnings"] for one in shown],
-        "status": [one.status for one in shown],
-        "why_not": [one.why_not for one in shown],
+        single = {name: np.array([(answer.at_load or {}).get(name, np.nan) for answer in shown]) for name in RESULTS}
+        at_load = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
+        data = data.merge(at_load.rename({name: f"{name}_at_load" for name in RESULTS}))
+    numbers = {name: np.array([answer.told.get(name, np.nan) for answer in shown]) for name in _NUMBERS}
+    texts = {name: [answer.told.get(name, nothing) for answer in shown] for name, nothing in _TEXTS.items()} | {
+        "outside_validity": ["; ".join(warning.short for warning in answer.outside) for answer in shown],
+        "validity_warnings": [as_attributes(answer.outside)["validity_warnings"] for answer in shown],
+        "status": [answer.status for answer in shown],
+        "why_not": [answer.why_not for answer in shown],
     }
-    told = numbers | {name: np.array(values, dtype=object) for name, values in texts.items()}
-    data = data.assign({name: ("model", values) for name, values in told.items()})
-    range_status = np.array([padded(one.range_status, OUTSIDE) for one in shown]).reshape(tuple(dims.values()))
+    columns = numbers | {name: np.array(values, dtype=object) for name, values in texts.items()}
+    data = data.assign({name: ("model", values) for name, values in columns.items()})
+    range_status = np.array([padded(answer.range_status, OUTSIDE) for answer in shown]).reshape(tuple(dims.values()))
     data = data.assign(range_status=(("model", "point"), range_status))
     return data.assign_attrs(_attributes(contact, answers, target))
 
 
 def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[str, Any]:
     """Return the attributes of the dataset."""
-    used = dict.fromkeys(key for one in answers for key in one.sources)
-    left_out = [f"{one.candidate.name}: {one.why_not}" for one in answers if not one.curve]
+    used = dict.fromkeys(key for answer in answers for key in answer.sources)
+    left_out = [f"{answer.candidate.name}: {answer.why_not}" for answer in answers if not answer.curve]
     attributes: dict[str, Any] = {
         "sources": " ".join(used), "not_applicable": "\n".join(left_out), "criteria": "\n".join(criteria_of(contact)),
     }  # fmt: skip
@@ -331,41 +342,42 @@ def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[s
 
 
 def criteria_of(contact: Subject) -> list[str]:
-    """Return what the criteria state of the surface of a contact, one line each.
+    """Return one line for each criterion that applies to the surface of a contact, e.g. whether it is plastic.
 
-    Criteria whose groups are unknown are left out.
+    Criteria that need an unknown group are left out.
     """
     groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
     lines = []
-    for one in of_kind(Criterion).values():
-        if all(groups.knows(name) for name in one.needs):
-            ratio = float(one.ratio(groups)[0])
-            lines.append(f"{one.key}: {one.below if ratio < 1.0 else one.above} (ratio {ratio:.3g}, the border is 1)")
+    for criterion in of_kind(Criterion).values():
+        if all(groups.knows(name) for name in criterion.needs):
+            ratio = float(criterion.ratio(groups)[0])
+            statement = criterion.below if ratio < 1.0 else criterion.above
+            lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, the border is 1)")
     return lines
 
 
 def working_load(case: "Case", given: str | None) -> float | None:
-    """Return the load at which the models of a case are judged, or None.
+    """Return the load at which the models of a case are compared, or None if no load is above 0.
 
-    It is the given one, else the middle one of the case or the pressing one nearest to it in the list. For separations it is
-    among the loads that the model of the case carries there. None where no load presses.
+    It is `given`, or the middle load of the case, or the load above 0 next to the middle. If the case has separations, its
+    own model gives the loads at these. Raises InputError.
     """
     case.subject.require_single(_ONE)
     if given is not None:
         return _pressing(case.subject, given, "--load")
-    loads, at = pressing_loads(case)
-    return float(loads[at]) if loads.size else None
+    loads, index = pressing_loads(case)
+    return float(loads[index]) if loads.size else None
 
 
 def _pressing(subject: Subject, given: Any, field: str) -> float:
-    """Return the given load, in N for a Contact, normalised for Indices.
+    """Return the given load, in N for a Contact, dimensionless for Indices.
 
-    Raises InputError where it does not press.
+    Raises InputError unless it is a single load above 0.
     """
     unit = subject.attributes("load")["units"]
     if not isinstance(given, str) and np.ndim(given) > 0:
-        one = f"one load > 0 {unit}".removesuffix(" 1")
-        raise InputError(field, given, f"{one}: compare takes a single load; solve accepts an array")
+        allowed = f"one load > 0 {unit}".removesuffix(" 1")
+        raise InputError(field, given, f"{allowed}: compare takes a single load; solve accepts an array")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:

@@ -1,9 +1,10 @@
-"""Compare all applicable models on one contact, with the prediction above them; models that agree share a row.
+"""Compare all applicable models on one contact; the prediction is shown above them.
 
-The table states whether a model fits the contact, and why not, and the mean error of its area on solved surfaces near this
-contact. If the contact states an interfacial_shear_strength, models of contact area give friction too. --out writes compare.csv
-(the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png. Models are compared at the middle load of the case, or
-at the nearest load above 0 N; without any such load only the curves are written.
+Models that agree share a row. The table states whether the contact fits a model, and why not, and the mean error of the
+model's area on benchmark surfaces near this contact. If the contact states an interfacial_shear_strength, models of contact
+area give friction too. --out writes compare.csv (the curves), compare_at_load.csv, compare.nc (netCDF4) and compare.png.
+Models are compared at the middle load of the case, or at the nearest load above 0 N; without any such load only the curves
+are written.
 """
 
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Bands over what is uncertain, with the error that their own sampling leaves them."""
+"""Prediction intervals of one model over uncertain inputs, with their sampling errors."""
 
 import json
 from typing import TYPE_CHECKING
@@ -30,20 +30,20 @@ _MANY = 0.05  # the share of impossible draws from which on a warning says so
 
 
 def levels(coverage: float) -> np.ndarray:
-    """Return the quantile levels: the ends of the band, the quarters and the median."""
+    """Return the quantile levels of results: the ends of the interval, the quartiles and the median."""
     return np.array(sorted({(1.0 - coverage) / 2.0, 0.25, 0.5, 0.75, (1.0 + coverage) / 2.0}))
 
 
 def quantiles(values: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Quantiles (shares, ...) of values (parts, n, ...), and their standard errors, from the scatter of the parts.
+    """Return quantiles (levels, ...) of values (parts, n, ...), and their standard errors.
 
-    Each part is a scrambled sequence of its own, so that the parts scatter independently (Owen 1997). Not a number where less
-    than half of the values are known.
+    The standard error follows from the scatter of the parts, which are independently scrambled sequences (Owen 1997). A
+    quantile is NaN if less than half of the values are known.
     """
     parts, count = values.shape[:2]
-    whole = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
-    each = np.array([_quantile(one, shares) for one in values])
-    return whole, each.std(axis=0, ddof=1) / np.sqrt(parts)
+    overall = _quantile(values.reshape(parts * count, *values.shape[2:]), shares)
+    by_part = np.array([_quantile(part, shares) for part in values])
+    return overall, by_part.std(axis=0, ddof=1) / np.sqrt(parts)
 
 
 def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
@@ -56,64 +56,64 @@ def _quantile(values: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Steps = iter) -> "xarray.Dataset":
-    """Return the result of a case with quantiles over its uncertain numbers.
+    """Return the results of a case with quantiles over its uncertain numbers.
 
-    Added are NAME_quantile (quantile, ...), and NAME_quantile_error, its standard error of sampling. Unchanged where nothing is
-    uncertain.
+    Added are NAME_quantile (quantile, ...) and NAME_quantile_error, its standard error due to sampling. Results of a case
+    without uncertain numbers are returned unchanged.
     """
     if not case.uncertain:
         return data
     if solves_maps(choice):
-        why = f"no interval is given: {choice.model_key} would have to solve the map for every sample"
+        why = f"no interval is given: {choice.model_key} would have to solve the map for each sample"
         return with_warnings(data, [ValidityWarning(why)])
     wanted = case.uncertainty
     names = [name for name in OUTPUTS if name in data.data_vars]
     shares = scrambled(len(case.unknowns), wanted.count, wanted.seed, _PARTS)
-    found = draw(case, shares.reshape(wanted.count, -1), [Variant(choice)], names=names, progress=progress)
+    draws = draw(case, shares.reshape(wanted.count, -1), [Variant(choice)], names=names, progress=progress)
     variables: dict[str, tuple] = {}
-    for name in found.tables:
-        variables |= _as_variables(name, found, levels(wanted.coverage))
+    for name in draws.tables:
+        variables |= _as_variables(name, draws, levels(wanted.coverage))
     data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "share of the points below"}))
-    return _said(data.assign(variables), case, found)
+    return _said(data.assign(variables), case, draws)
 
 
-def _as_variables(name: str, found: Draws, shares: np.ndarray) -> dict[str, tuple]:
-    table = found.tables[name]
+def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tuple]:
+    table = draws.tables[name]
     values, errors = quantiles(table.reshape(_PARTS, len(table) // _PARTS, *table.shape[1:]), shares)
-    dims, meaning = ("quantile", *found.dims[name]), dict(found.attributes[name])
-    said = meaning.pop("comment", meaning["long_name"])
+    dims, meaning = ("quantile", *draws.dims[name]), dict(draws.attributes[name])
+    long_name = meaning.pop("comment", meaning["long_name"])
     return {
-        f"{name}_quantile": (dims, values, meaning | {"long_name": f"{said}, quantiles over what is uncertain"}),
-        f"{name}_quantile_error": (dims, errors, meaning | {"long_name": f"{said}, standard error of its quantiles"}),
+        f"{name}_quantile": (dims, values, meaning | {"long_name": f"{long_name}, quantiles over what is uncertain"}),
+        f"{name}_quantile_error": (dims, errors, meaning | {"long_name": f"{long_name}, standard error of its quantiles"}),
     }
 
 
-def _said(data: "xarray.Dataset", case: Case, found: Draws) -> "xarray.Dataset":
-    """With what is uncertain, how it was drawn, and where nothing is known."""
-    lost = sum(found.shares().get(why, 0.0) for why in WHY_NOT[:2])
-    impossible = found.impossible_share
+def _said(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
+    """Return the dataset with attributes on the uncertain inputs and warnings of missing or impossible samples."""
+    lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
+    impossible = draws.impossible_share
     if lost:
-        why = f"{lost:.0%} of the samples have no result: intervals are over the others"
+        why = f"{lost:.0%} of the samples have no result: intervals cover the others"
         data = with_warnings(data, [ValidityWarning(why)])
     if impossible > _MANY:
         why = f"{impossible:.0%} of the samples exceed nominal area or hardness and are excluded"
-        left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu is over the others"
+        left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu covers the others"
         data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
         drawing_said(case),
-        validity_warnings_of_points=warning_shares(found),
+        validity_warnings_of_points=warning_shares(draws),
         impossible_draws=impossible,
         coverage=case.uncertainty.coverage,
     )
 
 
 def drawing_said(case: Case) -> dict[str, str]:
-    """Return what is uncertain of a case, and how it is drawn, as attributes of a result."""
+    """Return the uncertain inputs of a case and their sampling as text attributes of a result."""
     words = (f"{name}: {together[0].distribution.words}" for name, together in case.unknowns.items())
     drawn = f"{case.uncertainty.count} points, seed {case.uncertainty.seed}"
     return {"uncertain_inputs": "\n".join(words), "uncertainty": drawn}
 
 
-def warning_shares(found: Draws) -> str:
-    """Return the share of all points at which each range is left, as JSON."""
-    return json.dumps(found.shares(), ensure_ascii=False)
+def warning_shares(draws: Draws) -> str:
+    """Return the fraction of all points outside each validity range, as JSON."""
+    return json.dumps(draws.shares(), ensure_ascii=False)

@@ -1,4 +1,7 @@
-"""Many contacts that are drawn from what is uncertain, solved together: by one model, or each by the one drawn for it."""
+"""Samples of a contact with uncertain numbers, solved together.
+
+One model may solve all samples, or each sample may have its own model.
+"""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -26,23 +29,25 @@ _MOST = 50_000_000  # points that are kept
 
 @dataclass(frozen=True)
 class Variant:
-    """Who answers: a model with its laws and, of a measured surface, the roughness that one method finds."""
+    """A model with its laws and, for a measured surface, the roughness found by one asperity method."""
 
     choice: Choice
     roughness: Any = None
 
     def case(self, case: Case) -> Case:
-        """Return the case as it is asked."""
+        """Return the case with the roughness of this variant."""
         return case if self.roughness is None else case.at({("contact", "roughness"): self.roughness})
 
 
 @dataclass
 class Draws:
-    """Results of contacts that are drawn.
+    """Results of n samples of a contact.
 
-    tables: name -> array (n, *shape), NaN where nothing is known and where the result is impossible; dims: name -> the
-    dimensions of that shape; attributes: name -> meaning and unit. validity_warnings: range of validity, or why nothing is
-    known -> in how many points. impossible: in how many points the result is impossible.
+    - points: number of points of one contact
+    - tables: name -> array (n, *shape), NaN where a result is missing or impossible
+    - dims, attributes: name -> dimensions of `shape`, and meaning and unit
+    - validity_warnings: text of a violated validity range, or reason for a missing result -> number of points
+    - impossible: number of points with an impossible result
     """
 
     points: int = 0
@@ -53,12 +58,15 @@ class Draws:
     impossible: int = 0
 
     def shares(self) -> dict[str, float]:
-        """Range of validity, or why nothing is known -> in which share of all points; those that are nowhere left out."""
+        """Return the fraction of all points for each validity warning or reason for a missing result, by text.
+
+        The most frequent is first; texts without points are left out.
+        """
         return {text: count / self._every for text, count in self.validity_warnings.most_common() if count}
 
     @property
     def impossible_share(self) -> float:
-        """Return the share of all points whose result is impossible."""
+        """Return the fraction of all points with an impossible result."""
         return self.impossible / self._every
 
     @property
@@ -67,21 +75,24 @@ class Draws:
 
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
-    """Points (parts, count / parts, columns) in the unit cube: of Sobol's sequence, each part scrambled on its own (Owen)."""
-    return np.array([sobol_points(columns, count // parts, one) for one in np.random.SeedSequence(seed).spawn(parts)])
+    """Return points (parts, count / parts, columns) in the unit cube from Sobol sequences, one for each part.
+
+    Each sequence has its own Owen scrambling.
+    """
+    return np.array([sobol_points(columns, count // parts, sequence) for sequence in np.random.SeedSequence(seed).spawn(parts)])
 
 
 def _steps(variants: Sequence[Variant], rows: np.ndarray, points: int) -> list[tuple[int, np.ndarray]]:
-    """Return the steps, each a variant and the indices of its rows.
+    """Return the batches to solve: (index of a variant, indices of rows).
 
-    rows: the variant of each row.
+    rows: index of the variant of each row; points: number of points of one contact.
     """
     size = max(1, _AT_ONCE // max(points, 1))
-    found = []
-    for at in range(len(variants)):
-        mine = np.flatnonzero(rows == at)
-        found += [(at, mine[start : start + size]) for start in range(0, len(mine), size)]
-    return found
+    steps = []
+    for variant in range(len(variants)):
+        mine = np.flatnonzero(rows == variant)
+        steps += [(variant, mine[start : start + size]) for start in range(0, len(mine), size)]
+    return steps
 
 
 def draw(
@@ -92,71 +103,76 @@ def draw(
     names: Sequence[str] = OUTPUTS,
     progress: Any = iter,
 ) -> Draws:
-    """Solve the case at these quantile levels (n, k) of its `unknowns`.
+    """Solve a case at these quantile levels (n, k) of its `unknowns`.
 
-    Each row is solved by its variant, by default the first. names: results to keep. progress: wraps the list of steps. Raises
-    InputError where the first variant refuses the nominal contact, or where there are too many points.
+    rows: index of the variant that solves each sample, by default the first. names: results to return. progress: wraps the
+    list of batches. Raises InputError if the first variant refuses the nominal contact, or if there are too many points.
     """
-    for one in variants:
-        if solves_maps(one.choice):
-            raise InputError("model", one.choice.model_key, "a model that solves many contacts at once: numbers are uncertain")
-    found = _layout(case, variants, names)
+    for variant in variants:
+        if solves_maps(variant.choice):
+            raise InputError(
+                "model", variant.choice.model_key, "a model that can solve many samples, because numbers are uncertain"
+            )
+    draws = _layout(case, variants, names)
     count = len(shares)
-    if count * found.points > _MOST:
-        raise InputError("uncertainty.count", count, f"{_MOST // found.points} at most at {found.points} points of a contact")
-    found.tables = {name: np.full((count, *table.shape), np.nan) for name, table in found.tables.items()}
+    if count * draws.points > _MOST:
+        raise InputError("uncertainty.count", count, f"at most {_MOST // draws.points} for {draws.points} points per contact")
+    draws.tables = {name: np.full((count, *table.shape), np.nan) for name, table in draws.tables.items()}
     rows = np.zeros(count, dtype=int) if rows is None else rows
-    cases, points = [one.case(case) for one in variants], _points(case)
-    for at, some in progress(_steps(variants, rows, found.points)):
-        numbers, choice = case.numbers_at(shares[some]), variants[at].choice
-        for region, _, solved in evaluate_many(cases[at], numbers, points, choice, names, along=(SAMPLE,)):
-            _keep(found, some[region.get(SAMPLE, slice(None))], solved)
-    return found
+    cases, points = [variant.case(case) for variant in variants], _points(case)
+    for index, some in progress(_steps(variants, rows, draws.points)):
+        numbers, choice = case.numbers_at(shares[some]), variants[index].choice
+        for region, _, solved in evaluate_many(cases[index], numbers, points, choice, names, along=(SAMPLE,)):
+            _keep(draws, some[region.get(SAMPLE, slice(None))], solved)
+    return draws
 
 
 def _points(case: Case) -> dict[str, Any] | None:
-    """Return the loads of the case; separations follow from the tables, whose sigma may vary."""
+    """Return the loads of the case, or None for separations, which the case recomputes if sigma varies."""
     return None if case.load is None else {"load": case.load}
 
 
 def solves_maps(choice: Choice) -> bool:
-    """Whether this model solves the map of one contact, point by point: not for thousands that are drawn."""
+    """Return whether this model solves a height map, which is too slow for thousands of samples."""
     return find(choice.model_key, RoughSurface).of_map is not None
 
 
 def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Draws:
-    """Shapes and meanings of all results, of the nominal contact; a variant that refuses it says nothing of them."""
-    found = Draws()
-    for at, one in enumerate(variants):
+    """Return the shapes and meanings of all results, from the nominal contact.
+
+    Variants that refuse the nominal contact are ignored, except for the first. Raises InputError or ArithmeticError.
+    """
+    draws = Draws()
+    for index, variant in enumerate(variants):
         try:
-            _, solved = evaluate_together(one.case(case), case.several, _points(case), one.choice, names)
+            _, solved = evaluate_together(variant.case(case), case.several, _points(case), variant.choice, names)
         except (InputError, ArithmeticError):
-            if at == 0:
+            if index == 0:
                 raise
             continue
-        found.points = max(found.points, solved.validity_warnings[1].size)
+        draws.points = max(draws.points, solved.validity_warnings[1].size)
         for name, (dims, values, attributes) in solved.variables.items():
             if name in names:
-                found.tables.setdefault(name, values)
-                found.dims.setdefault(name, tuple(dims))
-                found.attributes.setdefault(name, attributes)
-    return found
+                draws.tables.setdefault(name, values)
+                draws.dims.setdefault(name, tuple(dims))
+                draws.attributes.setdefault(name, attributes)
+    return draws
 
 
-def _keep(found: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
+def _keep(draws: Draws, rows: np.ndarray, solved: BatchResult | None) -> None:
     if solved is None:
-        found.validity_warnings[WHY_NOT[0]] += len(rows) * found.points
+        draws.validity_warnings[WHY_NOT[0]] += len(rows) * draws.points
         return
     points, bits = solved.validity_warnings
     rules = [bit for bit, rule in enumerate(solved.rules, start=len(WHY_NOT)) if excludes(rule)]
     impossible = bits & np.uint32(sum(1 << bit for bit in rules)) != 0
     for name, (dims, values, _) in solved.variables.items():
-        if name in found.tables:
+        if name in draws.tables:
             values = np.where(impossible, np.nan, values) if tuple(dims) == points else values
-            wanted = found.dims[name]  # separations over a sigma that is drawn have a name of their own
+            wanted = draws.dims[name]  # separations over a sigma that is drawn have a name of their own
             have = ["mean_separation" if dim == "separation" and dim not in wanted else dim for dim in dims]
-            found.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
-    times = len(rows) * found.points // bits.size
-    found.impossible += times * int(impossible.sum())
+            draws.tables[name][rows] = arranged(values, have, (SAMPLE, *wanted))
+    times = len(rows) * draws.points // bits.size
+    draws.impossible += times * int(impossible.sum())
     for bit, text in enumerate(meanings_of(solved.rules)):
-        found.validity_warnings[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
+        draws.validity_warnings[text] += times * int(((bits >> np.uint32(bit)) & 1).sum())
