@@ -1,6 +1,6 @@
-"""Run commands on generated case files, and report every one that ends in no answer and no single line.
+"""Run commands on generated case files, and other inputs, and report all that end in no answer and no single line.
 
-    python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60]
+    python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60] [--only commands]
 
 A failure is a traceback, a message of more than one line, a command of more than `--seconds`, a number that is not finite, a
 negative area or friction coefficient, an interval without mu in it, or a number that differs in a second run. Exit code 1 where
@@ -10,6 +10,7 @@ there is one. Each failure is printed with its seed: `python fuzz/run.py --first
 import argparse
 import json
 import math
+import random
 import signal
 import sys
 import tempfile
@@ -27,6 +28,7 @@ from typer.testing import CliRunner
 sys.path.insert(0, str(Path(__file__).parent))
 
 from generate import case_of
+from inputs import TARGETS
 
 from stiction import cli
 from stiction.case.text import as_toml
@@ -39,6 +41,17 @@ _MAY_BE_NEGATIVE = ("load", "separation")
 
 class TooLong(BaseException):
     """Raised where a command takes more time than is allowed; no handler of errors takes it."""
+
+
+def failures_of_inputs(seed: int, name: str, seconds: int) -> Iterator[str]:
+    """Yield what fails of a target of `inputs.py` at a seed."""
+    target = next(target for target in TARGETS if target.__name__ == name)
+    try:
+        with at_most(seconds), tempfile.TemporaryDirectory() as folder:
+            for failure in target(random.Random(seed), Path(folder)):
+                yield f"seed {seed}, {name}: {failure}"
+    except TooLong:
+        yield f"seed {seed}, {name}: more than {seconds} s"
 
 
 def failures_of(seed: int, seconds: int, outcomes: Counter[str]) -> Iterator[str]:
@@ -163,17 +176,26 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=1_000_000, help="number of seeds")
     parser.add_argument("--minutes", type=float, default=5.0, help="end after so many minutes")
     parser.add_argument("--seconds", type=int, default=60, help="most seconds of a command")
+    names = ["commands", *(target.__name__ for target in TARGETS)]
+    parser.add_argument("--only", choices=names, action="append", help="what is tried; by default all")
     wanted = parser.parse_args()
+    names = wanted.only or names
     end, outcomes, found = time.monotonic() + 60.0 * wanted.minutes, Counter[str](), 0
     done = 0
     for seed in range(wanted.first, wanted.first + wanted.count):
         if time.monotonic() > end:
             break
-        for failure in failures_of(seed, wanted.seconds, outcomes):
-            found += 1
-            print(failure, flush=True)
+        for name in names:
+            failures = (
+                failures_of(seed, wanted.seconds, outcomes)
+                if name == "commands"
+                else failures_of_inputs(seed, name, wanted.seconds)
+            )
+            for failure in failures:
+                found += 1
+                print(failure, flush=True)
         done += 1
-    print(f"{done} cases from seed {wanted.first}; {found} failures")
+    print(f"{done} seeds from {wanted.first}; {found} failures")
     print("; ".join(f"{outcome}: {count}" for outcome, count in sorted(outcomes.items())))
     return int(found > 0)
 

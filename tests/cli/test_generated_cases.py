@@ -1,4 +1,4 @@
-"""A fixed share of the generated cases of `make fuzz`: each command ends in an answer or in one line."""
+"""A fixed share of the generated cases and other inputs of `make fuzz`: each ends in an answer or in one line."""
 
 import sys
 from collections import Counter
@@ -9,7 +9,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2] / "fuzz"))
 
 import generate
+import inputs
 import run
+
+import stiction as st
 
 SEEDS = range(30)
 
@@ -19,6 +22,17 @@ def test_a_generated_case_is_answered_or_refused_in_one_line(seed):
     outcomes = Counter()
     assert not list(run.failures_of(seed, 60, outcomes))
     assert sum(outcomes.values()) > 0
+
+
+@pytest.mark.parametrize("target", inputs.TARGETS, ids=lambda target: target.__name__)
+def test_other_inputs_are_read_or_refused_in_one_line(target):
+    assert not [failure for seed in range(20) for failure in run.failures_of_inputs(seed, target.__name__, 60)]
+
+
+def test_another_error_than_an_input_error_is_a_failure():
+    (failure,) = inputs.refused_or_fine("here", lambda: 1 / 0)
+    assert failure.startswith("here: ZeroDivisionError")
+    assert not list(inputs.refused_or_fine("here", lambda: st.Indices(theta=-1, lam=1)))
 
 
 def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
@@ -42,8 +56,6 @@ def test_a_fault_in_a_result_is_found(result, fault):
 
 
 def test_several_heights_of_a_finish_are_predicted_one_by_one():
-    import stiction as st
-
     contact = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "nominal_area": "1 mm^2"}
 
     def predicted(height):

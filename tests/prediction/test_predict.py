@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 from scipy.stats import norm
 
 import stiction as st
+from stiction.studies.prediction.area import grown_to
 from stiction.studies.prediction.junctions import grown, squeezed
 
 ROUGH = {"asperity_height_deviation": 2e-7, "asperity_radius": 2e-5, "asperity_density": 1e10}
@@ -254,3 +255,8 @@ def test_the_kind_of_a_surface_narrows_the_answer_under_a_film_too():
     wide, narrow = (math.log(one.friction_coefficient_high / one.friction_coefficient_low) for one in (plain, known))
     assert narrow < 0.7 * wide
     assert not known.inputs_not_used and "kind of surface is not stated" in plain.warnings[0]
+
+
+@pytest.mark.parametrize(("share", "grown"), [(1e-26, 2e-26), (1e-16, 2e-16), (0.5, 0.75), (1.0, 1.0)])
+def test_an_area_grows_also_where_it_is_a_tiny_share_of_the_nominal(share, grown):
+    assert grown_to(np.array(share), np.array(2.0), np.array(1.0)) == pytest.approx(grown, rel=1e-12)

@@ -208,7 +208,11 @@ def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
     >>> state["name"]
     'oxidised metal'
     """
-    return [_row(interface(name)) for name in (interface_names() if names is None else names)]
+    try:
+        wanted = interface_names() if names is None else list(names)
+    except TypeError:
+        raise InputError("names", names, "a list of names of states, or None for all") from None
+    return [_row(interface(name)) for name in wanted]
 
 
 def _row(state: Interface) -> dict[str, Any]:

@@ -193,7 +193,7 @@ def work_of_adhesion(
     energies = []
     for field, body in (("first", first), ("second", second)):
         body = as_material(body)
-        if body.surface_energy is None:
+        if getattr(body, "surface_energy", None) is None:
             raise InputError(f"{field}.surface_energy", None, "a material with a surface_energy, e.g. 1.25 J/m^2")
         energies.append(body.surface_energy)
     return to_si(energies[0] + energies[1] - to_si(interfacial, "interfacial_energy"), "work_of_adhesion")
@@ -205,7 +205,9 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
     Case matters only where it distinguishes presets: "tin" is the metal, "TiN" the nitride. others: further accepted
     names. Raises InputError, with the name of the field, for an unknown or ambiguous word.
     """
-    if isinstance(word, str) and word in _presets():
+    if not isinstance(word, str):
+        raise InputError(field, word, "the name of a preset; all: stiction materials")
+    if word in _presets():
         return word
     words = {(name, text) for name, preset in _presets().items() for text in (name, *preset.symbols)}
     exact = {name for name, text in words if text == word}

@@ -215,7 +215,7 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     >>> result.attrs["heights"]
     'weibull'
     """
-    if key not in DISTRIBUTIONS:
+    if not isinstance(key, str) or key not in DISTRIBUTIONS:
         raise InputError("height_distribution", key, ", ".join(DISTRIBUTIONS))
     try:
         return DISTRIBUTIONS[key](**parameters)

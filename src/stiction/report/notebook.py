@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from stiction.laws.validity import warnings_of
 from stiction.quantities import html
+from stiction.quantities.errors import InputError
 from stiction.records.registry import GRADES
 from stiction.report.answer import answer_lines
 from stiction.report.card import Card, card_of
@@ -54,12 +55,19 @@ def summary(result: "xarray.Dataset") -> Summary:
         For `predict`: the answer. For other results: model, grade, ranges of the results, and validity warnings. A notebook
         shows it as HTML.
 
+    Raises
+    ------
+    InputError
+        This is no result.
+
     Examples
     --------
     >>> import stiction as st
     >>> print(st.summary(st.solve(st.Indices(theta=40, lam=10), load=1e-3)).title)
     Static friction after soft_coating_2015
     """
+    if not hasattr(result, "attrs"):
+        raise InputError("result", result, "a result of predict, solve or compare")
     used = result.attrs
     if "regime" in used:
         return Summary(used.get("case") or "Prediction", answer_lines(result), [], card_of(result))

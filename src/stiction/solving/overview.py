@@ -39,7 +39,10 @@ def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     """
     if keys is None:
         return [_row(record) for record in records()]
-    wanted = list(keys)
+    try:
+        wanted = list(keys)
+    except TypeError:
+        raise InputError("keys", keys, "a list of keys of models, or None for all") from None
     known = {record.key for record in records()}
     for key in wanted:
         if key not in known:

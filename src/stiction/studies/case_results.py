@@ -5,7 +5,7 @@ For a surface measured by scans, they add the range of friction over the asperit
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -69,7 +69,8 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     array([0.5, 1. ])
     """
     case = as_case(case)
-    choice = choice or case.choice
+    choice = case.choice if choice is None else choice
+    _check_choice(choice)
     if choice.model == RECOMMENDED and is_predicted(chosen := replace(case, choice=choice)):
         return predict(chosen)
     _check_size(case)
@@ -131,7 +132,7 @@ def slide_case(
     case = as_case(case)
     if case.is_several:
         raise InputError("contact", "array parameters", "a single contact; st.slide accepts arrays")
-    choice = choice_of_case(case, choice or case.choice)
+    choice = choice_of_case(case, case.choice if choice is None else choice)
     arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: row[few_places(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
@@ -162,8 +163,14 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
     return data.assign(several).assign_attrs(subject.groups())
 
 
+def _check_choice(choice: Any) -> None:
+    if not isinstance(choice, Choice):
+        raise InputError("choice", choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
+
+
 def choice_of_case(case: Case, choice: Choice) -> Choice:
     """Return the choice for a case, with a model name replaced by the model and laws that it selects. Raises InputError."""
+    _check_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)

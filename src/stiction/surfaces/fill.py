@@ -17,7 +17,7 @@ def fill_missing(surface: HeightMap, way: str = "harmonic") -> HeightMap:
     height of the nearest known point. Filled regions are smoother than the real surface, so slopes and summits are inaccurate
     if many points are missing. Raises InputError if no height is known or `way` is unknown.
     """
-    if way not in FILLS:
+    if not isinstance(way, str) or way not in FILLS:
         raise InputError("fill", way, " or ".join(FILLS))
     missing = np.isnan(surface.heights)
     count = int(np.count_nonzero(missing))

@@ -17,6 +17,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import AsperityMethod, Parameter, find, of_kind
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap, in_metres
+from stiction.surfaces.held import as_height_map
 
 if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
@@ -72,7 +73,7 @@ def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityL
     >>> print(f"{st.asperities(surface).radius:.1e} m")
     3.1e-06 m
     """
-    record = find(str(method), AsperityMethod)
+    surface, record = as_height_map(surface), find(str(method), AsperityMethod)
     if not np.isfinite(surface.heights).any():
         raise InputError("heights", "all points missing", "a map with heights")
     if surface.is_profile and not record.of_profiles:

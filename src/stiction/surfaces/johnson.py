@@ -17,6 +17,7 @@ closed form of the moments of the bounded one: curves and fit are written here, 
 
 import math
 from collections.abc import Callable
+from numbers import Real
 
 import numpy as np
 from scipy.optimize import brentq, least_squares
@@ -39,6 +40,9 @@ def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarr
     It maps a standard Gaussian variable to mean 0 and variance 1. kurtosis: 3 of a Gaussian; above skewness^2 + 1 and at most
     50. Raises InputError otherwise, or where no curve is found (close to that limit, where the heights are two values).
     """
+    for name, value in (("skewness", skewness), ("kurtosis", kurtosis)):
+        if isinstance(value, bool) or not isinstance(value, Real) or abs(value) > 1e100:
+            raise InputError(name, value, "a finite number")
     limit = skewness * skewness + 1.0
     if not (math.isfinite(skewness) and limit < kurtosis <= _LARGEST):
         raise InputError("kurtosis", kurtosis, f"> {limit:g} (skewness^2 + 1) and <= {_LARGEST:g}; 3 for Gaussian heights")

@@ -15,6 +15,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
 from stiction.surfaces.fill import fill_missing
 from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.held import as_height_map
 from stiction.surfaces.spikes import mask_spikes
 
 if TYPE_CHECKING:
@@ -64,12 +65,14 @@ def prepared(
     >>> print(st.prepared(surface, shortest="500 nm").history[-1].split(":")[0])
     filtered to wavelengths 500 nm to all
     """
-    raw = surface
+    surface = raw = as_height_map(surface)
     if spikes is not None:
         surface = mask_spikes(level(surface), spikes)
+    if isinstance(form, bool) or form not in (0, 1, 2, 3, 4):
+        raise InputError("form", form, "0, 1, 2, 3 or 4: the order of the polynomial that is removed; 0 for none")
     if form == 1:
         surface = level(surface)
-    elif form > 1:
+    elif form:
         surface = remove_form(surface, order=form)
     _check_left(raw, surface)
     if fill is not None:

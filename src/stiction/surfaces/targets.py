@@ -83,9 +83,9 @@ class SelfAffine:
 
     def __post_init__(self) -> None:
         _to_metres(self, "rolloff", "shortest", "deviation", "longest")
-        if not 0.0 <= self.hurst <= 1.0:
+        if not (isinstance(self.hurst, Real) and 0.0 <= self.hurst <= 1.0):
             raise InputError("hurst", self.hurst, "0 to 1")
-        if self.dimensions not in _SHARES:
+        if not isinstance(self.dimensions, Real) or self.dimensions not in _SHARES:
             raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
         require_positive(shortest=self.shortest, deviation=self.deviation, rolloff=self.rolloff)
         if not self.shortest <= self.rolloff < math.inf:

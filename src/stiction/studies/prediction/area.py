@@ -6,6 +6,7 @@ area depends on load, hardness and roughness. Models are combined with stacking 
 surfaces left out of the fit best (`make truth`).
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
@@ -42,6 +43,7 @@ _FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter of the solution of a map, which onl
 # Share of the nominal area from which on a law that says nothing of a draw means that it is pressed flat; below, that spots
 # would bear more than they can: then the area is the least that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9
+_LARGEST_BELOW_1, _LOG_CLOSED = 1.0 - 2.0**-53, math.log(1e-300)
 _SHARPEST = 1.0  # sigma over R: asperities of a draw that are higher than their tips are wide cannot be
 _POWER = 3.5  # of the mean of elastic and plastic area
 _SOLVED = 0.005  # standard deviation of ln of what the solved areas are known to of surfaces that are known by numbers
@@ -52,8 +54,10 @@ _OF_FEW = 2.0
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
     """Return an area multiplied by a factor while it is small, and limited by the nominal area."""
-    open_share = np.maximum(1.0 - area / nominal, 1e-300)
-    return nominal * -np.expm1(np.log(open_share) * factor)
+    share = area / nominal
+    # log1p, because 1 - share has no digits of a share of 1e-16; a closed contact stays closed.
+    log_open = np.where(share < 1.0, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)), _LOG_CLOSED)
+    return nominal * -np.expm1(log_open * factor)
 
 
 @dataclass(frozen=True)

@@ -53,6 +53,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
     >>> round(st.predict_value("mu", "load", 10, *pairs), 2)
     0.43
     """
+    output = str(output)
     name = _MU + output[2:] if output in ("mu", "mu_low", "mu_high") else output
     if name not in PREDICTED:
         raise InputError("output", output, ", ".join(PREDICTED).replace(_MU, "mu"))

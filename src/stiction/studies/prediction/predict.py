@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from numbers import Real
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -103,7 +104,7 @@ def predict(
     >>> bool(answer.friction_coefficient_low < answer.friction_coefficient < answer.friction_coefficient_high)
     True
     """
-    if level is not None and not 0.0 < level < 1.0:
+    if level is not None and not (isinstance(level, Real) and 0.0 < level < 1.0):
         raise InputError("level", level, "a probability above 0 and below 1, e.g. 0.9")
     case = case_given(contact, load)
     level = case.uncertainty.coverage if level is None else level

@@ -13,6 +13,7 @@ from stiction.surfaces.areal_parameters import areal_parameters
 from stiction.surfaces.finding import Asperities, asperities, methods
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
+from stiction.surfaces.held import as_height_map
 from stiction.surfaces.measured import independent, standing_method
 from stiction.surfaces.prepare import fill_missing
 from stiction.surfaces.spectrum import BinnedSpectrum, power_spectrum, radial_average
@@ -80,6 +81,7 @@ def analyse(surface: HeightMap, progress: Steps = iter, tip_radius: "QuantityLik
     >>> "mccool" in st.analyse(surface).asperities
     True
     """
+    surface = as_height_map(surface)
     tip = None if tip_radius is None else metres(tip_radius, "tip_radius")
     each: dict[str, Asperities] = {}
     failures: dict[str, str] = {}

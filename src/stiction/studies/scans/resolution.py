@@ -178,7 +178,7 @@ def resolution_study(
     surface = as_height_map(surface, "surface")
     wanted = _cutoffs(default_cutoffs(surface) if cutoffs is None else cutoffs)
     keys = _methods(surface, methods)
-    asked = _Friction(contact, load, choice or Choice())
+    asked = _Friction(contact, load, Choice() if choice is None else choice)
     given = options or {}
     if set(given) - set(keys):
         raise InputError("options", tuple(given), f"of the methods {', '.join(keys)}")
@@ -221,7 +221,7 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
     if methods is None:
         return allowed
     keys = () if not isinstance(methods, Iterable) else (methods,) if isinstance(methods, str) else tuple(methods)
-    if not keys or any(key not in allowed for key in keys):
+    if not keys or any(not isinstance(key, str) or key not in allowed for key in keys):
         raise InputError("methods", methods, f"one or more of {', '.join(allowed)}")
     return keys
 
