@@ -67,7 +67,7 @@ def test_a_design_is_drawn_against_the_number_that_is_designed(path):
     data = st.design(path)
     (axes,) = data.stiction.plot().axes
     x = np.concatenate([line.get_xdata() for line in axes.lines[:2]])
-    assert x.size == data.attrs["evaluated"] and {"ends of the search", "best"} <= set(axes.get_legend_handles_labels()[1])
+    assert x.size == data.attrs["evaluated"] and {"search limits", "best"} <= set(axes.get_legend_handles_labels()[1])
     assert axes.lines[1].get_ydata().min() == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-9)
     assert [line.get_xdata()[0] for line in axes.lines[-2:]] == pytest.approx([1e-5, 1e-4])
 

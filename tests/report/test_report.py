@@ -75,7 +75,7 @@ def test_inputs_say_what_the_answer_counts_and_where_the_strength_comes_from(tmp
     """The ranges of materials are drawn unless the case says otherwise; the strength is that of the state that it names."""
     write_report(small(tmp_path, OXIDISED + ranges), tmp_path / "report.html")
     text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
-    ranged = re.findall(r"known to be .*?: (not counted|counted)", text)
+    ranged = re.findall(r"known range .*?: (not counted|counted)", text)
     assert ranged and set(ranged) == {counted}
     assert "state of the interface oxidised metal the case" in text
     assert "the state of the interface (stiction interfaces)" in text and "interface." not in text.split("Curves")[0]

@@ -382,13 +382,13 @@ def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(with_ra
     figure = method_spread_figure(with_range_over_methods, "a title")
     (axes,) = figure.axes
     load, taken = axes.lines[0].get_data()
-    assert axes.lines[0].get_label() == "taken: persistent summits"
+    assert axes.lines[0].get_label() == "used: persistent summits"
     np.testing.assert_array_equal(load, with_range_over_methods["load"])
     np.testing.assert_array_equal(taken, with_range_over_methods["friction_coefficient"])
     table = with_range_over_methods["friction_coefficient_by_method"].values
     drawn = {line.get_label().partition("\n")[0]: line for line in axes.lines}
     assert {label for label in drawn if not label.startswith("slope")} == {
-        "taken: persistent summits",
+        "used: persistent summits",
         "moments (McCool)",
         "n-point asperities",
     }

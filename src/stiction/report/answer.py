@@ -55,22 +55,22 @@ def confidence(mu: float, low: float, high: float) -> str:
 
 def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
     """Return the answer of a prediction as a dict for JSON."""
-    here = at_working_load(data)
+    point = at_working_load(data)
 
     def ends(name: str) -> list[float]:
-        return [float(here[f"{name}_low"]), float(here[f"{name}_high"])]
+        return [float(point[f"{name}_low"]), float(point[f"{name}_high"])]
 
     return {
-        "load": float(here["load"]),
-        "friction_coefficient": float(here[_MU]),
+        "load": float(point["load"]),
+        "friction_coefficient": float(point[_MU]),
         "interval": ends(_MU),
         "level": data.attrs["level"],
-        "confidence": confidence(float(here[_MU]), *ends(_MU)),
-        "friction_force": float(here[_FORCE]),
+        "confidence": confidence(float(point[_MU]), *ends(_MU)),
+        "friction_force": float(point[_FORCE]),
         "friction_force_interval": ends(_FORCE),
-        "contact_area": float(here[_AREA]),
+        "contact_area": float(point[_AREA]),
         "contact_area_interval": ends(_AREA),
-        "efficiency": float(here["friction_efficiency"]) if "friction_efficiency" in here else None,
+        "efficiency": float(point["friction_efficiency"]) if "friction_efficiency" in point else None,
         "regime": data.attrs["regime"],
         "shares": dict(data.attrs["shares"]),
         "warnings": list(data.attrs["warnings"]),
@@ -89,12 +89,12 @@ def model_record(data: "xarray.Dataset") -> dict[str, Any]:
     `interval` covers the uncertain inputs. It is None if no input is uncertain, if no sample has a result, or if mu is the
     same in all samples.
     """
-    here = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
-    mu = float(here[_MU]) if _MU in here else None
-    answer = {"load": float(here["load"]), "friction_coefficient": mu, "interval": None, "level": None}
-    if f"{_MU}_quantile" not in here:
+    point = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
+    mu = float(point[_MU]) if _MU in point else None
+    answer = {"load": float(point["load"]), "friction_coefficient": mu, "interval": None, "level": None}
+    if f"{_MU}_quantile" not in point:
         return answer
-    ends = here[f"{_MU}_quantile"]
+    ends = point[f"{_MU}_quantile"]
     low, high = float(ends[0]), float(ends[-1])
     if not high - low > _NO_WIDTH * high:
         return answer
@@ -106,9 +106,9 @@ def number(value: float) -> str:
     return f"{float(f'{value:.2g}'):g}"
 
 
-def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
+def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
     """Format the interval of a result as "low to high", with units if `quantity` is given."""
-    low, high = (float(here[f"{name}_{end}"]) for end in ("low", "high"))
+    low, high = (float(point[f"{name}_{end}"]) for end in ("low", "high"))
     if quantity is None:
         return f"{number(low)} to {number(high)}"
     return f"{show(low, quantity, 2)} to {show(high, quantity, 2)}"
@@ -116,8 +116,8 @@ def span(here: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
 
 def headline(data: "xarray.Dataset") -> str:
     """Return one line with mu and its interval."""
-    here = at_working_load(data)
-    return f"mu = {number(float(here[_MU]))}, {data.attrs['level']:.0%} interval {span(here, _MU)}"
+    point = at_working_load(data)
+    return f"mu = {number(float(point[_MU]))}, {data.attrs['level']:.0%} interval {span(point, _MU)}"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
@@ -130,20 +130,23 @@ def beside_area(attrs: dict[str, Any]) -> str:
 
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     """Return the answer as pairs of heading and text, the numbers first."""
-    here, attrs = at_working_load(data), data.attrs
-    load = show(float(here["load"]), "load", 3)
-    force = show(float(here[_FORCE]), _FORCE, 2)
-    area = show(float(here[_AREA]), _AREA, 2).replace("m^2", "m²")
-    warnings = attrs["warnings"]
-    sure = confidence(*(float(here[f"{_MU}{end}"]) for end in ("", "_low", "_high")))
+    point, attrs = at_working_load(data), data.attrs
+    load = show(float(point["load"]), "load", 3)
+    force = show(float(point[_FORCE]), _FORCE, 2)
+    area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
+    warnings, level = attrs["warnings"], f"{attrs['level']:.0%}"
+    sure = confidence(*(float(point[f"{_MU}{end}"]) for end in ("", "_low", "_high")))
     rows = [
-        (f"mu = {number(float(here[_MU]))}", f"{attrs['level']:.0%} interval {span(here, _MU)}, at {load}; confidence: {sure}"),
-        ("friction force", f"{force} ({span(here, _FORCE, _FORCE)}); real contact {area}"),
+        (
+            f"mu = {number(float(point[_MU]))}",
+            f"{level} interval {span(point, _MU)}, at {load}; confidence: {sure}",
+        ),
+        ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
         ("uncertainty from", _shares(attrs["shares"])),
-        ("sliding", _sliding(here)),
+        ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
         ("bare metal", _bare(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
@@ -154,14 +157,15 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     return [(head, text) for head, text in rows if text]
 
 
-def _sliding(here: "xarray.Dataset") -> str:
+def _sliding(point: "xarray.Dataset") -> str:
     """State which fraction of the summed spot strengths the friction force reaches.
 
     The text is empty if the prediction has no friction efficiency.
     """
-    if "friction_efficiency" not in here:
+    if "friction_efficiency" not in point:
         return ""
-    return f"contact spots slip one after another: {float(here['friction_efficiency']):.0%} of the sum of their strengths"
+    share = f"{float(point['friction_efficiency']):.0%}"
+    return f"contact spots slip one after another: friction reaches {share} of their summed strength"
 
 
 def _along(data: "xarray.Dataset") -> str:

@@ -95,12 +95,12 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
     named: result of the model that the user named, in words, or "".
     """
-    here, attrs = at_working_load(data), data.attrs
-    mu, low, high = (float(here[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
+    point, attrs = at_working_load(data), data.attrs
+    mu, low, high = (float(point[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
     largest = max(attrs["shares"], key=attrs["shares"].get, default="")
     decides = f"{part_name(largest)} ({attrs['shares'][largest]:.0%})" if largest else ""
     warning = briefly(next(iter(attrs["warnings"]), ""))
-    load = show(float(here["load"]), "load", 3)
+    load = show(float(point["load"]), "load", 3)
     return Card(mu, low, high, attrs["level"], load, decides, warning, attrs["next_step"], answer_lines(data), named)
 
 

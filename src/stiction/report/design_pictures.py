@@ -72,7 +72,9 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         if variable.attrs["spacing"] == "log":
             low, high, values = np.log(low), np.log(high), np.log(values)
         axes.plot(x, (values - low) / (high - low), linewidth=0.8, label=text, **look_of("", number))
-    along(axes, "x", objective, x, ylabel="from the low end (0) to the high end (1)", title="what is chosen along the front")
+    along(
+        axes, "x", objective, x, ylabel="0: lower search limit; 1: upper search limit", title="design variables along the front"
+    )
 
 
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
@@ -82,7 +84,7 @@ def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
         (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""
     )
     if not name:
-        say(axes, "no number was searched between two ends")
+        say(axes, "no design variable has search limits")
         return
     number, value, feasible = data[columns[name]], data[columns[objective]].values, data["evaluated_feasible"].values
     for mask, colour, text in ((~feasible, GREY, "violates a limit"), (feasible, BLUE, "meets all limits")):
@@ -93,7 +95,7 @@ def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     chosen = columns_of(data, "design")
     axes.plot(float(best[chosen[name]]), float(best[chosen[objective]]), "*", color=RED, markersize=14, label="best")
     for end_number, end in enumerate(("searched_from", "searched_to")):
-        axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if end_number else "ends of the search")
+        axes.axvline(number.attrs[end], color=ORANGE, linestyle="--", label=None if end_number else "search limits")
     seen = value[feasible & np.isfinite(value)] if feasible.any() else value[np.isfinite(value)]
     quantity = name.rpartition(".")[2]
     along(axes, "x", quantity, number.values, title=f"{len(value)} designs evaluated")

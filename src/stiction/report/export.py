@@ -89,14 +89,14 @@ def export(
         try:
             Path(out).write_bytes(data)
         except OSError as error:
-            raise InputError("out", str(out), f"a file that can be written ({error.strerror})") from None
+            raise InputError("out", str(out), f"a file that can be written; the system reports: {error.strerror}") from None
     return table.assign_attrs(text=content)
 
 
 def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
     """Convert the table from SI to the named system of units."""
     length, force, (meter, newton, pascal) = UNITS[units]
-    of = {
+    converted_units = {
         "m": (length, meter),
         "N": (force, newton),
         "Pa": (force / length**2, pascal),
@@ -105,6 +105,6 @@ def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
     }
     converted = table.copy()
     for name, variable in table.items():
-        factor, unit = of[variable.attrs["units"]]
+        factor, unit = converted_units[variable.attrs["units"]]
         converted[name] = (variable / factor).assign_attrs(variable.attrs, units=unit)
     return converted.assign_attrs(table.attrs, units=units, comments=[*table.attrs["comments"], f"units: {units}"])

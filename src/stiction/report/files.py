@@ -190,7 +190,9 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
             for name in files:
                 (made / name).replace(folder / name)
     except OSError as error:
-        raise InputError("--out", str(folder), f"a folder that can be written ({error.strerror or error})") from None
+        raise InputError(
+            "--out", str(folder), f"a folder that can be written; the system reports: {error.strerror or error}"
+        ) from None
 
 
 def _clear_abandoned(folder: Path) -> None:

@@ -99,7 +99,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         draw_band(axes, x, low.isel(place).values, high.isel(place).values, color=colour, alpha=0.25)
         axes.plot(x, best.isel(place), color=colour, linewidth=1.6, marker="o" if x.size == 1 else "", label=text)
     along_points(axes, data[point])
-    along(axes, "y", name, best.values, log=False, title="predicted; band: 95 %, of the fitted numbers alone")
+    along(axes, "y", name, best.values, log=False, title="predicted; band: 95 %, from errors of the fitted parameters only")
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
@@ -116,7 +116,7 @@ def profile_figure(data: "xarray.Dataset") -> Figure:
             axes.set_axis_off()
         else:
             _profile_panel(axes, data.isel(parameter=number))
-    figure.suptitle("Profile of the likelihood: all other free numbers at their best", fontsize=11)
+    figure.suptitle("Likelihood profiles; all other fitted parameters are refitted", fontsize=11)
     return figure
 
 

@@ -169,8 +169,8 @@ def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, l
 
 def report_record(findings: ReportData) -> dict[str, Any]:
     """Return the answer of a report as a dict of numbers and texts for JSON."""
-    data, here = findings.data, findings.working_results
-    mu = None if here is None or "friction_coefficient" not in here else float(here["friction_coefficient"])
+    data, point = findings.data, findings.working_results
+    mu = None if point is None or "friction_coefficient" not in point else float(point["friction_coefficient"])
     if findings.prediction is not None:
         mu = answer_record(findings.prediction)["friction_coefficient"]
     unit = data["load"].attrs.get("units", "1")
@@ -185,7 +185,7 @@ def report_record(findings: ReportData) -> dict[str, Any]:
         "working_load": findings.load,
         "working_load_unit": unit,
         "friction_coefficient": mu,
-        "friction_coefficient_rounded": None if here is None or mu is None else rounded(mu, interval_of(here)),
+        "friction_coefficient_rounded": None if point is None or mu is None else rounded(mu, interval_of(point)),
         "validity_warnings": [warning.as_data() for warning in warnings_here(findings)],
         "measured_error": json.loads(findings.result.attrs.get("measured_error", "null")),
         "not_compared": findings.not_compared,
@@ -207,13 +207,15 @@ def check_place(path: Path, case: Any = None) -> None:
         raise InputError("--out", str(path), allowed)
     if path.suffix.lower() == ".pdf" and not _browser() and not installed("weasyprint"):
         raise InputError(
-            "--out", str(path), "a file that ends in .html: no Chromium, Chrome, Edge or weasyprint prints a PDF here"
+            "--out",
+            str(path),
+            "a file that ends in .html; PDF needs Chromium, Chrome, Edge or weasyprint, and none is installed",
         )
     require_place(path, allowed)
     if path.is_dir():
         raise InputError("--out", str(path), f"{allowed}; this is a folder")
     if isinstance(case, str | os.PathLike) and path.exists() and Path(case).exists() and path.samefile(case):
-        raise InputError("--out", str(path), f"{allowed}; this is the case itself")
+        raise InputError("--out", str(path), f"{allowed}; this is the case file itself")
 
 
 def _browser() -> str:
@@ -250,6 +252,8 @@ def write_html(path: Path, text: str) -> None:
             made.write_text(text, encoding="utf-8", newline="\n")
             (_printed_page(made) if path.suffix.lower() == ".pdf" else made).replace(path)
     except subprocess.SubprocessError:
-        raise InputError("--out", str(path), "a file that ends in .html: the browser printed no PDF") from None
+        raise InputError("--out", str(path), "a file that ends in .html; the browser failed to print a PDF") from None
     except OSError as error:
-        raise InputError("--out", str(path), f"a file that can be written ({error.strerror or error})") from None
+        raise InputError(
+            "--out", str(path), f"a file that can be written; the system reports: {error.strerror or error}"
+        ) from None

@@ -116,7 +116,7 @@ def interfaces_table() -> Group:
         rows.append([row["name"], *cells])
     table = Table([*map(Column, ("state", "tau_0", "90 % range", "", "alpha", "90 % range", ""))], rows, ruled=True, gap=1)
     letters = [Text(f"{letter}: {meaning}") for letter, meaning in GRADES.items()]
-    meaning = Text("Strength tau_0 + alpha p; H, G: hardness, shear modulus of the softer body")
+    meaning = Text("Strength: tau_0 + alpha p. H: hardness, G: shear modulus, both of the softer body")
     return Group(table, meaning, *letters, _how_to_state("oxidised metal"))
 
 

@@ -78,7 +78,7 @@ def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Fi
     figure.legend(*grid[0].get_legend_handles_labels(), loc="outside upper center", **look)
     if notes := _without_value(resolution_study, [variable for variable, _, _ in panels]):
         if len(notes) > _MOST_NOTES:
-            more = f"and for {len(notes) - _MOST_NOTES} more reasons: `failure` of the table has them all"
+            more = f"and {len(notes) - _MOST_NOTES} more reasons, all listed in the variable `failure`"
             notes = [*notes[:_MOST_NOTES], more]
         text = "\n".join(line for note in notes for line in textwrap.wrap(note, int(16 * figure.get_figwidth())))
         figure.supxlabel(text, fontsize=8, color=GREY, x=0.01, ha="left")
@@ -100,7 +100,7 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
     if np.isfinite(drawn).any():
         axes.set_yscale("log")
     else:
-        say(axes, "no method has a value here")
+        say(axes, "no method gives a value")
     finish(axes, legend=False)
     labelled = _apart(places[order])
     names = {place: f"{cutoff:.3g}" if cutoff > 0.0 else "none" for place, cutoff in zip(places, cutoffs, strict=True)}
@@ -175,23 +175,23 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     first method is the one used. Raises InputError if the result has no friction by method.
     """
     if "friction_coefficient_by_method" not in data:
-        raise InputError("friction_coefficient_by_method", None, "a result for a contact whose roughness is measured in scans")
+        raise InputError("friction_coefficient_by_method", None, "a result of a contact whose roughness was measured in scans")
     table = data["friction_coefficient_by_method"].transpose(METHOD, ...)
     (taken, *others), load = table[METHOD].values.tolist(), np.atleast_1d(data["load"].values)
     figure, (axes,) = canvas(9.6, 5.2)
     entitle(figure, data, title)
     friction_panel(axes, data.drop_vars("friction_coefficient_quantile", errors="ignore"))
     for line, band in zip(axes.lines, axes.collections, strict=False):
-        line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"taken: {plain(taken)}", zorder=3)
+        line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"used: {plain(taken)}", zorder=3)
         band.set_label(METHOD_BAND)
     floor = 0.0 if axes.get_yscale() == "log" else -np.inf
     for number, method in enumerate(others if axes.collections else (), 1):
         mu, text = np.atleast_1d(table.sel({METHOD: method}).values), plain(method)
         pressed = mu[load > 0.0]
         if np.isnan(pressed).any():
-            text += "\n(carries no load here)" if np.isnan(pressed).all() else "\n(does not carry every load)"
+            text += "\n(carries no load)" if np.isnan(pressed).all() else "\n(does not carry every load)"
         elif (pressed <= floor).any():
-            text += "\n(0 where it is not drawn)"
+            text += "\n(not drawn where mu = 0)"
         drawn = np.where((load > 0.0) & (mu > floor), mu, np.nan)
         axes.plot(load, drawn, linewidth=1.1, label=text, **(look_of(method, number) | {"markersize": 3.5}))
     if axes.collections:

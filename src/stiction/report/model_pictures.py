@@ -33,7 +33,7 @@ def models_figure(
     groups = [candidate for candidate in known if candidate.possible and candidate.low > 0.0]
     groups = [candidate for candidate in groups if candidate.high > max(other.high for other in groups) / _WIDE]
     if not groups and prediction is None:
-        say(axes, "no model gives friction here")
+        say(axes, "no model gives friction for this contact")
         return figure
     load = float(data.attrs["working_load"])
     named = {group.names[0]: colour for group, colour in zip(groups, _COLOURS, strict=False)}

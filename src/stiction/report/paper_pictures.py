@@ -56,10 +56,10 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
     axes.plot(np.where(drawn, load, np.nan), np.where(drawn, mu, np.nan), **look)
 
 
-def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
+def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
     """Draw where in the plane of theta and lambda each claim of the paper holds.
 
-    Columns are claims; rows are variants of the model and the film solved in layers. here: theta and lam of the star.
+    Columns are claims; rows are variants of the model and the film solved in layers. point: theta and lam of the star.
     """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
@@ -74,7 +74,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
             for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
                 axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
                 axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
-            axes.plot(here["theta"], here["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
+            axes.plot(point["theta"], point["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)
             if row == 0:
                 axes.set_title(f"({claim.key}) {textwrap.fill(claim.says, 36)}", fontsize=9)
             if column == 0:
@@ -85,7 +85,7 @@ def claims_figure(claims: "ClaimMap", here: Mapping[str, float]) -> Figure:
     bar.set_label("share of its cases for which it holds (white: not comparable)")
     figure.suptitle(
         "Where the claims of the 2015 paper hold; dashed: below $\\theta$ = 10 or $\\lambda$ = 0.125 adhesion matters; "
-        f"star: $\\theta$ = {here['theta']:g}, $\\lambda$ = {here['lam']:g}",
+        f"star: $\\theta$ = {point['theta']:g}, $\\lambda$ = {point['lam']:g}",
         fontsize=10,
     )
     return figure

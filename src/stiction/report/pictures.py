@@ -52,7 +52,7 @@ _LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_WARNINGS = 5  # that are told below a picture
 _MU = "friction_coefficient"
-NOT_PRESSED = "no compressive load here:\nmu is not defined"
+NOT_PRESSED = "no compressive load:\nmu is not defined"
 METHOD_BAND = "range over methods of\nfinding asperities"
 MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
 WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
@@ -162,7 +162,7 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
     more = len(warnings) - _MOST_WARNINGS
     lines = [
         *warnings[:_MOST_WARNINGS],
-        *([f"and {more} more validity warnings: outside_validity of the result has them all"] if more > 0 else []),
+        *([f"and {more} more validity warnings, all listed in the attribute outside_validity"] if more > 0 else []),
     ]
     return [
         "outside the range of validity:",
@@ -258,7 +258,7 @@ def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.nda
     over uncertain inputs.
     """
     if f"{_MU}_low" in data:
-        text = f"{METHOD_BAND}; taken:\n{data.attrs.get('roughness_method', 'first method')}"
+        text = f"{METHOD_BAND}; used:\n{data.attrs.get('roughness_method', 'first method')}"
         text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
         low, high = (np.atleast_1d(data[f"{_MU}_{end}"].values) for end in ("low", "high"))
         yield low, high, {"color": SKY, "alpha": 0.25, "label": text}
@@ -295,7 +295,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
         if alike:
             axes.set_ylim(min(sizes) / 1.5, max(sizes) * 1.5)
     if tension:
-        axes.plot([], [], ":", color=GREY, label="dotted: tension, its size")
+        axes.plot([], [], ":", color=GREY, label="dotted: tension (absolute value)")
     if against == "load":
         axes.set_xscale("log" if np.any(x > 0.0) else "linear")
     else:

@@ -65,8 +65,8 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the interval of mu, and the interval that each of its three largest sources would cause alone."""
-    here = at_working_load(data)
-    low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+    point = at_working_load(data)
+    low, mu, high = (float(point[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
     shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
     names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
     for row, share in enumerate([1.0, *(share for _, share in shares)]):
@@ -74,15 +74,15 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
         axes.errorbar([mu], [row], xerr=ends, color=BLUE if row else RED, marker="o", capsize=5, linewidth=2.5)
     axes.set(ylim=(len(names) - 0.5, -0.5), xscale="log")
     axes.set_yticks(range(len(names)), names, fontsize=8)
-    finish(axes, xlabel=MU_LABEL, title="What the interval comes from")
+    finish(axes, xlabel=MU_LABEL, title="Sources of the interval")
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
     """Draw friction against load, the prediction at its working load, and a legend below the figure."""
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
-    here = at_working_load(prediction)
-    low, mu, high = (float(here[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
-    text, load = "prediction at the working load", float(here["load"])
+    point = at_working_load(prediction)
+    low, mu, high = (float(point[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+    text, load = "prediction at the working load", float(point["load"])
     axes.errorbar([load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=4, label=text)
     axes.autoscale(axis="y")
     drawn = np.concatenate([line.get_ydata() for line in axes.lines])
@@ -94,12 +94,12 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
-    here = at_working_load(data.isel(load=0) if data["load"].ndim else data)
-    values = here[f"{_MU}_samples"].values
+    point = at_working_load(data.isel(load=0) if data["load"].ndim else data)
+    values = point[f"{_MU}_samples"].values
     values = values[np.isfinite(values) & (values > 0.0)]
     low, high = np.quantile(values, [0.005, 0.995])
     axes.hist(np.clip(values, low, high), bins=np.geomspace(low * 0.999, high * 1.001, 30).tolist(), color=BLUE, alpha=0.4)
     axes.set_xscale("log")
     for name in (f"{_MU}_low", _MU, f"{_MU}_high"):
-        axes.axvline(float(here[name]), color=RED, linestyle="-" if name == _MU else "--")
+        axes.axvline(float(point[name]), color=RED, linestyle="-" if name == _MU else "--")
     finish(axes, xlabel=MU_LABEL, ylabel=f"number of {len(values)} samples", title=headline(data))

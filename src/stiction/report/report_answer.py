@@ -36,15 +36,15 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
     return with_unit(variable, value, digits)
 
 
-def interval_of(here: "xarray.Dataset") -> list[float]:
+def interval_of(point: "xarray.Dataset") -> list[float]:
     """Return the ends of the interval of mu for the named model; [] if it has no interval.
 
     The interval covers uncertain inputs; without these it covers the asperity methods.
     """
-    if f"{_MU}_quantile" in here:
-        ends = [float(here[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
+    if f"{_MU}_quantile" in point:
+        ends = [float(point[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
     else:
-        ends = [float(here[f"{_MU}_{end}"]) for end in ("low", "high") if f"{_MU}_{end}" in here]
+        ends = [float(point[f"{_MU}_{end}"]) for end in ("low", "high") if f"{_MU}_{end}" in point]
     return [end for end in ends if np.isfinite(end)]
 
 
@@ -68,7 +68,7 @@ def question(findings: ReportData) -> str:
 
 def _where(findings: ReportData) -> str:
     load = findings.load
-    return "at its loads" if load is None else f"pressed together with {load_in_words(findings)}"
+    return "at the loads of the case" if load is None else f"pressed together with {load_in_words(findings)}"
 
 
 def load_in_words(findings: ReportData) -> str:
@@ -84,13 +84,13 @@ def headline(findings: ReportData) -> str:
     """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
-    data, here = findings.data, findings.working_results
+    data, point = findings.data, findings.working_results
     name = shown_quantity(data)
-    if here is not None:
-        value = float(here[name])
+    if point is not None:
+        value = float(point[name])
         if name != _MU:
-            return f"real contact area {value_in_words(here[name], value)}"
-        return f"μ ≈ {rounded(value, interval_of(here))}" if np.isfinite(value) else "μ is not defined"
+            return f"real contact area {value_in_words(point[name], value)}"
+        return f"μ ≈ {rounded(value, interval_of(point))}" if np.isfinite(value) else "μ is not defined"
     low, high = _ends(data[name])
     if not np.isfinite([low, high]).all():
         return f"{'μ' if name == _MU else 'the contact area'} is not defined"
@@ -112,21 +112,21 @@ def answer_in_words(findings: ReportData) -> str:
     """Return the answer as one sentence that also states its validity."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
-    data, here = findings.data, findings.working_results
+    data, point = findings.data, findings.working_results
     model = data.attrs["model"]
-    if here is None:
+    if point is None:
         by = "by the prediction" if model == RECOMMENDED else f"by the model {model}{_trusted(findings)}"
         return f"{_along(findings)} {by}."
-    if _MU not in here:
-        area = value_in_words(here["contact_area"], float(here["contact_area"]))
-        text = f"Under {load_in_words(findings)} the bodies touch on {area} by the model {model}{_trusted(findings)}"
-        return f"{text}; it is a model of contact only, without friction."
+    if _MU not in point:
+        area = value_in_words(point["contact_area"], float(point["contact_area"]))
+        text = f"Under a load of {load_in_words(findings)} the real contact area is {area}"
+        return f"{text} by the model {model}{_trusted(findings)}. This model gives the contact area only, no friction."
     value = headline(findings).removeprefix("μ ≈ ")
     if value == headline(findings):
         return f"Pressed together with {load_in_words(findings)}, {value}{_trusted(findings)}."
     start = f"Pressed together with {load_in_words(findings)}, the contact has a static friction coefficient of about {value}"
-    ends = interval_of(here)
-    band = f"; with its uncertain inputs {_alike(ends[0], ends[1])}" if ends else ""
+    ends = interval_of(point)
+    band = f"; the uncertain inputs give {_alike(ends[0], ends[1])}" if ends else ""
     return f"{start} by the model {model}{_trusted(findings)}{band}."
 
 
@@ -159,7 +159,7 @@ def warnings_here(findings: ReportData) -> list[ValidityWarning]:
 def _trusted(findings: ReportData) -> str:
     warnings = warnings_here(findings)
     if any(warning.kind == "impossible" for warning in warnings):
-        return ", but the result is impossible (see Validity) and is no answer"
+        return ", but this result is physically impossible (see Validity)"
     if warnings:
         respects = "one respect" if len(warnings) == 1 else f"{_COUNTED.get(len(warnings), len(warnings))} respects"
         return f", which is used outside its range of validity in {respects}"

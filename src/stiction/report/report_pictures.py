@@ -104,7 +104,7 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
-        return "Nothing is drawn: no load is compressive."
+        return "The picture is empty, because no load is compressive."
     first, last = known[np.argmin(x[known])], known[np.argmax(x[known])]
     ends = [(value_in_words(data[against], x[point]), value_in_words(data[what], y[point])) for point in (first, last)]
     return f"At {ends[0][0]} it is {ends[0][1]}, at {ends[1][0]} it is {ends[1][1]}."
@@ -121,7 +121,9 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
         return  # it is on the first page
     if findings.case.is_several:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
-        yield _picture(lambda: several_figure(data), "several", f"{name.capitalize()} over what varies.", wide=True)
+        yield _picture(
+            lambda: several_figure(data), "several", f"{name.capitalize()} against the varied parameters.", wide=True
+        )
         return
     pressing = int(np.count_nonzero(np.asarray(data["load"].values) > 0.0))
     for what, against in panels(data):
@@ -135,7 +137,9 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
             continue  # said in words
         names = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
-        words = f"Shares of the {what}, over the load: {names}" + (", of their sizes: some pull." if tension else ".")
+        words = f"Shares of the {what}, over the load: {names}" + (
+            "; shares of absolute values, because some parts are in tension." if tension else "."
+        )
         yield _picture(partial(share_figure, data, what), f"share{number}", words)
 
 
@@ -151,10 +155,12 @@ def all_of_one(findings: ReportData) -> list[str]:
     if findings.prediction is not None:
         return []
     if not findings.case.is_several and not (np.asarray(data["load"].values) > 0.0).any():
-        return ["No point of the case has a compressive load, so nothing is drawn against the load."]
+        return ["The case has no compressive load, so no curve is drawn against load."]
     for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
         if name := _the_one(data, parts):
-            lines.append(f"Shares of the {what}: {part_in_words(name, total)} for more than {_NEARLY_ALL:.1%} at every load.")
+            lines.append(
+                f"Shares of the {what}: {part_in_words(name, total)} makes up more than {_NEARLY_ALL:.1%} at every load."
+            )
     return lines
 
 
@@ -162,7 +168,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
     """Yield the picture of the first page, if there is a prediction: mu against load, and the sources of its interval."""
     data, prediction = findings.data, findings.recommended
     if prediction is not None:
-        caption = "mu against load, and the parts of its interval at the working load, each alone."
+        caption = "mu against load, and the interval that each main source of uncertainty would cause alone."
         yield _picture(lambda: first_page_figure(data, prediction), "answer", caption, wide=True)
 
 
@@ -173,22 +179,20 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
         return
     from stiction.report.views.comparison import groups_of
 
-    here = None if data is None else at_working_load(data)
-    words = (
-        "Friction against load by each model that may be right, and the prediction with its interval (numbers: Every model)."
-    )
-    yield _picture(lambda: models_figure(data_of_models, groups_of(data_of_models), here), "models", words, wide=True)
+    point = None if data is None else at_working_load(data)
+    words = "Friction against load by each possible model, and the prediction with its interval (numbers: table of all models)."
+    yield _picture(lambda: models_figure(data_of_models, groups_of(data_of_models), point), "models", words, wide=True)
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
     """Yield friction by the named model with its band over uncertain inputs, and with its range over asperity methods."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_several:
-        caption = "The friction coefficient with its band over what is uncertain of the inputs."
+        caption = "The friction coefficient with its band over the uncertain inputs."
         yield _picture(lambda: uncertainty_figure(data), "band", caption)
     if "friction_coefficient_by_method" in data:
         plain = data.assign_attrs(validity_warnings="[]")
-        caption = "Friction against load after every way of finding asperities in the scans."
+        caption = "Friction against load by each method of finding asperities in the scans."
         yield _picture(lambda: method_spread_figure(plain), "methods", caption, wide=True)
 
 

@@ -69,8 +69,8 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
         if name == "name":
             continue
         material = _material(subject, part)
-        here = (table, *dotted.split("."))
-        source = _source_of_material(material, name, here, places) if material else _source(findings, dotted, here, places)
+        path = (table, *dotted.split("."))
+        source = _source_of_material(material, name, path, places) if material else _source(findings, dotted, path, places)
         meaning, symbol = _meaning(name)
         grouped[part].append([meaning, symbol, with_powers(text), known.get(dotted) or _range(material, name, counted), source])
     return [Table(_COLUMNS, rows, _title(subject, part), stacked=True) for part, rows in grouped.items() if rows]
@@ -92,7 +92,7 @@ def groups_of_groups(findings: ReportData) -> list[Table]:
 def _meaning(name: str) -> tuple[str, str]:
     if name.startswith(_MOMENTS):
         meaning, symbol = _meaning(name.removeprefix(_MOMENTS))
-        return f"{meaning}, by the moments of the surface", symbol
+        return f"{meaning}, from the spectral moments of the surface", symbol
     row = QUANTITIES.get(name.rpartition(".")[2])
     return (_NOT_NUMBERS.get(name, name.replace("_", " ")), "") if row is None else (row.meaning, row.symbol)
 
@@ -107,31 +107,32 @@ def _range(material: Material | None, name: str, counted: bool) -> str:
     """State the known range of a material property, and whether the interval of mu includes it."""
     if material is None or name not in material.range:
         return ""
-    return with_powers(f"known to be {range_in_words(*material.range[name], name)}: {'counted' if counted else 'not counted'}")
+    known = range_in_words(*material.range[name], name)
+    return with_powers(f"known range {known}: {'counted' if counted else 'not counted'} in the interval of mu")
 
 
-def _source_of_material(material: Material, name: str, here: tuple[str, ...], places: frozenset) -> str:
+def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: frozenset) -> str:
     """Return the source of a material property: its preset, or the case if the case states the property.
 
-    here: path of the property in the case file. places: paths of all values in the case file.
+    path: path of the property in the case file. places: paths of all values in the case file.
     """
-    tables = (here[:-1], ("materials", material.name))
+    tables = (path[:-1], ("materials", material.name))
     in_case = any((*table, name) in places for table in tables)
     said_in_case = any((*table, "source") in places for table in tables)
     stated = material.source if isinstance(material.source, str) else (material.source or {}).get(name, "")
     if in_case and not said_in_case:
         return "the case"
-    return f"{stated} (as the case says)" if in_case and stated else stated or "the case"
+    return f"{stated} (stated in the case)" if in_case and stated else stated or "the case"
 
 
-def _source(findings: ReportData, dotted: str, here: tuple[str, ...], places: frozenset) -> str:
+def _source(findings: ReportData, dotted: str, path: tuple[str, ...], places: frozenset) -> str:
     measured = findings.case.measured
     if dotted.startswith("roughness.") and measured is not None:
         by = "their moments" if dotted.startswith(f"roughness.{_MOMENTS}") else measured.method
         return f"measured in scans, by {by}"
-    if dotted.startswith("interface.") and here[:2] in places:
+    if dotted.startswith("interface.") and path[:2] in places:
         return "the case" if dotted == "interface.name" else "the state of the interface (stiction interfaces)"
-    return "the case" if here in places or not places else "default of the program"
+    return "the case" if path in places or not places else "default of stiction"
 
 
 def _title(subject: Any, part: str) -> str:
@@ -154,7 +155,7 @@ def answer_table(findings: ReportData, name: str) -> Table:
     """Return the rows of the answer of a prediction. name: name of the case file."""
     assert findings.prediction is not None  # the template has looked
     rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
-    return Table([Column(""), Column("")], rows, "What the number rests on")
+    return Table([Column(""), Column("")], rows, "Basis of the answer")
 
 
 def card(findings: ReportData, name: str) -> Markup:
@@ -193,19 +194,19 @@ def main_inputs(findings: ReportData) -> Table | None:
     sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
     rows.append(("roughness", ", ".join(filter(None, [sizes, texts.get("roughness.kind")]))))
     rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
-    rows.append(("load", load_in_words(findings) if findings.load is not None else "the points of the case"))
+    rows.append(("load", load_in_words(findings) if findings.load is not None else "the loads or separations of the case"))
     cells = [
         (name, letters(with_powers(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text))).replace("e+", "e"))
         for name, text in rows
     ]
-    return Table([Column("input"), Column("stated")], cells, "Six main inputs; all of them are in the appendix", stacked=True)
+    return Table([Column("input"), Column("stated")], cells, "Six main inputs; the appendix lists all inputs", stacked=True)
 
 
 def validity_line(findings: ReportData) -> str:
     """State in one line against what the answer was checked, or where it is outside its range of validity."""
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
-        known = f"Checked against {checked}." if checked else "Not checked against anything measured."
+        known = f"Checked against {checked}." if checked else "Not checked against any measurement."
         return f"{letters(known)} No friction was measured on a contact with measured roughness."
     warnings = warnings_of(findings.data)
     if not warnings:
@@ -219,10 +220,10 @@ def here_table(findings: ReportData) -> Table | None:
 
     Warnings of quantities without a row are in the first row. The table is None without a working load.
     """
-    here = findings.working_results
-    if here is None:
+    point = findings.working_results
+    if point is None:
         return None
-    names = [name for name in _RESULTS if name in here]
+    names = [name for name in _RESULTS if name in point]
     every, rows = warnings_here(findings), []
     for row_number, name in enumerate(names):
         mine: Any = [
@@ -233,8 +234,8 @@ def here_table(findings: ReportData) -> Table | None:
         row = QUANTITIES[name]
         if row_number == 0 and not every:
             mine = "none: within the claimed ranges"
-        rows.append([row.meaning, row.symbol, value_in_words(here[name], float(here[name]), 4), mine])
-    caption = "Results to four digits; the answer has the significant ones"
+        rows.append([row.meaning, row.symbol, value_in_words(point[name], float(point[name]), 4), mine])
+    caption = "Results to four digits; only the digits of the answer are significant"
     columns = [Column("quantity"), Column("symbol"), *numbers("value"), Column("validity warnings")]
     return Table(columns, rows, caption, stacked=True)
 
@@ -265,7 +266,7 @@ def compared(findings: ReportData) -> Table | None:
         return None
     rows = [[letters(cell) for cell in group_row(group)] for group in groups_of(findings.comparison, every=True)]
     columns = [Column("model"), *numbers(*GROUP_HEADS[1:3]), Column(GROUP_HEADS[3])]
-    return Table(columns, rows, "Every model at the working load, applicable ones first", stacked=True)
+    return Table(columns, rows, "Every model at the working load; models within their range come first", stacked=True)
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
@@ -290,7 +291,7 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
     if "uncertain_inputs" not in used:
         return ["No input of the case is uncertain, so the effect of input errors on μ is unknown."]
     lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
-    lines.append("A number after ± is one standard deviation, a factor is one of the logarithm, and a range is uniform.")
+    lines.append("± is one standard deviation, a factor is one standard deviation of the logarithm, and a range is uniform.")
     if "uncertainty" in used:
         lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
     shares: dict[str, float] = json.loads(used.get("validity_warnings_of_points", "{}"))
@@ -340,7 +341,7 @@ def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
 
     parts = []
     for body, analysis in findings.analyses.items():
-        table = on_page(asperity_table(analysis), f"Asperities of the {body} body by every method")
+        table = on_page(asperity_table(analysis), f"Asperities of the {body} body by each method")
         parts.append(
             (
                 f"{body.capitalize()} body",
@@ -377,7 +378,7 @@ def measured_table(findings: ReportData) -> Table | None:
     from stiction.report.views.surface import roughness_table
 
     table = roughness_table(findings.case.measured, findings.data)
-    return on_page(table, "The roughness of both bodies together by every method; the one taken is bold")
+    return on_page(table, "Combined roughness of both bodies by every method; the method used is bold")
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:

@@ -52,7 +52,7 @@ def _shares(axes: Axes, data: "xarray.Dataset") -> None:
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()
-    finish(axes, xlim=(0.0, 1.0), xlabel=r"share of the variance of $\ln\,\mu$", title="where the interval comes from")
+    finish(axes, xlim=(0.0, 1.0), xlabel=r"share of the variance of $\ln\,\mu$", title="sources of the interval")
 
 
 def _symbol(name: str) -> str:

@@ -184,7 +184,7 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
     values, quantity = data[first].values, first.rpartition(".")[2]
     axis = getattr(axes, f"{which}axis")
     if not _rises(values):
-        axis.set_label_text(f"place in the list of {', '.join([first, *others])}")
+        axis.set_label_text(f"position in the list of {', '.join([first, *others])}")
         finish(axes)
         return
     if _is_log(values):

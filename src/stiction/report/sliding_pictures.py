@@ -39,7 +39,7 @@ def write_animation(data: "xarray.Dataset", path: Path) -> None:
 
     It shows the largest load. data: result of `slide` for a map.
     """
-    points = [one for one in data["tangential_force"].dims if one != "displacement"]
+    points = [dim for dim in data["tangential_force"].dims if dim != "displacement"]
     row = data.isel({points[0]: int(np.argmax(data["load"].values))}) if points else data
     figure, (left, right) = canvas(9.0, 4.4, 1, 2)
     shown = left.imshow(row["point_state"][0], cmap=ListedColormap(["white", COLOURS[0], COLOURS[1]]), vmin=0, vmax=2)
@@ -49,9 +49,9 @@ def write_animation(data: "xarray.Dataset", path: Path) -> None:
     moved, force = row["displacement"].values, row["tangential_force"].values / float(row["load"])
     writer = PillowWriter(fps=6)
     with writer.saving(figure, str(path), dpi=80):
-        for at in range(moved.size):
-            shown.set_data(row["point_state"][at])
-            dot.set_data(moved[at : at + 1], force[at : at + 1])
+        for step in range(moved.size):
+            shown.set_data(row["point_state"][step])
+            dot.set_data(moved[step : step + 1], force[step : step + 1])
             writer.grab_frame()
 
 

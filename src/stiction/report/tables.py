@@ -137,7 +137,10 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         band = (
             _without_band(data) if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
         )
-        rows.insert(0, ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined here"))
+        rows.insert(
+            0,
+            ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined at this load"),
+        )
     unused = data.attrs.get("inputs_not_used", "")
     yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
 
@@ -149,13 +152,13 @@ def _without_band(data: "xarray.Dataset") -> str:
         return ""
     known = np.isfinite(quantiles.values).any()
     return (
-        "; the uncertain numbers do not change it"
+        "; no interval: the uncertain inputs do not change mu"
         if known
-        else "; no interval: no sample of the uncertain numbers has a result"
+        else "; no interval: no sample of the uncertain inputs gives a result"
     )
 
 
-# Of a contact whose materials are told, what is of these alone.
+# Groups that depend on the materials only; they are left out where the materials are shown.
 _OF_MATERIALS = (
     "nu", "hardness_to_yield", "K_beta", "film_nu", "film_K_beta", "layer_n_H", "layer_nu", "coated_nu", "counter_nu",
 )  # fmt: skip
@@ -193,7 +196,7 @@ def _pull_off(data: "xarray.Dataset") -> str:
     return with_unit(force)
 
 
-_NO_TENSION = "none: there is no tension at any separation"
+_NO_TENSION = "none: the load is compressive at every separation"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:
@@ -203,11 +206,13 @@ def run_notes(data: "xarray.Dataset") -> list[str]:
     normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]
     if normalised:
         parts = [f"{HEADS[name]} over {data[name].attrs['normalised_by']}" for name in normalised]
-        notes.append(f"normalised: {', '.join(parts)}, separation over sigma, touching asperities as a share of all")
+        notes.append(
+            f"normalised: {', '.join(parts)}, separation over sigma, touching asperities as a fraction of all asperities"
+        )
     if "friction_coefficient" not in data:
         notes.append(f"friction: {used['friction_law']}")
     elif bool((data["load"] <= 0.0).any()):
-        notes.append("mu is not defined (-) where the net load is not compressive")
+        notes.append("mu is not defined (shown as -) at loads that are not compressive")
     if used.get("area_by"):
         notes.append(f"contact area: {used['area_by']}")
     if used.get("change_by_junctions"):

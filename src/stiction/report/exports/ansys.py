@@ -1,9 +1,9 @@
 """Ansys Mechanical APDL: isotropic friction TB,FRIC of material 1 against normal pressure.
 
 Document: Ansys Material Reference, "Contact Friction" (TB,FRIC,,,,ISO with TBFIELD and TBDATA,1,MU) and "Predefined Field
-Variables" (NPRES, normal pressure; values in ascending order). The stiffness before sliding is the negative real constant FKT:
-Ansys Contact Technology Guide, "Real Constants" (a negative value is absolute, in force over volume); it stands in a comment,
-at the stated load, as the number of the set of real constants is not known here.
+Variables" (NPRES, normal pressure; values in ascending order). The stiffness before sliding is the real constant FKT. A
+negative value is absolute, in force over volume (Ansys Contact Technology Guide, "Real Constants"). FKT is written as a
+comment for the stated load, because the number of the real constant set is unknown.
 """
 
 from typing import TYPE_CHECKING

@@ -1,9 +1,9 @@
-"""CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, of bare bodies.
+"""CalculiX input: a *SURFACE INTERACTION with *SURFACE BEHAVIOR and *FRICTION, for bodies without a film.
 
-Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume: no table in pressure)
-and "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION are those at
-the stated load. Outside the table the pressure stays constant. Version 2.20 was run: it holds 20 rows, and reads them for
-contact of nodes with a surface.
+Document: CalculiX CrunchiX User's Manual, "*FRICTION" (mu, and the stick slope in force per volume; no table over
+pressure) and "*SURFACE BEHAVIOR" (PRESSURE-OVERCLOSURE=TABULAR; lines: pressure, overclosure). Both numbers of *FRICTION
+are taken at the stated load. Outside the table the pressure stays constant. CalculiX 2.20 ran such a file: it accepts 20
+rows, and reads them for node-to-surface contact.
 """
 
 from typing import TYPE_CHECKING
@@ -25,7 +25,7 @@ def content(table: "xarray.Dataset") -> str:
     """
     if "tangential_stiffness" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
-        raise InputError("to", "calculix", f"another format: {why}")
+        raise InputError("to", "calculix", "a format that needs no stiffness, e.g. abaqus", why)
     mu, slope = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "tangential_stiffness"))
     few = table.isel(row=some(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION", *surface_behavior(few)]

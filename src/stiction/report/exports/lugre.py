@@ -1,8 +1,8 @@
-"""Constants of LuGre's and Dahl's friction models at each load, for multibody programs, in JSON.
+"""JSON with the constants of the LuGre and Dahl friction models at each load, for multibody programs.
 
-Document: Altair MotionSolve, "Friction Formulation" (LuGre: bristle stiffness sigma_0, static friction; Dahl as its subset).
-The kinetic force, the Stribeck velocity and the damping sigma_1 and sigma_2 are not predicted. MotionSolve takes constants per
-normal force.
+Document: Altair MotionSolve, "Friction Formulation" (LuGre: bristle stiffness sigma_0, static friction; Dahl is a special
+case). The kinetic force, the Stribeck velocity and the damping sigma_1 and sigma_2 are not predicted. MotionSolve needs
+one set of constants for each normal force.
 """
 
 import json
@@ -15,10 +15,13 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the constants as lists over the load. Raises InputError if no stiffness is known."""
+    """Return the constants of a friction table as JSON, one value for each load.
+
+    Raises InputError if the table has no tangential stiffness.
+    """
     if "elastic_slip" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
-        raise InputError("to", "lugre", f"another format: {why}")
+        raise InputError("to", "lugre", "a format that needs no stiffness, e.g. abaqus", why)
     load = table["load"].values
     force = table["friction_coefficient"].values * load
     stiffness = force / table["elastic_slip"].values

@@ -1,4 +1,4 @@
-"""Show a comparison of models as tables, JSON and files. Models that agree on mu share one row."""
+"""Build the view of a comparison of models, in which models that agree on mu share one row."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""Show the dataset of any study that has no view of its own."""
+"""Build the view of any dataset that has no view of its own: tables and files."""
 
 from collections.abc import Iterator
 from functools import partial

@@ -1,4 +1,4 @@
-"""Show the result of a design study."""
+"""Build the view of a design study: tables, sentences, files and pictures."""
 
 from collections.abc import Iterator
 from functools import partial

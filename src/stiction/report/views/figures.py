@@ -1,4 +1,4 @@
-"""Show the figures of the 2015 paper and the map of its claims."""
+"""Build the view of the figures of the 2015 paper and of the map of its claims."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from stiction.studies.paper.figures import PanelCurves
 
 
-def claims_table(rows: Iterable[Mapping[str, Any]], here: str) -> Table:
+def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
     """Return a table that states for which part of the theta-lambda plane each claim holds, by variant.
 
-    here: theta and lambda of the last column, which gives the share of films for which the claim holds at that point.
+    point: theta and lambda of the last column, which gives the share of films for which the claim holds at that point.
     """
-    some, not_comparable, there = numbers("for some", "not com-\nparable", here, wrap=True)
+    some, not_comparable, there = numbers("for some", "not com-\nparable", point, wrap=True)
     columns = [Column("claim"), Column("variant"), Column("holds for all films", wrap=True), some,
                Column("for none", wrap=True), not_comparable, there]  # fmt: skip
     cells = [
@@ -43,9 +43,9 @@ def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
     return facts((f"({key})", text) for key, text in unique.items())
 
 
-def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[str, float], variant: str) -> View:
-    """Return the view of figures 1 to 3 of the paper and of its claims. here: theta and lam of the figures."""
-    theta, lam = here["theta"], here["lam"]
+def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", point: Mapping[str, float], variant: str) -> View:
+    """Return the view of figures 1 to 3 of the paper and of its claims. point: theta and lam of the figures."""
+    theta, lam = point["theta"], point["lam"]
     rows = summary(claims, theta, lam)
 
     def parts() -> Iterator[Any]:
@@ -61,6 +61,6 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", here: Mapping[
         f"{curves.panel.name}.png": picture(f"figure {curves.panel.name[3:]}", "paper_pictures.panel_figure", curves)
         for curves in panels
     }
-    pictures["claims.png"] = picture("where each claim holds", "paper_pictures.claims_figure", claims, here)
+    pictures["claims.png"] = picture("where each claim holds", "paper_pictures.claims_figure", claims, point)
     content = {"theta": theta, "lambda": lam, "variant": variant, "claims": rows}
     return View("figures", None, parts, lambda: content, files, pictures)

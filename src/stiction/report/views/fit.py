@@ -1,4 +1,4 @@
-"""Show the result of a fit."""
+"""Build the view of a fit: tables, sentences, files and pictures."""
 
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Show a prediction."""
+"""Build the view of a prediction: tables, sentences, files and pictures."""
 
 import json
 from collections.abc import Iterator
@@ -41,7 +41,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         else:
             yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title))
 
-    def found() -> dict[str, Any]:
+    def as_record() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
         parameters = (
             {"parameters": data[["value", "low", "high"]].to_dataframe().to_dict("index")} if "parameter" in data.dims else {}
@@ -53,7 +53,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}
     pictures |= regime_picture(case.subject, data, case.title)
-    return View("curve", plain(data), parts, found, files, pictures, is_brief=True)
+    return View("curve", plain(data), parts, as_record, files, pictures, is_brief=True)
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:

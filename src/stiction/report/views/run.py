@@ -1,4 +1,4 @@
-"""Show a solved case."""
+"""Build the view of a case solved by one model: tables, sentences, files and pictures."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -91,7 +91,7 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
         wide = in_columns(wide, "quantile", "quantile", lambda share: f"q{round(100.0 * share):02d}")
         write_csv(wide, path, comments_of(data))
 
-    def found() -> dict[str, Any]:
+    def as_record() -> dict[str, Any]:
         answer = {} if case.is_several else {"answer": model_record(data)}
         measured = {} if case.measured is None else {"measured": case.measured.record()}
         return answer | record(data, case.subject.groups()) | measured
@@ -101,7 +101,13 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
         yield (several_table(data) if case.is_several else curve_table(data))
 
     return View(
-        "curve", data, lambda: _parts(case, data, all_rows), found, {"curve.csv": table}, _pictures(case, data), short=short
+        "curve",
+        data,
+        lambda: _parts(case, data, all_rows),
+        as_record,
+        {"curve.csv": table},
+        _pictures(case, data),
+        short=short,
     )
 
 

@@ -1,4 +1,4 @@
-"""Show a sensitivity study: inputs ranked by importance at the working load."""
+"""Build the view of a sensitivity study, which ranks the inputs by importance at the working load."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -149,7 +149,7 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
             yield from (indices_table(data), "")
         yield from (log_sensitivities_table(data), "", *sensitivity_notes(data))
 
-    def found() -> dict[str, Any]:
+    def as_record() -> dict[str, Any]:
         if _SHARE not in data:
             return record(data, groups or {})
         slopes = dict(
@@ -163,4 +163,4 @@ def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None 
         if dim in data.dims
     }
     pictures = {"sensitivity.png": picture("inputs by what they change", "sensitivity_pictures.sensitivity_figure", data)}
-    return View("sensitivity", plain(data), parts, found, files, pictures)
+    return View("sensitivity", plain(data), parts, as_record, files, pictures)

@@ -1,4 +1,4 @@
-"""Show the tangential force from rest to sliding."""
+"""Build the view of `slide`, the tangential force from rest to sliding: a table, sentences, files and pictures."""
 
 from collections.abc import Iterator
 from pathlib import Path

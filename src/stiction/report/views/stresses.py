@@ -1,4 +1,4 @@
-"""Show the stresses in a film."""
+"""Build the view of the stresses in a film: a table, sentences, files and pictures."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any

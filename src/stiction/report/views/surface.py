@@ -1,4 +1,4 @@
-"""Show a measured surface."""
+"""Build the view of a measured surface: tables, sentences, files and pictures."""
 
 import re
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""Show a completed sweep."""
+"""Build the view of a completed sweep: sentences and JSON."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -36,8 +36,8 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
         )
 
     def record() -> dict[str, Any]:
-        here = {"points": size, "computed_now": computed, "seconds": seconds, "validity_warnings": validity_warnings}
-        return {"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **here}
+        counts = {"points": size, "computed_now": computed, "seconds": seconds, "validity_warnings": validity_warnings}
+        return {"store": str(out), "dims": {**store.plan.dims}, "blocks": store.plan.blocks, **counts}
 
     return View("sweep", None, parts, record)
 

@@ -1,4 +1,4 @@
-"""Show how well models and the prediction agree with measured series."""
+"""Build the view of a validation: how well models and the prediction agree with measured series."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
