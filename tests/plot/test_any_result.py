@@ -59,7 +59,7 @@ def _written(path, text):
 
 
 def test_what_is_no_result_is_refused():
-    with pytest.raises(InputError, match="a result of stiction"):
+    with pytest.raises(InputError, match="a dataset that a function of stiction returned"):
         xarray.Dataset({"x": ("y", [1.0])}).stiction.plot()
 
 

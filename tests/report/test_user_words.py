@@ -86,4 +86,4 @@ def test_uncertain_inputs_that_a_model_does_not_take_do_not_change_its_answer():
     case["contact"] = case["contact"] | strength
     case["uncertainty"] = {"count": 64}
     said = answer_in_words(find_out(parse_case(case)))
-    assert "with its uncertain inputs 0.065." in said
+    assert "the uncertain inputs give 0.065" in said

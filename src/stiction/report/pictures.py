@@ -59,10 +59,7 @@ WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
-    """Return the label of an axis: meaning, symbol and unit, "net normal load $P$ [N]".
-
-    longest: the unit goes to a second line if the label has more characters.
-    """
+    """Return the label of an axis: meaning, symbol and unit; above `longest` characters the unit is on a second line."""
     name = str(variable.name).rpartition(".")[2]  # of one of two bodies: "first.hardness"
     meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
@@ -83,10 +80,9 @@ def _unit(variable: "xarray.DataArray") -> str:
 
 
 def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw one curve in up to four panels.
+    """Draw one curve: friction coefficient, contact area and friction force against load, and load against separation.
 
-    The panels show friction coefficient, contact area and friction force against load, and load against separation. Panels
-    without data are omitted. data: result of `solve` with one dimension.
+    data: result of `solve` with one dimension. Panels without data are omitted.
     """
     drawn = panels(data)
     rows, columns = (2, 2) if len(drawn) == 4 else (1, len(drawn))
@@ -171,19 +167,12 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Return markers for a line of few points; a line of many points has none.
-
-    Markers show where values were computed.
-    """
+    """Return markers, which show computed points, for a line of few points; {} for a line of many."""
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
 def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw friction against load with its bands.
-
-    Possible bands: the interval of a prediction, the range over asperity methods, and quantiles over uncertain inputs with
-    median and sampling error.
-    """
+    """Draw friction against load with its bands: interval, range over asperity methods, and quantiles over uncertain inputs."""
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
     text = "median" if "level" in data.attrs else "at nominal inputs" if f"{_MU}_quantile" in data else ""
@@ -252,11 +241,7 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 
 
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
-    """Yield (low, high, style) of each friction band.
-
-    The first band is the interval of a prediction or the range over asperity methods. Further bands are quantile ranges
-    over uncertain inputs.
-    """
+    """Yield (low, high, style) of each friction band: interval or range over asperity methods, then quantile ranges."""
     if f"{_MU}_low" in data:
         text = f"{METHOD_BAND}; used:\n{data.attrs.get('roughness_method', 'first method')}"
         text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
@@ -308,10 +293,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
 
 
 def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
-    """Format ticks and grid of the axes, and add a legend if lines are named.
-
-    named: properties to set on the axes, e.g. `xlabel`.
-    """
+    """Format ticks and grid of the axes, add a legend of named lines, and set further properties, e.g. `xlabel`."""
     axes.set(**named)
     axes.title.set_fontsize(9)
     for axis in (axes.xaxis, axes.yaxis):
@@ -390,10 +372,7 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, number: int) -> dict[str, Any]:
-    """Return colour and marker of an asperity method, the same in all figures.
-
-    Other names take the colour and marker of their line number.
-    """
+    """Return colour and marker of an asperity method, the same in all figures; other names take those of their line number."""
     known = list(methods())
     number = known.index(method) if method in known else number
     return {"color": COLOURS[number % len(COLOURS)], "marker": _MARKERS[number % len(_MARKERS)], "markersize": 5}
