@@ -350,7 +350,7 @@ def test_a_fan_of_failures_says_so():
     resolution_study = fan_of(friction=False)
     for name in ("sigma", "R", "N"):
         resolution_study[name][:] = np.nan
-    assert texts(resolution_figure(resolution_study).axes[2]) == ["no method has a value here"]
+    assert texts(resolution_figure(resolution_study).axes[2]) == ["no method gives a value"]
 
 
 # ---- friction over methods
@@ -415,7 +415,7 @@ def test_gaps_and_zeros_are_named(with_range_over_methods):
     changed["friction_coefficient_low"] = (changed["load"].dims, np.fmin.reduce(table))
     changed["friction_coefficient_high"] = (changed["load"].dims, np.fmax.reduce(table))
     said = legend(method_spread_figure(changed))
-    assert "moments (McCool)\n(0 where it is not drawn)" in said
+    assert "moments (McCool)\n(not drawn where mu = 0)" in said
     assert "n-point asperities\n(does not carry every load)" in said
 
 
