@@ -1,17 +1,17 @@
 """Areal parameters of ISO 25178-2 in addition to `statistics`: heights, area, autocorrelation, material ratio.
 
-Heights d count from the mean of the map as it stands; level and filter it first. Missing points are left out.
+Heights d are measured from the mean of the map. Level and filter the map first. Missing points are left out.
 
-    Sp, Sv          highest point, and depth of the lowest
-    Sdr             area of the surface over its projection, less 1: of each cell of four points the mean of both ways to cut it
-                    into two triangles (ISO 25178-2:2021, D.3)
-    Sal, Str        shortest distance at which the autocorrelation, sum d d' over the pairs that there are, has fallen to 0.2,
-                    and that distance over the longest; Str is None where the fall is not over within the map
-    Sk, Spk, Svk,   of the material ratio curve (annex B.1): the straight line fitted to the 40 % of the curve whose secant is
-    Smr1, Smr2      least steep spans the core height Sk over 0 to 100 %; Smr1 and Smr2 are where the curve leaves the core,
-                    Spk and Svk the heights of triangles with the areas above and below it
+    Sp, Sv          height of the highest point, and depth of the lowest
+    Sdr             area of the surface divided by its projected area, minus 1. The area of each cell of four points is the mean
+                    of both ways to cut it into two triangles (ISO 25178-2:2021, D.3)
+    Sal, Str        Sal is the shortest distance at which the autocorrelation, the sum of d d' over all available pairs, falls
+                    to 0.2. Str is Sal divided by the longest such distance, None if that distance exceeds the map
+    Sk, Spk, Svk,   parameters of the material ratio curve (annex B.1). A straight line is fitted to the 40 % of the curve with
+    Smr1, Smr2      the least steep secant. It spans the core height Sk over 0 to 100 %. Smr1 and Smr2 are the ratios where the
+                    curve leaves the core. Spk and Svk are the heights of triangles with the areas above and below it
 
-The curve has 10,001 quantiles. Of maps with more than 1024 points along a side the autocorrelation takes every second (third,
+The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
 ...) point. Checked against surfalize 0.19.2 (tests/surfaces/test_areal_parameters.py).
 """
 

@@ -1,4 +1,4 @@
-"""Asperities as every method returns them: how many, how high, how blunt."""
+"""The asperities of a surface in the form that every finding method returns."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -18,14 +18,16 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Asperities:
-    """The asperities of a surface as one method finds them.
+    """The asperities of a surface, as one method finds them.
 
-    method: its key. heights: (n,) [m] over the mean plane; radii: (n,) [m], inf where a summit does not curve down; both are
-    empty for a method that only computes averages. density: per nominal area [1/m^2]. deviation: of the heights, sigma [m].
-    radius: R [m], of the mean curvature, 1 / <1/R>, as in Nayak's and McCool's relations; it is always finite, while the few
-    flattest summits dominate the mean of the radii. mean_height: over the mean plane [m]. skewness: of the heights. note: the
-    numbers found and their basis. places: (n, 2), row and column of each asperity in the map, of its middle point if it has
-    several; also empty for averages, or where the method does not return them.
+    method: key of the method. density: number per nominal area [1/m^2]. deviation: standard deviation sigma of the heights
+    [m]. radius: R [m] = 1 / <1/R>, from the mean curvature, as in the relations of Nayak and McCool. It is always finite,
+    whereas the few flattest summits would dominate a mean of the radii. mean_height: above the mean plane [m]. skewness: of
+    the heights. note: the numbers found and their basis, in words.
+
+    heights: (n,) [m] above the mean plane. radii: (n,) [m], inf for a summit that does not curve down. places: (n, 2), row
+    and column of each asperity in the map, or of the middle point of an asperity with several points. All three are empty for
+    a method that only computes averages. places is also empty if the method does not return it.
     """
 
     method: str
@@ -41,7 +43,7 @@ class Asperities:
 
     @property
     def count(self) -> int:
-        """Return how many were found; 0 for a method that only computes averages."""
+        """Return the number of asperities found; 0 for a method that only computes averages."""
         return len(self.heights)
 
 
@@ -49,10 +51,11 @@ def of_samples(
     method: str, heights: np.ndarray, curvatures: np.ndarray, density: float, note: str,
     remedy: str = "finer points or a larger map", places: np.ndarray | None = None,
 ) -> Asperities:  # fmt: skip
-    """Average asperities: heights (n,) [m] and curvatures (n,) [1/m], positive downwards.
+    """Return the Asperities object for single asperities, with their averages.
 
-    remedy: a change that would find more. places: (n, 2), row and column of each, None if unknown. Raises InputError if there
-    are fewer than two, or if their mean curvature is not downwards.
+    heights: (n,) [m]. curvatures: (n,) [1/m], positive for summits that curve down. remedy: a change that would find more,
+    for the error text. places: (n, 2), row and column of each, None if unknown. Raises InputError for fewer than two
+    asperities, a density of 0, or a mean curvature that is not positive.
     """
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
@@ -83,32 +86,32 @@ def of_samples(
 
 
 def spread(samples: np.ndarray) -> float:
-    """Return the standard deviation; 0 where all are equal to rounding."""
+    """Return the standard deviation; 0 if all samples are equal apart from rounding."""
     deviation = float(samples.std())
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
 
 
 def of_numbers(surface: "Roughness") -> Asperities:
-    """Return stated asperities of a body without a scan.
+    """Return the Asperities object for a body with stated sigma, R and N.
 
-    Heights count from their own mean.
+    Heights are measured from their own mean.
     """
     deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
     return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")
 
 
 def rounding(heights: np.ndarray) -> float:
-    """Return the difference in height [m] that may be rounding of levelling.
+    """Return the height difference [m] that levelling may cause by rounding.
 
-    Smaller differences are not taken for peaks along the ridge of a groove.
+    Smaller differences do not count as peaks along the ridge of a groove.
     """
     return _ROUNDING * float(np.nanmax(heights) - np.nanmin(heights))
 
 
 def skewness(samples: np.ndarray) -> float:
-    """Return the third central moment over the cube of the deviation.
+    """Return the third central moment divided by the cube of the standard deviation.
 
-    It is 0 where all heights are equal to rounding.
+    The result is 0 if all samples are equal apart from rounding.
     """
     deviation = spread(samples)
     if deviation == 0.0:
@@ -118,7 +121,7 @@ def skewness(samples: np.ndarray) -> float:
 
 
 def over_mean_plane(surface: HeightMap) -> np.ndarray:
-    """Subtract the mean from the heights (rows, columns) [m]; NaN where missing.
+    """Return the heights (rows, columns) [m] minus their mean; NaN where missing.
 
     A tilt stays: level the map first.
     """

@@ -1,18 +1,19 @@
-"""Heights of a stated skewness and kurtosis: Johnson's system (1949).
+"""Transform Gaussian variables to a stated skewness and kurtosis: Johnson's system (1949).
 
-A height is a rising function of a Gaussian variable.
-
-With u = (z - gamma) / delta of a standard Gaussian z, a height is up to its mean and scale
+A height is an increasing function of a standard Gaussian variable z. With u = (z - gamma) / delta, the height, apart from its
+mean and scale, is one of three functions:
 
     sinh u            unbounded     kurtosis above the lognormal line
-    exp u             lognormal     on it: with w = exp(1 / delta^2), skewness^2 = (w - 1) (w + 2)^2,
+    exp u             lognormal     on the line: with w = exp(1 / delta^2), skewness^2 = (w - 1) (w + 2)^2,
                                     kurtosis = w^4 + 2 w^3 + 3 w^2 - 3
-    1 / (1 + e^-u)    bounded       below it, down to skewness^2 + 1, which no distribution reaches
+    1 / (1 + e^-u)    bounded       below the line, down to the limit skewness^2 + 1
 
-so that every pair that some distribution has, has one curve. Kurtosis is the fourth moment, 3 of a Gaussian.
+Every possible pair of skewness and kurtosis has exactly one such function. Kurtosis is the standardised fourth moment, 3 for
+a Gaussian distribution.
 
-scipy.stats has these curves as johnsonsu, lognorm and johnsonsb, but fits them to data, not to given moments, and has no
-closed form of the moments of the bounded one: curves and fit are written here, with one rule for the moments of all three.
+scipy.stats has these functions as johnsonsu, lognorm and johnsonsb, but fits them to data and not to given moments. It has no
+closed form for the moments of the bounded function. This module therefore computes the moments of all three by one quadrature
+rule.
 """
 
 import math
@@ -35,10 +36,11 @@ _LARGEST = 50.0  # kurtosis; the mean of fourth powers of any map is far from it
 
 
 def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarray]:
-    """Return the rising function with this skewness and kurtosis for Gaussian variables.
+    """Return an increasing function that gives Gaussian variables this skewness and kurtosis.
 
-    It maps a standard Gaussian variable to mean 0 and variance 1. kurtosis: 3 of a Gaussian; above skewness^2 + 1 and at most
-    50. Raises InputError otherwise, or where no curve is found (close to that limit, where the heights are two values).
+    The function maps a standard Gaussian variable to a variable with mean 0 and variance 1. kurtosis: above skewness^2 + 1
+    and at most 50; 3 for a Gaussian. Raises InputError otherwise, or if no curve is found close to the lower limit, where the
+    heights take only two values.
     """
     for name, value in (("skewness", skewness), ("kurtosis", kurtosis)):
         if isinstance(value, bool) or not isinstance(value, Real) or abs(value) > 1e100:
@@ -70,7 +72,7 @@ def _lognormal(z, delta, gamma):
 
 
 def _lognormal_base(skewness: float) -> float:
-    """Return w of the lognormal distribution of this skewness."""
+    """Return w = exp(1 / delta^2) of the lognormal distribution with this skewness."""
     return brentq(lambda w: (w - 1.0) * (w + 2.0) ** 2 - skewness**2, 1.0, 2.0 + abs(skewness))
 
 
@@ -92,10 +94,10 @@ def _skewness_and_kurtosis(curve, delta, gamma) -> tuple[float, float]:
 
 
 def _fitted(curve, skewness: float, kurtosis: float):
-    """Return (curve, delta, gamma) with this skewness >= 0 and kurtosis.
+    """Return (curve, delta, gamma) with the given skewness >= 0 and kurtosis.
 
-    The search starts from the best point of a coarse grid of both parameters. It varies gamma / delta instead of gamma, because
-    that ratio stays of order one.
+    The search starts from the best points of a coarse grid of both parameters. It varies gamma / delta instead of gamma,
+    because that ratio stays of order one.
     """
     sign = -1.0 if curve is _unbounded else 1.0
 

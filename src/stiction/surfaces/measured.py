@@ -1,4 +1,4 @@
-"""Roughness of a contact from scans of its bodies, for each way to find asperities."""
+"""Compute the roughness of a contact from scans of its bodies, for every asperity method."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -34,11 +34,11 @@ _Length = Annotated[str, BeforeValidator(_length)]
 
 
 class Scan(Input):
-    """A scan of one body.
+    """A scan file of one body, and how to read it.
 
-    file: path, from the folder of the case file. size: along x, overrides the file; unit, height_unit: of the numbers in the
-    file; height_scale: factor on the heights; channel: of a file with several; periodic: the scan is one period of an endless
-    surface. Raises InputError.
+    file: path, relative to the folder of the case file. size: length of the scan along x; it replaces the size in the file.
+    unit, height_unit: units of the numbers in the file. height_scale: factor on the heights. channel: channel to read from a
+    file with several. periodic: whether the scan is one period of an endless surface. Raises InputError.
     """
 
     file: str
@@ -51,7 +51,7 @@ class Scan(Input):
 
 
 def _body(value):
-    """Return a scan, or the numbers of a body without one."""
+    """Return the input of a body as a Scan, a HeightMap or a Roughness; None stays None."""
     if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
         from stiction.surfaces.held import as_height_map
 
@@ -82,7 +82,7 @@ def _is_scan(body: Any) -> bool:
 
 
 def _with_methods(schema: dict[str, Any]) -> None:
-    """List the ways of finding asperities in a JSON schema, at the time of the request."""
+    """List the keys of all current asperity methods in the JSON schema of `method`."""
     from stiction.surfaces.finding import methods
 
     schema["description"] = f"way of finding asperities: {', '.join(methods())}"
@@ -91,12 +91,12 @@ def _with_methods(schema: dict[str, Any]) -> None:
 class MeasuredRoughness(Input):
     """Scans of one or both bodies, and how asperities are found in them.
 
-    With a single scan the other body is smooth, or its numbers are stated. first, second: a scan (in Python also a HeightMap,
-    or any input of `as_height_map`), or a Roughness with Gaussian heights, at least one a scan. method: key of a way of finding
-    asperities; by default the first that finds enough, among those whose record has `of_summits`. form: order of the polynomial
-    to remove, 1 for a plane. spikes: robust deviations from the median beyond which points are masked. fill: way of filling
-    missing points. shortest, longest: ends of the band of wavelengths. heights: gaussian, weibull or empirical, the
-    distribution of the asperity heights; by default the simplest that fits. Raises InputError.
+    first, second: a scan, or a Roughness with Gaussian heights; at least one must be a scan. In Python a scan may also be a
+    HeightMap or any input of `as_height_map`. A body that is not stated is smooth. method: key of an asperity method; the
+    default is the first that finds enough asperities, and methods whose record has `of_summits` come first. form: order of
+    the polynomial to remove, 1 for a plane. spikes: number of robust standard deviations from the median beyond which points
+    are masked. fill: how missing points are filled. shortest, longest: ends of the band of wavelengths. heights: distribution
+    of the asperity heights, gaussian, weibull or empirical; the default is the simplest that fits. Raises InputError.
     """
 
     first: _Body | None = Field(None, description="a table with the scan, or the numbers, of the first body")
@@ -118,13 +118,14 @@ class MeasuredRoughness(Input):
 
 @dataclass(frozen=True)
 class Measured:
-    """Roughness of a contact, as measured in scans.
+    """The roughness of a contact, as every asperity method finds it in the scans.
 
-    by_method: method -> Roughness; method: the chosen one; failures: method -> why it found nothing. history: of each scan, in
-    words; notes: method -> its findings and their basis; counts: method -> number of separate asperities, 0 where it only
-    computes averages or for two combined bodies. mean_heights: of the asperities, over the mean plane [m]: separations count
-    from them. validity_warnings: warnings about combining two bodies. of_moments: the method that keeps the moments of the
-    surface. stated: whether method and heights were stated. solvable: the maps whose contact can be solved point by point.
+    by_method: method -> Roughness. method: the chosen method. failures: method -> why it found no asperities. history: body
+    -> processing steps of its scan. notes: method -> its results and their basis, in words. counts: method -> number of
+    separate asperities; 0 for a method that only computes averages, and for two combined bodies. mean_heights: method -> mean
+    height of the asperities above the mean plane [m]; separations are measured from it. validity_warnings: warnings about the
+    scans and their combination. of_moments: the method that computes the spectral moments of the surface. stated: which of
+    "method" and "heights" the user stated. solvable: the maps for a point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]
@@ -140,19 +141,22 @@ class Measured:
     solvable: SolvableMaps = field(default_factory=SolvableMaps, repr=False, compare=False)
 
     def roughness(self) -> Roughness:
-        """Return the numbers of the chosen method, with a reference to this measurement."""
+        """Return the roughness found by the chosen method; it keeps a reference to this object."""
         found, reduced = self.by_method[self.method], self.with_surface_moments()
         if reduced is not self:
             found = found.replace(surface=self.by_method[self.of_moments].attached(measured=reduced))
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return copies of the contact with the roughness found by each method, the chosen method first."""
+        """Return method -> copy of the contact with its roughness, the chosen method first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return the asperities with the moments of the surface, for theories of all of it."""
+        """Return a copy with only the asperities that have the spectral moments of the surface.
+
+        If these asperities were not found, the same object is returned.
+        """
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
@@ -163,7 +167,7 @@ class Measured:
         return {"roughness_method": self.method, "scans": scans}
 
     def sources(self) -> list[str]:
-        """Return the keys of the bibliography entries of the methods, each once."""
+        """Return the bibliography keys of all methods that found asperities, without duplicates."""
         from stiction.surfaces.finding import methods
 
         known = methods()
@@ -194,7 +198,7 @@ class Measured:
 
 
 def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap") -> Measured:
-    """Return the roughness of a contact whose map, with its asperities, is to be solved."""
+    """Return the Measured object for one map whose asperities are already known."""
     key = asperities.method
     return Measured(
         by_method={key: found},
@@ -211,8 +215,8 @@ def of_one_map(found: Roughness, asperities: "Asperities", surface: "HeightMap")
 def roughness_of(scan: Any) -> Roughness:
     """Return the roughness of a scan of the first body, or of a table of scans.
 
-    The scan is any map that Python holds, the table like that of a case file. The result keeps the measurement. Raises
-    InputError.
+    scan: any input of `as_height_map`, or a mapping with the fields of MeasuredRoughness. The result keeps a reference to the
+    measurement. Raises InputError.
     """
     from stiction.surfaces.held import as_height_map
 
@@ -221,9 +225,10 @@ def roughness_of(scan: Any) -> Roughness:
 
 
 def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
-    """Read the scans, prepare them, and find asperities by every method.
+    """Read and prepare the scans, and find the asperities by every method.
 
-    Raises InputError for unreadable scans, or where the requested method finds nothing.
+    folder: folder to which the file paths are relative. Raises InputError if a scan cannot be read, or if no method or not
+    the requested one finds asperities.
     """
     from stiction.surfaces.asperity_set import of_numbers
     from stiction.surfaces.finding import asperities, method_of_moments, methods
@@ -281,7 +286,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Add to each roughness the asperities with the measured moments, for surface theories."""
+    """Set `surface` of each roughness to the asperities with the measured moments."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -297,9 +302,9 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:
-    """Return the number of separate asperities: at most density times area of the map.
+    """Return the number of separate asperities, at most their density times the area of the map.
 
-    Many profiles cross the same hill.
+    A method may find the same hill on several neighbouring profiles and count it each time.
     """
     if surface.is_profile:
         return found.count
@@ -307,11 +312,11 @@ def independent(found: "Asperities", surface: "HeightMap") -> int:
 
 
 def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]) -> str:
-    """Return the default method for finding asperities.
+    """Return the key of the default asperity method for these results.
 
-    Methods that agree with Nayak's summits on resolved surfaces come first, because moments can then be added for two bodies
-    (docs/surfaces.md). The result is the first of them that finds enough asperities or only computes averages, otherwise the
-    first of the other methods. On profiles only averages are available.
+    Methods that agree with Nayak's summits on resolved surfaces (`of_summits`) come first, because their moments can be added
+    for two bodies (docs/surfaces.md). The result is the first method that finds at least FEW asperities or only computes
+    averages. If there is none, it is the first method that found anything. On profiles only averages are available.
     """
     from stiction.surfaces.asperity_set import FEW
     from stiction.surfaces.finding import methods
@@ -340,7 +345,7 @@ def _without_moments(why: str | None) -> tuple[str, ...]:
 
 
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
-    """Return warnings about combining two rough bodies."""
+    """Return warnings about different or unknown resolutions of two rough bodies."""
     if numbers:
         return ("the resolution is not known for the body given by numbers: it must equal that of the scan",)
     if len(maps) < 2:
@@ -371,14 +376,17 @@ def _prepared(surface: "HeightMap", wanted: MeasuredRoughness, scan: Any, body: 
 
 
 def _to_solve(scan: "HeightMap", made_ready: "HeightMap", wanted: MeasuredRoughness) -> "HeightMap":
-    """Return the map whose contact is solved: the one with the asperities, or one period."""
+    """Return the map to be solved: one period of a periodic scan, else the prepared map."""
     from stiction.surfaces.prepare import prepared_period
 
     return prepared_period(scan, wanted.spikes, wanted.fill, wanted.shortest, wanted.longest) if scan.periodic else made_ready
 
 
 def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
-    """Read the map of a scan of the first or second body; folder: from which its file is named. Raises InputError."""
+    """Read the scan of the body "first" or "second" as a HeightMap.
+
+    folder: folder to which the file path is relative. Raises InputError.
+    """
     from stiction.surfaces.read import read_scan
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}

@@ -1,4 +1,7 @@
-"""Read the roughness of a contact: numbers, a scan, a finish, or a table of scans."""
+"""Type of the field `roughness` of a contact, with the conversion of what users may state.
+
+Users may state numbers, a scan, a finish, or a table of scans.
+"""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def _rough(value):
-    """Return numbers unchanged, scans and finishes as the roughness found by them."""
+    """Convert a scan or a finish to a Roughness; leave stated numbers unchanged."""
     if isinstance(value, Roughness | str | int | float | None):
         return value
     if is_finished(value):

@@ -1,4 +1,4 @@
-"""A rough surface by its asperities: stated numbers, or found in scans."""
+"""The rough surface of a contact, described by asperities that are stated or found in scans."""
 
 from typing import Annotated, Any, Self
 
@@ -81,9 +81,9 @@ class Roughness(Input):
     _finished: Any = PrivateAttr(None)
 
     def replace(self, **changes: Any) -> Self:
-        """Return a copy with these fields replaced. Raises InputError.
+        """Return a copy with these fields replaced.
 
-        The roughness of a finish also accepts another height.
+        A roughness made from a finish also accepts another finish, height or body. Raises InputError.
         """
         if self._finished is None or not changes.keys() & {"finish", "rms_height", "mean_height", "first", "second"}:
             return super().replace(**changes)
@@ -91,29 +91,32 @@ class Roughness(Input):
         return changed(**changes).roughness()
 
     def part(self, name: str) -> Any:
-        """Return the field of this name, or a body with a finish; None where there is none."""
+        """Return the field of this name, or the body "first" or "second" of a finish.
+
+        The result is None if there is no such field or body.
+        """
         return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of numbers that a finish leaves open, e.g. "first.rms_slope".
+        """Return the names of the quantities that a finish states as a range, e.g. "first.rms_slope".
 
-        Empty where sigma, R and N are stated.
+        The result is empty if sigma, R and N are stated.
         """
         return () if self._finished is None else self._finished.unknowns
 
     def drawn(self, levels: Any) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] (n,) each, at quantile levels of what a finish leaves open.
+        """Return sigma [m], R [m] and N [1/m^2], (n,) each, at quantile levels of the uncertain quantities.
 
         Parameters
         ----------
         levels : array_like (k, n)
-            A row for each of the `unknowns`, in their order; each level above 0 and below 1.
+            One row of quantile levels for each of the k names in `unknowns`, in their order. Levels are above 0 and below 1.
 
         Raises
         ------
         InputError
-            There are not as many rows, or a level is not between 0 and 1.
+            The number of rows is wrong, or a level is not between 0 and 1.
         """
         rows = np.asarray(levels, dtype=float)
         if self._finished is None or rows.ndim == 0 or len(rows) != len(self.unknowns):
@@ -122,10 +125,9 @@ class Roughness(Input):
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
     def attached(self, **what: Any) -> "Roughness":
-        """Return the same numbers together with their origin.
+        """Return a copy with the same numbers that also stores their origin.
 
-        measured: surfaces.measured.Measured; map: a HeightMap; finished: surfaces.finished.FinishedBodies, the finishes of the
-        bodies.
+        Keywords: measured (surfaces.measured.Measured), map (a HeightMap) and finished (surfaces.finished.FinishedBodies).
         """
         found = self.model_copy()
         for name, value in what.items():
@@ -136,9 +138,9 @@ class Roughness(Input):
         return [] if self._finished is None else self._finished.notes()
 
     def of_surface(self) -> "Roughness | None":
-        """Return the asperities with the moments of the surface, of the same kind.
+        """Return the field `surface` with the kind of this roughness; None if it is not stated.
 
-        None where no separate ones are stated.
+        It holds the asperities that have the spectral moments of the surface.
         """
         return self.surface if self.surface is None or self.kind is None else self.surface.replace(kind=self.kind)
 
@@ -149,21 +151,21 @@ class Roughness(Input):
 
     @property
     def measured(self) -> Any:
-        """Return the scan results of all methods (surfaces.measured.Measured).
+        """Return the results of all methods for the scans (surfaces.measured.Measured).
 
-        None where these numbers are not from scans.
+        The result is None if the numbers do not come from scans.
         """
         return self._measured
 
     def as_numbers(self) -> "Roughness":
-        """Return the same numbers without reference to scans and their map."""
+        """Return a copy with the same numbers and without references to scans, map or finish."""
         return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
 
     @property
     def map(self) -> Any:
-        """Return the map (a HeightMap) that stands for both faces.
+        """Return the HeightMap that represents both surfaces of the contact.
 
-        None where these numbers are not from scans that make one.
+        The result is None if the numbers do not come from scans, or the scans cannot be combined into one map.
         """
         return self._map
 

@@ -1,4 +1,4 @@
-"""Maps of a contact between scanned bodies, combined for a point-by-point solution."""
+"""Combine the maps of scanned bodies for a point-by-point solution of their contact."""
 
 import math
 from collections.abc import Mapping
@@ -17,30 +17,33 @@ _ALIKE = 1e-6  # sizes of two maps that differ by less, relatively, are one
 
 @dataclass(frozen=True)
 class SolvableMaps:
-    """maps: prepared, of each rough body; some_numbers: a rough body has stated numbers only."""
+    """The prepared maps of the rough bodies of a contact.
+
+    maps: "first" or "second" -> HeightMap. some_numbers: whether a rough body has no map but only stated numbers.
+    """
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)
     some_numbers: bool = False
 
     @property
     def points(self) -> int:
-        """Return the number of points of the larger map."""
+        """Return the number of points of the larger map; 0 without maps."""
         return max((one.heights.size for one in self.maps.values()), default=0)
 
     def filled(self) -> "list[HeightMap]":
-        """Return the maps with missing points at the mean height; no profiles."""
+        """Return the maps with missing points set to the mean height; profiles are left out."""
         maps = [one for one in self.maps.values() if not one.is_profile]
         return [replace(one, heights=np.where(np.isnan(one.heights), np.nanmean(one.heights), one.heights)) for one in maps]
 
     def attributes(self) -> dict[str, str]:
-        """Return attributes of a result that found no asperities: the history of each map."""
+        """Return the attributes of a result that uses the map itself: the history of each map."""
         scans = "\n".join(f"{body} body: {step}" for body, one in self.maps.items() for step in one.history)
         return {"roughness_method": "none: the map itself", "scans": scans}
 
     def one(self) -> "HeightMap":
-        """Return the map that stands for both bodies.
+        """Return the single map that represents both bodies: the sum of their heights.
 
-        Raises InputError, which describes a suitable map.
+        Raises InputError if a rough body has no map, a map is a profile or has missing points, or two maps differ in size.
         """
         if self.some_numbers or not self.maps:
             raise InputError("roughness", "numbers of a rough body", "a map of every rough body, or the other smooth")
@@ -57,7 +60,7 @@ class SolvableMaps:
 
 
 def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
-    """Add two faces, each as seen from outside; the second is turned over first."""
+    """Return the sum of two surfaces, each measured from outside; the second is turned over."""
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
         allowed = "as many points as the first, over the same size, both periodic or neither: then their sum stands for both"

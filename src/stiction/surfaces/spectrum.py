@@ -1,26 +1,28 @@
-"""Power spectrum of a height map, its radial average, and its reliable wavelengths.
+"""Compute the power spectrum of a height map, its radial average, and its reliable wavelengths.
 
-The normalisation, with wavevectors q = 2 pi / wavelength [rad/m] on an area A (a profile: on a length L):
+Wavevectors are q = 2 pi / wavelength [rad/m]. A is the area of a map and L the length of a profile. The normalisation is
 
     C(q) = |pitch_x pitch_y sum_points h exp(-i q r)|^2 / A   [m^4]      so that  <h^2> = Int C d^2q / (2 pi)^2 = sum_q C / A
     C(q) = |pitch sum_points h exp(-i q x)|^2 / L             [m^3]      so that  <h^2> = Int C dq / (2 pi)     = sum_q C / L
 
-where q runs over both signs; these are the definitions of Jacobs, Junge & Pastewka (2017). The mean height is taken off, and
-q = 0 left out, so that a map without window has sum_q C / A = Sq^2 to the last digits (Parseval).
+where q takes both signs. These are the definitions of Jacobs, Junge & Pastewka (2017). The mean height is subtracted and q =
+0 is left out. Without a window, sum_q C / A equals Sq^2 to rounding (Parseval).
 
-A map that is not periodic needs a window, or the step from one end to the other spreads over all wavelengths. Windows are
-scaled to a mean square of 1: of heights that are alike everywhere they leave mean squares as they are. What remains: Hann's
-window adds m0 (2 pi / size)^2 / 3 to the mean square slope along a direction, which matters only if the longest waves have all
-the slope, and gives every wave a width of two wavenumbers, so that what is longer than size / 3 is mixed with the mean.
+A map that is not periodic needs a window. Otherwise the step from one end to the other spreads over all wavelengths. Windows
+are scaled to a mean square of 1, so they do not change mean squares of statistically homogeneous heights. Two errors remain.
+Hann's window adds m0 (2 pi / size)^2 / 3 to the mean square slope along a direction, which matters only if the longest waves
+carry most of the slope. It also gives every wave a width of two wavenumbers, so that wavelengths above size / 3 are mixed
+with the mean.
 
-The reliable band, criteria of this package:
+This package limits the reliable band by these criteria:
 
-    longest   smallest size / LEAST_PERIODS: fewer waves are no average, and the window mixes them with mean and tilt
-    shortest  POINTS_PER_WAVE largest pitch: half of Nyquist's wavevector q_N. Waves beyond q_N appear folded back: at q_N/2
-              all of them together are, of a self-affine spectrum q^(-2 - 2H), 5 % of what belongs there for H = 0.8, 15 %
-              for 0.5 and 37 % for 0.3; of a profile 9, 23 and 53 %
-    shortest  with a tip radius R: where waves up to q have together a root mean square curvature (half the Laplacian) 1/(2 R).
-              A tip cannot follow a valley more curved than itself; what it drew below this wavelength is its own shape
+    longest   smallest size / LEAST_PERIODS: fewer waves give no reliable average, and the window mixes them with mean and tilt
+    shortest  POINTS_PER_WAVE largest pitch, i.e. half of the Nyquist wavevector q_N. Waves beyond q_N appear at smaller q
+              (aliasing). At q_N/2 they add, for a self-affine map with spectrum q^(-2 - 2H), 5 % to the true value if
+              H = 0.8, 15 % if 0.5 and 37 % if 0.3; for a profile 9, 23 and 53 %
+    shortest  with a tip of radius R: the wavelength where all longer waves together have the rms curvature (half the
+              Laplacian) 1/(2 R). A tip cannot follow a valley more curved than itself. Below this wavelength the scan shows
+              the shape of the tip
 """
 
 import math
@@ -43,10 +45,10 @@ _ROUNDING = 1.0 + 1e-9  # a wave on the edge of a bin, or at the cutoff, is coun
 
 @dataclass(frozen=True)
 class PowerSpectrum:
-    """Power of every wave on the grid of a map or profile, as defined at the top.
+    """The power of every wave on the grid of a map or profile (definitions in the module docstring).
 
-    density: C on the half plane q_x >= 0 (rows, columns // 2 + 1) [m^4], of a profile (1, columns // 2 + 1) [m^3]; q_y in the
-    order of numpy's fft. columns: of the map. size: (y, x) [m]. window: a key of WINDOWS.
+    density: C on the half plane q_x >= 0, (rows, columns // 2 + 1) [m^4], or (1, columns // 2 + 1) [m^3] for a profile; q_y
+    in the order of numpy.fft. columns: number of columns of the map. size: (y, x) [m]. window: a key of WINDOWS.
     """
 
     density: np.ndarray
@@ -56,7 +58,7 @@ class PowerSpectrum:
 
     @property
     def is_profile(self) -> bool:
-        """Return whether this is the spectrum of one line."""
+        """Return whether this is the spectrum of a profile."""
         return self.density.shape[0] == 1
 
     @property
@@ -66,7 +68,7 @@ class PowerSpectrum:
 
     @property
     def pitch(self) -> float:
-        """Return the larger of the two pitches, of a profile the only one [m]."""
+        """Return the larger of the two pitches [m]; for a profile, the pitch along it."""
         along_x = self.size[1] / self.columns
         return along_x if self.is_profile else max(along_x, self.size[0] / self.density.shape[0])
 
@@ -79,9 +81,9 @@ class PowerSpectrum:
 
     @property
     def waves(self) -> np.ndarray:
-        """Return the number of waves per entry, by column (columns // 2 + 1,).
+        """Return how many waves each entry of `density` represents, by column (columns // 2 + 1,).
 
-        An entry counts twice where the whole plane also has the wave at -q.
+        An entry represents two waves if the wave at -q is not stored, and otherwise one.
         """
         return _waves(self.columns)
 
@@ -97,17 +99,17 @@ class PowerSpectrum:
 
     @property
     def shortest(self) -> float:
-        """Return the shortest reliable wavelength [m], ignoring the tip."""
+        """Return the shortest reliable wavelength [m], without the limit of a stylus tip."""
         return POINTS_PER_WAVE * self.pitch
 
 
 @dataclass(frozen=True)
 class BinnedSpectrum:
-    """A spectrum averaged in bins of |q|; arrays (bins,), from long waves to short.
+    """A power spectrum averaged in bins of |q|; arrays (bins,) run from long to short waves.
 
-    wavevector: mean |q| of the waves in a bin [rad/m]; density: mean C [m^4], of lines [m^3]; waves: how many they are, q and
-    -q being two. longest, shortest: ends of the reliable band [m]. is_profile: whether C belongs to lines. window: a key of
-    WINDOWS.
+    wavevector: mean |q| of the waves in a bin [rad/m]. density: mean C, [m^4] for a map and [m^3] for profiles. waves: number
+    of waves in a bin; q and -q count as two. longest, shortest: ends of the reliable band [m]. is_profile: whether C is that
+    of a profile. window: a key of WINDOWS.
     """
 
     wavevector: np.ndarray
@@ -120,12 +122,12 @@ class BinnedSpectrum:
 
     @property
     def wavelength(self) -> np.ndarray:
-        """Return 2 pi / wavevector [m]."""
+        """Return the wavelength 2 pi / wavevector [m] of each bin."""
         return 2.0 * math.pi / self.wavevector
 
     @property
     def reliable(self) -> np.ndarray:
-        """Return a mask of the bins in the reliable band."""
+        """Return a mask (bins,) of the bins inside the reliable band."""
         return (self.wavelength <= self.longest * _ROUNDING) & (self.wavelength * _ROUNDING >= self.shortest)
 
 
@@ -137,16 +139,16 @@ def _rectangle(shape, size) -> np.ndarray:
 
 
 def _hann(shape, size) -> np.ndarray:
-    """Return Hann's window along x times Hann's window along y."""
+    """Return the product of Hann's windows along x and y."""
     rows, columns = (hann(count, sym=False) for count in shape)
     return rows[:, None] * columns
 
 
 def _radial_hann(shape, size) -> np.ndarray:
-    """Return Hann's window over the distance from the middle.
+    """Return Hann's window as a function of the distance from the middle of the map.
 
-    It is zero outside the largest circle, so it uses pi/4 of the points, and fewer of a long map. Source: Jacobs, Junge &
-    Pastewka 2017.
+    The window is zero outside the largest circle that fits, so it uses pi/4 of a square map and less of a long one. Source:
+    Jacobs, Junge & Pastewka 2017.
     """
     y, x = (length * (np.arange(count) - count // 2) / count for count, length in zip(shape, size, strict=True))
     edge = min(length for count, length in zip(shape, size, strict=True) if count > 1) / 2.0
@@ -170,10 +172,10 @@ def _window(name: str, shape, size) -> np.ndarray:
 
 
 def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
-    """Compute the power spectrum of a map or a profile, about its mean height.
+    """Compute the power spectrum of a map or a profile, after its mean height is subtracted.
 
-    window: a key of WINDOWS; "none" for periodic surfaces. Raises InputError if points are missing or there are fewer than
-    LEAST_POINTS along a side. Takes four times the memory of the heights.
+    window: a key of WINDOWS; use "none" for periodic surfaces. Raises InputError if points are missing or a side has fewer
+    than LEAST_POINTS points. Needs four times the memory of the heights.
     """
     heights = _complete(surface)
     heights = heights - heights.mean()
@@ -185,10 +187,10 @@ def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
 
 
 def line_spectrum(surface: HeightMap, along: str = "x", window: str = "hann", bins: str = "log") -> BinnedSpectrum:
-    """Average the spectra of the lines of a map along "x" or "y", in bins.
+    """Average the spectra of all lines of a map along "x" or "y", in bins of |q|.
 
-    Each line is taken about its own mean. window: "hann" or another key of WINDOWS, along the line; bins: a key of BINS. Raises
-    Raises InputError as `power_spectrum` does.
+    The mean of each line is subtracted. window: a key of WINDOWS, applied along the line. bins: a key of BINS. Raises
+    InputError as `power_spectrum` does.
     """
     if along not in _LINES:
         raise InputError("along", along, " or ".join(_LINES))
@@ -210,12 +212,11 @@ _LINES: dict[str, Callable[[np.ndarray], np.ndarray]] = {"x": lambda heights: he
 
 
 def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float | None = None) -> BinnedSpectrum:
-    """Average a spectrum over directions, in bins of |q| up to the Nyquist wavevector.
+    """Average a spectrum over all directions, in bins of |q| up to the Nyquist wavevector.
 
-    It is the Nyquist wavevector of the larger pitch.
-
-    bins: a key of BINS; bins without a wave are left out. tip_radius [m], > 0: of the stylus, ends the reliable band earlier.
-    Of a profile: averaged in bins.
+    The Nyquist wavevector is that for the larger pitch. bins: a key of BINS; bins without a wave are left out. tip_radius:
+    radius of the stylus [m], > 0; a blunt tip raises the shortest reliable wavelength. The spectrum of a profile is only
+    averaged in bins.
     """
     edges = _edges(bins)(spectrum.lowest, math.pi / spectrum.pitch)
     sums = _average_over_directions(spectrum, edges)
@@ -224,9 +225,10 @@ def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float
 
 
 def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
-    """Return the wavelength [m] below which a stylus tip drew its own shape.
+    """Return the wavelength [m] below which a scan shows the shape of the stylus tip.
 
-    It is defined at the top, and 0 if the surface is too smooth. tip radius in m; raises InputError unless it is > 0.
+    The module docstring defines this wavelength. It is 0 if the surface is so smooth that the tip follows every wave.
+    tip_radius is in m. Raises InputError unless it is > 0.
     """
     if not (tip_radius > 0.0 and math.isfinite(tip_radius)):
         raise InputError("tip_radius", tip_radius, "> 0 m, finite")
@@ -243,18 +245,18 @@ def tip_cutoff(spectrum: PowerSpectrum, tip_radius: float) -> float:
 
 
 def _log_edges(low: float, high: float, per_decade: int = 10) -> np.ndarray:
-    """Return edges of `per_decade` bins per decade.
+    """Return the edges of logarithmic bins, `per_decade` in each decade.
 
-    They run down from the highest wavevector to below the lowest.
+    The edges start below the lowest wavevector and end at the highest.
     """
     count = math.ceil(per_decade * math.log10(high / low)) + 1
     return high * _ROUNDING * 10.0 ** (np.arange(-count, 1) / per_decade)
 
 
 def _linear_edges(low: float, high: float) -> np.ndarray:
-    """Return edges of bins as wide as the lowest wavevector, around its multiples.
+    """Return the edges of bins centred on multiples of the lowest wavevector.
 
-    No wave along an axis of a square map is on an edge.
+    On a square map no wave along an axis lies on an edge.
     """
     return low * np.append(np.arange(0.5, high / low * (1.0 - 1e-9)), high / low * _ROUNDING)
 
@@ -269,7 +271,7 @@ def _edges(bins: str) -> Callable[[float, float], np.ndarray]:
 
 
 def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
-    """Return (3, bins): number of waves, sum of C and sum of |q|.
+    """Return (3, bins): number of waves, sum of C and sum of |q| in each bin.
 
     q, density and waves have the same shape.
     """
@@ -281,9 +283,9 @@ def _sums_in_bins(q, density, waves, edges) -> np.ndarray:
 
 
 def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: int = 128) -> np.ndarray:
-    """Return (3, bins): number of waves, sum of C and sum of |q| in rings.
+    """Return (3, bins): number of waves, sum of C and sum of |q| in rings of the wave plane.
 
-    edges: of the rings; `block` rows are summed at a time.
+    edges: of the rings [rad/m]. The sum runs over `block` rows at a time to save memory.
     """
     qy, qx = spectrum.wavevectors
     sums = np.zeros((3, len(edges) - 1))
@@ -295,7 +297,7 @@ def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: 
 
 
 def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
-    """Return the means from the sums, without empty bins."""
+    """Return the bin means from the sums; empty bins are left out."""
     full = waves > 0
     count = waves[full]
     return BinnedSpectrum(magnitudes[full] / count, power[full] / count, np.rint(count).astype(int), **settings)
@@ -305,7 +307,7 @@ def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
 
 
 def _complete(surface: HeightMap) -> np.ndarray:
-    """Return the heights. Raises InputError if points are missing or too few."""
+    """Return the heights. Raises InputError if points are missing or a side is too short."""
     heights = surface.heights
     if surface.missing:
         raise InputError("heights", f"{surface.missing} of {heights.size} points missing", "none missing: fill or crop first")
@@ -316,7 +318,7 @@ def _complete(surface: HeightMap) -> np.ndarray:
 
 
 def _squares(waves: np.ndarray) -> np.ndarray:
-    """Return |waves|^2, without a third array of their size."""
+    """Return |waves|^2 with only one temporary array."""
     squares = waves.real**2
     squares += waves.imag**2
     return squares
@@ -327,9 +329,9 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
 
 
 def _waves(columns: int) -> np.ndarray:
-    """Return 2 for every entry of a real transform, 1 for the mean and Nyquist's.
+    """Return the number of waves that each entry of a real transform represents: 2 or 1.
 
-    Nyquist's entry exists for an even number of points.
+    It is 1 for the mean and for the Nyquist wavevector, which exists for an even number of columns.
     """
     waves = np.full(columns // 2 + 1, 2.0)
     waves[0] = 1.0

@@ -1,10 +1,9 @@
-"""Spikes: single points drawn far from the surface by the instrument.
+"""Find and mask spikes: single points that the instrument measured far from the surface.
 
-Dust, an edge or a lost signal causes them.
-
-A point is a spike if it is further from the median than so many robust deviations: 1.4826 times the median distance from the
-median, which is the standard deviation of a Gaussian surface and is not moved by the spikes themselves.
-A few of them decide Sq, Sz and with that the threshold of persistent summits.
+Dust, an edge or a lost signal causes spikes. A point is a spike if it is further from the median height than a given number
+of robust standard deviations. The robust standard deviation is 1.4826 times the median distance from the median. It equals
+the standard deviation for Gaussian heights, and a few spikes do not change it. A few spikes strongly change Sq and Sz, and
+with Sz the threshold for persistent summits.
 """
 
 import math
@@ -19,9 +18,10 @@ _GAUSSIAN = 1.4826  # standard deviation over median distance from the median
 
 
 def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
-    """Return a mask (rows, columns) of points beyond `times` robust deviations.
+    """Return a mask (rows, columns) of points beyond `times` robust standard deviations.
 
-    Empty where half of all points have the same height. Raises InputError unless times > 0 and finite.
+    The mask is all False if at least half of the points have the same height. Raises InputError unless times is finite and >
+    0.
     """
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")
@@ -34,7 +34,10 @@ def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
 
 
 def mask_spikes(surface: HeightMap, times: float) -> HeightMap:
-    """Return the levelled map with its spikes missing. Raises InputError as `spikes`."""
+    """Return the map with its spikes marked as missing. Level the map first.
+
+    Raises InputError as `spikes` does.
+    """
     found = spikes(surface, times)
     step = f"{np.count_nonzero(found)} points further than {times:g} robust deviations from the median masked"
     return surface.with_heights(np.where(found, np.nan, surface.heights), step)

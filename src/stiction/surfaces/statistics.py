@@ -1,31 +1,34 @@
-"""Heights, slopes, curvatures and spectral moments of a height map.
+"""Compute heights, slopes, curvatures and spectral moments of a height map.
 
-All are about the mean height and nothing else: level the map first. Height parameters are those of ISO 25178-2, with means
-over all points that have a height:
+All values refer to the mean height; a tilt is not removed, so level the map first. The height parameters are those of ISO
+25178-2. Means run over all points with a height:
 
     Sq = <d^2>^(1/2)    Sa = <|d|>    Ssk = <d^3> / Sq^3    Sku = <d^4> / Sq^4 (Gaussian: 3)    Sz = highest - lowest
 
-Slopes are differences of neighbouring points over the pitch (the slope midway between them), second derivatives are
-(z[i+1] - 2 z[i] + z[i-1]) / pitch^2. Means go over all places whose points all have a height; nothing is carried around the
-ends. Of a wave of wavevector q along the line, differences of points p apart see less than there is, by a factor of exactly
-s = sin(q p / 2) / (q p / 2) for slopes and s^2 for second derivatives. ISO 25178-2 leaves open how Sdq is differentiated; a
-difference over two pitches, or a polynomial through seven points, gives other numbers where the pitch is short of points.
+A slope is the height difference of neighbouring points over their pitch. A second derivative is (z[i+1] - 2 z[i] + z[i-1]) /
+pitch^2. Means run over all positions whose points all have a height. The map is not continued periodically. For a wave with
+wavevector q along the line, differences of points at distance p underestimate the slope by exactly the factor s = sin(q p /
+2) / (q p / 2) and the second derivative by s^2. ISO 25178-2 does not prescribe how Sdq is differentiated. A difference over
+two pitches, or a polynomial through seven points, gives other values if the pitch does not resolve the shortest waves.
 
 Spectral moments are those of a profile (Nayak 1971), m0 = <z^2>, m2 = <(dz/dx)^2>, m4 = <(d2z/dx2)^2>:
 
-    by differences   along x and along y as above, and their mean; points are as far apart along both as the coarser pitch says
-    by spectrum      along x: sum_q C {1, q_x^2, q_x^4} / A over all waves |q| <= 2 pi / cutoff, along y alike; for an isotropic
-                     surface from the radial average:   {1, 1/2, 3/8} (1/2 pi) Int q C(q) {1, q^2, q^4} dq
+    by differences   along x and along y as above, and their mean; both directions use nearly equal point distances, set by
+                     the coarser pitch or the cutoff
+    by spectrum      along x: sum_q C {1, q_x^2, q_x^4} / A over all waves |q| <= 2 pi / cutoff, and likewise along y; for an
+                     isotropic surface from the radial average:   {1, 1/2, 3/8} (1/2 pi) Int q C(q) {1, q^2, q^4} dq
 
-Where a surface has a lay, neither mean belongs to an isotropic surface. If it is an isotropic one stretched in any direction,
-m4/m2^2 is the same along every line, and the product of the principal m2 is the determinant of the mean slope tensor: so
+For a surface with a lay these means do not describe an isotropic surface. Equation (1) assumes that the surface is an
+isotropic one, stretched along some direction. Then m4/m2^2 is the same along every line, and the product of the principal m2
+is the determinant of the mean slope tensor. Hence
 
     m2 = (<z_x^2><z_y^2> - <z_x z_y>^2)^(1/2),        m4 = m2^2 times the geometric mean of m4/m2^2 along x and y           (1)
 
-are those of the isotropic surface with as many summits per area, whose curvature is the geometric mean of the two principal
-ones: by the affine map, derived here. On an isotropic surface both are the same.
+are the moments of an isotropic surface with the same number of summits per area. Its curvature is the geometric mean of the
+two principal curvatures. (Derived here from the affine map.) For an isotropic surface, (1) equals the means above.
 
-On a surface with no shortest wave both grow without bound as the cutoff shrinks: m2 and m4 without their cutoff mean nothing.
+On a surface without a shortest wave m2 and m4 grow without bound as the cutoff decreases. They have a meaning only together
+with their cutoff.
 """
 
 import math
@@ -49,13 +52,14 @@ _ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of a map or profile, with the definitions at the top.
+    """Height, slope and curvature parameters of a map or profile (definitions in the module docstring).
 
-    Values are None where a profile has none.
+    Parameters that a profile does not have are None.
 
-    Sq, Sa, Sz [m]; Ssk, Sku [1]; mean: height from which they count [m]. slope_x, slope_y: root mean square slopes along x and
-    y [1]; slope: of the gradient, Sdq, (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: root mean square second
-    derivatives [1/m]; curvature: of half the Laplacian (the mean of the two principal curvatures where slopes are small) [1/m].
+    Sq, Sa, Sz [m]; Ssk, Sku [1]. mean: mean height [m], from which heights are measured. slope_x, slope_y: rms slopes along x
+    and y [1]. slope: rms gradient Sdq = (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: rms second derivatives
+    [1/m]. curvature: rms of half the Laplacian [1/m], which is the mean of the two principal curvatures where slopes are
+    small.
     """
 
     Sq: float
@@ -74,11 +78,12 @@ class Statistics:
 
 @dataclass(frozen=True)
 class ProfileMoments:
-    """Spectral moments of the profiles of a map, by one of two ways.
+    """Spectral moments of the profiles of a map, from differences or from the spectrum.
 
-    x, y: of profiles along x and y, which shows the anisotropy (y: None for a profile); isotropic: of the isotropic surface
-    taken in its place by the mean; equivalent: by (1), which allows for a lay; None where all slopes are along one line, so
-    that there are no summits; cutoff: shortest wavelength that entered [m]; method: in words.
+    x, y: moments of profiles along x and along y; y is None for a profile. isotropic: moments of an isotropic surface, from
+    averages over the directions. equivalent: moments from equation (1) of the module docstring, which allows for a lay; None
+    if all slopes lie along one line, so that the surface has no summits. cutoff: shortest wavelength included [m]. method:
+    "finite differences" or "power spectrum".
     """
 
     x: Moments
@@ -90,10 +95,10 @@ class ProfileMoments:
 
 
 def statistics(surface: HeightMap) -> Statistics:
-    """Compute height parameters, slopes and curvatures over the points with heights.
+    """Compute height parameters, slopes and curvatures of a map; missing points are left out.
 
-    Raises InputError if no point has one, all heights are alike, or no three neighbouring points along x (and along y) have
-    one.
+    Raises InputError if no point has a height, if all heights are equal, or if no three neighbouring points along x (for a
+    map also along y) have heights.
     """
     heights, (dy, dx) = surface.heights, surface.pitch
     mean, heights_of = _height_parameters(heights)
@@ -119,10 +124,9 @@ def statistics(surface: HeightMap) -> Statistics:
 def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> ProfileMoments:
     """Compute spectral moments by finite differences.
 
-    The points are half a cutoff wavelength apart, rounded to whole pitches.
-
-    cutoff: [m], > 0, by default two of the larger pitches: differences of neighbours. Shorter waves are not smoothed away first
-    but sampled, as by an instrument of that pitch: m0 still includes all points. Raises InputError as for `statistics`, or if
+    cutoff: wavelength [m], > 0. The points of a difference are half a cutoff apart, rounded to whole pitches. By default the
+    cutoff is two of the larger pitches, so that neighbours are used. Shorter waves are not smoothed away; the map is sampled
+    as by an instrument with the larger pitch, and m0 still includes all points. Raises InputError as `statistics` does, or if
     the cutoff is too long.
     """
     cutoff = None if cutoff is None else in_metres(cutoff, "cutoff")
@@ -151,11 +155,11 @@ def moments_by_differences(surface: HeightMap, cutoff: float | None = None) -> P
 
 
 def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) -> ProfileMoments:
-    """Integrate the power spectrum over all waves not shorter than the cutoff.
+    """Compute spectral moments by integrating the power spectrum down to a cutoff wavelength.
 
-    cutoff: wavelength [m], >= 0, by default two (of the larger) pitches, Nyquist's; 0 takes every wave on the grid, the
-    shortest of which are along its diagonals. Reliable only if it is not below `spectrum.shortest`. `isotropic` belongs to the
-    radial average; x and y are integrated each. Raises InputError if no wave is that long.
+    cutoff: wavelength [m], >= 0. The default is two of the larger pitches (Nyquist). 0 includes every wave on the grid; the
+    shortest of these run along its diagonals. The moments are reliable only if the cutoff is at least `spectrum.shortest`.
+    Raises InputError if no wave is at least as long as the cutoff.
     """
     cutoff = 2.0 * spectrum.pitch if cutoff is None else in_metres(cutoff, "cutoff")
     if not (cutoff >= 0.0 and math.isfinite(cutoff)):
@@ -202,23 +206,23 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
 
 
 def _blocks(heights: np.ndarray, overlap: int = 0) -> Iterator[np.ndarray]:
-    """Yield views of _BLOCK points in rows, and `overlap` more rows of the next block."""
+    """Yield views of about _BLOCK points in whole rows, plus `overlap` rows of the next block."""
     rows = max(1, _BLOCK // heights.shape[1])
     for start in range(0, max(1, heights.shape[0] - overlap), rows):
         yield heights[start : start + rows + overlap]
 
 
 def _difference(heights: np.ndarray, order: int, step: int) -> np.ndarray:
-    """Return first or second differences along the rows, of points `step` apart."""
+    """Return first or second differences along each row, between points `step` columns apart."""
     for _ in range(order):
         heights = heights[:, step:] - heights[:, :-step]
     return heights
 
 
 def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -> float:
-    """Return the rms of the differences of an order along an axis.
+    """Return the rms of first or second differences along an axis.
 
-    Only differences whose points all have a height count.
+    Differences that involve a missing point are left out.
     """
     total, count = 0.0, 0
     if heights.shape[axis] > order * step:
@@ -229,7 +233,7 @@ def _rms_difference(heights: np.ndarray, axis: int, order: int, step: int = 1) -
 
 
 def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
-    """Return the rms sum of both second derivatives, where all five points have a height."""
+    """Return the rms Laplacian [1/m]; positions that involve a missing point are left out."""
     total, count = 0.0, 0
     if min(heights.shape) > 2:
         for block in _blocks(heights, overlap=2):
@@ -241,7 +245,7 @@ def _rms_laplacian(heights: np.ndarray, dy: float, dx: float) -> float:
 
 
 def _sum_of_squares(values: np.ndarray) -> tuple[float, int]:
-    """Return the sum of squares and the number of the values that are not missing."""
+    """Return the sum of squares of all values that are not NaN, and their number."""
     total, count = float(np.einsum("ij,ij->", values, values)), values.size
     if math.isnan(total):
         there = values[~np.isnan(values)]
@@ -265,9 +269,9 @@ def _mean(x: Moments, y: Moments) -> Moments:
 
 
 def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
-    """Return equation (1), from the moments along both axes.
+    """Return the moments of equation (1) from the moments along x and y; None without summits.
 
-    It also needs the correlation of the slopes along them.
+    correlation: correlation coefficient of the slopes along x and y.
     """
     if not (min(x.m2, y.m2) > _ROUNDED * max(x.m2, y.m2) and abs(correlation) < 1.0 - 1e-9):
         return None
@@ -276,9 +280,10 @@ def _equivalent(x: Moments, y: Moments, correlation: float) -> Moments | None:
 
 
 def _slope_correlation(heights: np.ndarray, along_y: int, along_x: int) -> float:
-    """Return the correlation of the slopes along x and y, in the middle of cells.
+    """Return the correlation coefficient of the slopes along x and y at the centres of cells.
 
-    A cell has four points, all with heights, that many points apart. The result is 1 where there are no slopes along one axis.
+    A cell has four corner points, `along_y` rows and `along_x` columns apart. Cells with a missing corner are left out. The
+    result is 1 if all slopes along x or along y are zero.
     """
     sums = np.zeros(3)
     for block in _blocks(heights, overlap=along_y):
@@ -299,7 +304,7 @@ _EVEN = [0, 2, 3]  # their places of 0, 2 and 4
 
 
 def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
-    """Return (4, 4): sum_q C q_y^i q_x^j / A over 0 < |q| <= highest, i and j of _POWERS."""
+    """Return (4, 4): sum_q C q_y^i q_x^j / A over 0 < |q| <= highest, for i and j in _POWERS."""
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS
     reach = np.sqrt(np.maximum(highest * highest - qy * qy, 0.0))

@@ -1,12 +1,12 @@
-"""Power spectra to generate surfaces from, with their moments in closed form.
+"""Power spectra for generated surfaces, with spectral moments in closed form.
 
-The spectrum C of a surface depends on the wave vector's length q [rad/m], counted so that the mean square height is
+The spectrum C depends on the magnitude q of the wave vector [rad/m]. It is normalised so that the mean square height is
 
     m0 = Int C(q) d^2q / (2 pi)^2   of a surface, C in m^4,        m0 = Int C(q) dq / (2 pi)   of a profile, C in m^3,
 
-over both signs of every component. The moments are those of a profile along a line, as in `surfaces.theory.moments`: of an
-isotropic surface, with the mean squares M_k = Int C q^(k+1) dq / (2 pi), they are m0 = M_0, m2 = M_2 / 2, m4 = 3 M_4 / 8,
-because the mean of cos^2 over all directions is 1/2, of cos^4 3/8 (Nayak 1971).
+where every component takes both signs. The moments are those of a profile along a line, as in `surfaces.theory.moments`. For
+an isotropic surface let M_k = Int C q^(k+1) dq / (2 pi). Then m0 = M_0, m2 = M_2 / 2 and m4 = 3 M_4 / 8, because the mean
+over all directions is 1/2 for cos^2 and 3/8 for cos^4 (Nayak 1971).
 """
 
 import math
@@ -32,7 +32,7 @@ def require_positive(**values: float) -> None:
 
 
 def _to_metres(spectrum, *names: str) -> None:
-    """Turn lengths of a spectrum that are text with a unit into metres."""
+    """Convert the named attributes of a spectrum from text with a unit to metres, in place."""
     for name in names:
         object.__setattr__(spectrum, name, in_metres(getattr(spectrum, name), name))
 
@@ -96,7 +96,7 @@ class SelfAffine:
             raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
 
     def with_slope(self, slope: float) -> "SelfAffine":
-        """Return the spectrum with this rms gradient [1] instead of its rms height."""
+        """Return the same spectrum scaled to this rms gradient [1]."""
         require_positive(slope=slope)
         return replace(self, deviation=self.deviation * slope / self.rms_slope)
 
@@ -107,14 +107,14 @@ class SelfAffine:
 
     @property
     def rms_slope(self) -> float:
-        """Return the rms gradient [1], sqrt(2 m2) of a surface and sqrt(m2) of a profile."""
+        """Return the rms gradient [1]: sqrt(2 m2) for a surface and sqrt(m2) for a profile."""
         return math.sqrt(self.dimensions * self.moments.m2)
 
     @property
     def moments(self) -> Moments:
         """Return m0 [m^2], m2 [1], m4 [1/m^2] of a profile, in closed form.
 
-        The waves lie close, as on an infinite surface.
+        The integrals assume a continuous spectrum, as on an infinite surface.
         """
         zeroth, second, fourth = (self._shape(k) for k in (0, 2, 4))
         m0 = self.deviation**2
@@ -122,7 +122,7 @@ class SelfAffine:
         return Moments(m0, two * m0 * second / zeroth, four * m0 * fourth / zeroth)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        """Return C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         lowest, corner, highest = self._edges()
         solid = {1: math.pi, 2: 2.0 * math.pi}[self.dimensions]
         plateau = self.deviation**2 * solid / self._shape(0)
@@ -131,11 +131,11 @@ class SelfAffine:
         return np.where(inside, plateau * falling ** (-self.dimensions - 2.0 * self.hurst), 0.0)
 
     def _edges(self) -> tuple[float, float, float]:
-        """Return the wave numbers [rad/m] of longest wave, roll-off and shortest wave."""
+        """Return the wave numbers [rad/m] of the longest wave, the roll-off and the shortest wave."""
         return 2.0 * math.pi / self.longest, 2.0 * math.pi / self.rolloff, 2.0 * math.pi / self.shortest
 
     def _shape(self, k: int) -> float:
-        """Return Int C q^(k + dimensions - 1) dq over the plateau's C."""
+        """Return Int C q^(k + dimensions - 1) dq divided by the plateau value of C."""
         lowest, corner, highest = self._edges()
         d, h = self.dimensions, self.hurst
         flat = _powers(lowest, corner, k + d)
@@ -144,11 +144,11 @@ class SelfAffine:
 
 @dataclass(frozen=True)
 class GaussianCorrelation:
-    """A surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
+    """The spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
 
-    Smooth, of one scale, alpha = 3 in closed form.
+    Such a surface is smooth and has one length scale. Nayak's alpha is exactly 3.
 
-    deviation: root mean square height [m]; length: correlation length [m]; dimensions: 2 of a surface, 1 of a profile.
+    deviation: rms height [m]. length: correlation length [m]. dimensions: 2 for a surface, 1 for a profile.
     """
 
     deviation: float
@@ -167,11 +167,11 @@ class GaussianCorrelation:
 
     @property
     def moments(self) -> Moments:
-        """Return m0 [m^2], m2 [1], m4 [1/m^2]: derivatives of the autocorrelation at 0."""
+        """Return m0 [m^2], m2 [1], m4 [1/m^2] from the derivatives of the autocorrelation at r = 0."""
         m0 = self.deviation**2
         return Moments(m0, 2.0 * m0 / self.length**2, 12.0 * m0 / self.length**4)
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
-        """Return C at wave numbers q >= 0 [rad/m]: m^4 of a surface, m^3 of a profile."""
+        """Return C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         plateau = self.deviation**2 * (math.sqrt(math.pi) * self.length) ** self.dimensions
         return plateau * np.exp(-np.minimum((0.5 * q * self.length) ** 2, 700.0))

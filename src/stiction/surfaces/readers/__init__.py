@@ -1,1 +1,1 @@
-"""Formats of files that are read, one file each, with its READER."""
+"""Readers of scan files: one module per file format, each with a record READER."""

@@ -1,4 +1,7 @@
-"""Tables in .csv files. Those that begin with words are an instrument's."""
+"""Read .csv files with a table of numbers.
+
+A .csv file that begins with several lines of words belongs to the format of an instrument.
+"""
 
 from pathlib import Path
 
@@ -13,7 +16,10 @@ GIVEN = "of a matrix size and unit, else unit"
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read rows of heights along x, or columns x z or x y z."""
+    """Read a matrix of heights (rows along x), or columns x z or x y z.
+
+    Returns None for a file that begins with more than one line of words.
+    """
     return read_text(path, channel, matrix)
 
 

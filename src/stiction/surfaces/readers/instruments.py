@@ -1,4 +1,4 @@
-"""Instruments' own formats, read by the optional library SurfaceTopography."""
+"""Read the file formats of instruments with the optional library SurfaceTopography."""
 
 import logging
 import math
@@ -20,9 +20,10 @@ _DENSEST = 32  # points per byte of a file, beyond which its header is wrong: co
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read a file in an instrument's format; return None for an unknown format.
+    """Read a file in the format of an instrument; return None for an unknown format.
 
-    channel: name or position; by default the default channel of the library if it holds heights.
+    channel: name or position of a channel with heights. By default the library's default channel is read if it holds heights,
+    else the first channel that does. Raises InputError for a damaged file or if the library is not installed.
     """
     with _quiet():
         try:
@@ -44,9 +45,9 @@ def read(path: Path, channel) -> RawScan | None:
 
 @contextmanager
 def _quiet():
-    """Suppress warnings, log lines and floating-point complaints of the library.
+    """Suppress warnings, log lines and floating-point warnings of the library.
 
-    Errors are reported by InputError.
+    Errors are reported as InputError instead.
     """
     before = logging.root.manager.disable
     logging.disable(logging.CRITICAL)
@@ -78,9 +79,9 @@ def _library(reader, channel, path: Path) -> RawScan | None:
 
 
 def _no_line_lost(path: Path, points: int) -> None:
-    """Raise InputError if there are more lines of numbers than points.
+    """Raise InputError if the file has more lines of numbers than the library read points.
 
-    The library skips all lines above one that it cannot read.
+    The library silently skips all lines above one that it cannot read.
     """
     with path.open("rb") as file:
         lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)
@@ -89,9 +90,9 @@ def _no_line_lost(path: Path, points: int) -> None:
 
 
 def _channel(reader, wanted):
-    """Return the channel of that name or position, or the library's choice.
+    """Return the requested channel (name or position), or the library's default.
 
-    Raises InputError naming the channels if it has no heights.
+    Raises InputError, which lists the channels with heights, if the request matches none of them.
     """
     channels = list(reader.channels)
     with_heights = [each for each in channels if each.is_height_channel and not isinstance(each.unit, tuple)]

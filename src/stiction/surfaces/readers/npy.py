@@ -1,4 +1,4 @@
-"""Arrays of heights in .npy files."""
+"""Read .npy files with an array of heights."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 def read(path: Path, channel) -> RawScan:
     """Read the array of a .npy file: (rows, columns) along y and x, or (points,).
 
-    It is mapped instead of loaded: a damaged header that claims more than the file holds takes no memory.
+    The file is memory-mapped, so that a damaged header that claims too many values needs no memory.
     """
     no_channel(channel)
     try:

@@ -1,4 +1,4 @@
-"""Arrays of heights in .npz files: the only one, or the one named as channel."""
+"""Read .npz files with one or several arrays of heights."""
 
 from pathlib import Path
 
@@ -10,9 +10,9 @@ from stiction.surfaces.readers.shared.arrays import checked, quiet
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read one array of a .npz file, laid out as in .npy.
+    """Read one array of a .npz file: (rows, columns) along y and x, or (points,).
 
-    channel: its name, needed if there are several.
+    channel: name of the array; it may be None if the file has only one array.
     """
     try:
         with quiet(), path.open("rb") as file, np.load(file, allow_pickle=False) as archive:

@@ -1,6 +1,7 @@
-"""Tables in other text files, as in .csv.
+"""Read text files with a table of numbers, as in .csv files.
 
-Remarks at their head may state the units of columns x y z; longer remarks belong to an instrument's format.
+Lines that begin with # may state the units of columns x y z. A file with other statements in such lines belongs to the format
+of an instrument.
 """
 
 import re
@@ -15,9 +16,9 @@ from stiction.surfaces.readers.shared.text import matrix, read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read rows of heights along x, or columns x z or x y z.
+    """Read a matrix of heights (rows along x), or columns x z or x y z.
 
-    Returns None for a file whose remarks state more than its units.
+    Returns None for a file whose # lines state more than units.
     """
     units = _units(path)
     if units is None:
@@ -35,9 +36,10 @@ _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 
 
 def _units(path: Path) -> tuple[str, ...] | None:
-    """Return the units along the surface and of heights.
+    """Return (lateral unit, height unit) from the # lines at the start of a file.
 
-    () where there are no remarks or none with a colon, None where they state more.
+    Returns () if no # line states a unit. Returns None if a # line contains another statement with a colon, or only one unit
+    or an unknown one is stated.
     """
     said: dict[str, str] = {}
     with path.open(encoding="utf-8-sig", errors="replace") as file:

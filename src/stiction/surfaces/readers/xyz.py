@@ -1,6 +1,6 @@
-"""Heights with their positions in .xyz files.
+"""Read .xyz files with heights at given positions.
 
-Files that begin with words belong to an instrument's format.
+A file that begins with several lines of words belongs to the format of an instrument.
 """
 
 from pathlib import Path
@@ -13,7 +13,10 @@ from stiction.surfaces.readers.shared.text import read_text
 
 
 def read(path: Path, channel) -> RawScan | None:
-    """Read columns x z or x y z."""
+    """Read columns x z of a profile, or columns x y z of a map.
+
+    Returns None for a file that begins with more than one line of words.
+    """
     return read_text(path, channel, _no_positions)
 
 

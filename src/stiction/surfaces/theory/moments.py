@@ -1,17 +1,16 @@
-"""Spectral moments of an isotropic Gaussian surface, and the asperities that have the same summits.
+"""Spectral moments of an isotropic Gaussian surface, and their relation to its summits.
 
-Three numbers of a surface's profile (the mean squares m0, m2, m4 of height, slope and second derivative along a line) and
-three of its summits (deviation of their heights sigma, mean tip radius R, number per area N) determine each other. Nayak
-(1971) has the statistics of the summits; McCool (1986) uses them as asperities. In the form with N R sigma, which other
-asperity models print, the same conversion is
+The moments m0, m2, m4 are the mean squares of height, slope and second derivative along a line. The summits have a standard
+deviation sigma of their heights, a mean tip radius R and a number N per area. Each set of three numbers determines the other.
+Nayak (1971) derived the statistics of the summits. McCool (1986) uses the summits as asperities. Papers on other asperity
+models state the same conversion with N R sigma:
 
-    sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R),
+    sigma^2 = m0 - 3.717e-4 / (N R)^2,   mean height of the summits = 0.045944 / (N R).
 
-two formulas that hide the moments but say the same.
-
-Traps. m2 and m4 are those of a profile along a line: the mean square of the gradient is 2 m2, of the Laplacian 8 m4 / 3. The
-mean curvature of the summits holds m4 alone, (8/3) sqrt(m4 / pi); a form with m4 / m2 is wrong. Separations from the mean
-plane and from the mean of the summits differ by `summit_height`; this package counts from the mean of the summits.
+Common errors: m2 and m4 are those of a profile along a line. The mean square gradient is 2 m2 and the mean square Laplacian
+is 8 m4 / 3. The mean curvature of the summits depends on m4 alone, (8/3) sqrt(m4 / pi); a form with m4 / m2 is wrong. The
+separations measured from the mean plane and from the mean of the summits differ by `summit_height`. This package measures
+from the mean of the summits.
 """
 
 import math
@@ -38,9 +37,10 @@ LEAST_DENSITY = math.sqrt((LEAST_BANDWIDTH - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR
 
 @dataclass(frozen=True)
 class Moments:
-    """Spectral moments of a profile of an isotropic surface, in SI units or in those of any length; numbers or arrays.
+    """Spectral moments along a profile of an isotropic surface; numbers or arrays.
 
-    m0: mean square height [m^2]; m2: mean square slope [1]; m4: mean square second derivative [1/m^2], all along a line.
+    m0: mean square height [m^2]. m2: mean square slope [1]. m4: mean square second derivative [1/m^2]. Any other unit of
+    length may replace the metre.
     """
 
     m0: Any
@@ -49,7 +49,7 @@ class Moments:
 
     @classmethod
     def from_asperities(cls, deviation, radius, density) -> "Moments":
-        """Return the surface whose summits have this height deviation, radius and density.
+        """Return the moments of the surface whose summits have this sigma, radius and density.
 
         Source: McCool 1986, solved for the moments; R and N are Nayak's (1971).
         """
@@ -59,38 +59,41 @@ class Moments:
 
     @classmethod
     def from_groups(cls, density, sharpness) -> "Moments":
-        """Return the same in units of sigma, from N R sigma and sqrt(sigma/R)."""
+        """Return the moments in units of sigma, from N R sigma and sqrt(sigma/R).
+
+        density: N R sigma. sharpness: sqrt(sigma/R).
+        """
         radius = 1.0 / (sharpness * sharpness)
         return cls.from_asperities(1.0, radius, density / radius)
 
     @property
     def alpha(self):
-        """Return Nayak's bandwidth m0 m4 / m2^2.
+        """Return Nayak's bandwidth parameter alpha = m0 m4 / m2^2.
 
-        It is 3/2 if all waves have one length, and large if they have many.
+        It is 3/2 if all waves have one wavelength, and large for a broad spectrum.
         """
         return self.m0 * self.m4 / (self.m2 * self.m2)
 
     @property
     def rms_slope(self):
-        """Return the rms gradient over the area, sqrt(2 m2)."""
+        """Return the rms gradient of the surface, sqrt(2 m2)."""
         return np.sqrt(2.0 * self.m2)
 
     @property
     def rms_curvature(self):
-        """Return the rms of half the Laplacian over the area, sqrt(2 m4 / 3)."""
+        """Return the rms of half the Laplacian of the surface, sqrt(2 m4 / 3)."""
         return np.sqrt(2.0 / 3.0 * self.m4)
 
     @property
     def summit_height(self):
-        """Return the mean height of the summits over the mean plane.
+        """Return the mean height of the summits above the mean plane, 4 sqrt(m0 / (pi alpha)).
 
-        It is 4 sqrt(m0 / (pi alpha)). Source: Nayak 1971.
+        Source: Nayak 1971.
         """
         return 4.0 * self.m2 / np.sqrt(math.pi * self.m4)
 
     def asperities(self):
-        """Return deviation of summit heights, mean tip radius, and summits per area.
+        """Return sigma of the summit heights, mean tip radius R and summit density N.
 
         Source: Nayak 1971, McCool 1986.
         """
@@ -100,52 +103,50 @@ class Moments:
 
 
 def combine(first: Moments, second: Moments) -> Moments:
-    """Return the moments of the sum of two independent surfaces.
+    """Return the moments of the sum of two independent surfaces: the sums of their moments.
 
-    They add, as for the gap between two rough bodies. Both must have the same cutoff.
+    The gap between two rough bodies has these moments. Both surfaces must have the same cutoff.
     """
     return Moments(first.m0 + second.m0, first.m2 + second.m2, first.m4 + second.m4)
 
 
 def bandwidth(density):
-    """Return Nayak's alpha of the surface with this N R sigma."""
+    """Return Nayak's alpha for N R sigma = `density`."""
     return _BANDWIDTH_FACTOR * density * density + SUMMIT_DEFICIT
 
 
 def density_of_bandwidth(alpha):
-    """Return N R sigma of a surface with this alpha, the inverse of `bandwidth`.
-
-    alpha >= 3/2.
-    """
+    """Return N R sigma for Nayak's alpha >= 3/2; the inverse of `bandwidth`."""
     return np.sqrt((alpha - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR)
 
 
 def summit_height(density):
-    """Return the mean summit height over the mean plane, over sigma.
+    """Return the mean summit height above the mean plane divided by sigma.
 
-    It is 1 / (sqrt(48) pi N R sigma).
+    It is 1 / (sqrt(48) pi N R sigma), with N R sigma = `density`.
     """
     return 1.0 / (math.sqrt(48.0) * math.pi * density)
 
 
 def slope_over_sharpness(density):
-    """Return the rms gradient over sqrt(sigma/R): (sqrt(3) / (64 N R sigma))^(1/2)."""
+    """Return the rms gradient divided by sqrt(sigma/R): (sqrt(3) / (64 N R sigma))^(1/2)."""
     return np.sqrt(math.sqrt(3.0) / (64.0 * density))
 
 
 def reduced_pressure(load, density):
-    """Return p / (E* h') from a load per asperity over K R^(1/2) sigma^(3/2).
+    """Return the reduced pressure p / (E* h') for a dimensionless load per asperity.
 
-    It is (4/3) N R sigma sqrt(sigma/R) load over h'. p: load per nominal area; h': rms gradient; sigma/R cancels. load and
-    density have the same shape.
+    p is the load per nominal area and h' the rms gradient. load: load per asperity divided by K R^(1/2) sigma^(3/2). density:
+    N R sigma, same shape. The result is (4/3) N R sigma sqrt(sigma/R) load / h'. sigma/R cancels, because h' is proportional
+    to sqrt(sigma/R).
     """
     return 4.0 / 3.0 * density * load / slope_over_sharpness(density)
 
 
 def require_gaussian(density: np.ndarray) -> None:
-    """Raise InputError for asperities that no isotropic Gaussian surface has.
+    """Raise InputError if N R sigma is too small for any isotropic Gaussian surface.
 
-    These have N R sigma < LEAST_DENSITY.
+    The limit is LEAST_DENSITY.
     """
     small = density < LEAST_DENSITY
     if small.any():

@@ -1,25 +1,26 @@
-"""Asperities of n neighbouring points of a sampled profile: found on a measured one, and counted on a Gaussian one.
+"""Statistics of n-point asperities of a Gaussian profile with exponential autocorrelation.
 
-Hariri, Zu & Ben Mrad (2006) take as one asperity n neighbouring sampled points whose n - 2 middle ones are above a
-level: the closer the surfaces, the more points an asperity has. Their abstract says that height and curvature of such an
-asperity are defined and their distributions found, for the exponential autocorrelation as an example; it does not say how.
-This is a reconstruction:
+Hariri, Zu & Ben Mrad (2006) define an asperity as n neighbouring sampled points whose n - 2 middle ones are above a level.
+The closer the surfaces are, the more points an asperity has. Their abstract says that height and curvature of such an
+asperity are defined and that their distributions are derived, with the exponential autocorrelation as an example. It does not
+say how. This module is a reconstruction:
 
     asperity   a longest row of m = n - 2 neighbouring points above the level, and the neighbour below it on either side
-    height t   the highest of the m points, over the level
+    height t   the highest of the m points, above the level
     radius R   of the parabola of this height over the chord L = (m + 1) spacing between the two neighbours, L^2 / (8 t)
 
-A Gaussian profile with exponential autocorrelation is a Markov chain, so that no simulation is needed. Levels and heights are
-over its standard deviation, `correlation` refers to two neighbours, and rates are per sampled point.
+A Gaussian profile with exponential autocorrelation is a Markov chain, so no simulation is needed. Levels and heights are
+divided by the standard deviation of the profile, `correlation` is that of two neighbouring points, and rates are per sampled
+point.
 
-- A row begins wherever the profile comes up through the level: the rate of rows is a bivariate Gaussian integral,
-  P(y0 < D < y1) = 2 T(D, sqrt((1 - rho)/(1 + rho))) with Owen's function T.
+- A row begins wherever the profile rises through the level. The rate of rows is a bivariate Gaussian integral, P(y0 < D <
+  y1) = 2 T(D, sqrt((1 - rho)/(1 + rho))), with Owen's function T.
 - A point at z is the highest of its row if the profile, on either side, falls below the level before it exceeds z. Both
-  sides are alike and, given z, independent: with the probability q(z) of one of them, the sum of the heights of all rows is
-  Int_D^inf (z - D) phi(z) q(z)^2 dz per point.
-- q solves a linear integral equation on (D, z), with the kernel of the chain: Gauss-Legendre panels turn it into linear
-  equations. Panels end at the z that are wanted, so that one Cholesky factor serves them all: its leading blocks belong to
-  the shorter intervals.
+  sides have the same statistics and, given z, are independent. Let q(z) be the probability for one side. The sum of the
+  heights of all rows is then Int_D^inf (z - D) phi(z) q(z)^2 dz per point.
+- q solves a linear integral equation on (D, z) with the kernel of the chain. Gauss-Legendre panels turn it into linear
+  equations. Panels end at the requested z, so that one Cholesky factor serves all of them: its leading blocks belong to the
+  shorter intervals.
 """
 
 import math

@@ -1,16 +1,17 @@
-"""Sums over the summits of an isotropic Gaussian surface: Nayak's joint density of height and curvatures, and F_n(h).
+"""Sums over the summits of an isotropic Gaussian surface: Nayak's joint density, and F_n(h).
 
-Nayak (1971) counts the summits, points of zero slope that curve downwards in all directions, by height z, mean curvature
-kappa and half the difference r of the principal curvatures kappa + r and kappa - r. At a point of an isotropic Gaussian
-surface with moments m0, m2, m4 the gradient is independent of the rest, with the density 1/(2 pi m2) at zero; z and kappa are
-Gaussian with variances m0 and 2 s^2 and covariance m2; r, independent of them, has Rayleigh's distribution with s^2 = m4/3.
-The determinant of the second derivatives is kappa^2 - r^2. So there are, per area and per dz dkappa dr,
+A summit is a point of zero slope that curves down in all directions. Nayak (1971) gives the number of summits by height z,
+mean curvature kappa and half the difference r of the principal curvatures kappa + r and kappa - r. At a point of an isotropic
+Gaussian surface with moments m0, m2, m4 the gradient is independent of all else and has the density 1/(2 pi m2) at zero. z
+and kappa are Gaussian with variances m0 and 2 s^2 and covariance m2. r is independent of them and has Rayleigh's distribution
+with s^2 = m4/3. The determinant of the second derivatives is kappa^2 - r^2. The number of summits per area and per dz dkappa
+dr is therefore
 
     1/(2 pi m2) phi(z, kappa) (r / s^2) exp(-r^2 / (2 s^2)) (kappa^2 - r^2),   0 < r < kappa,                            (1)
 
-which integrates to m4 / (6 pi sqrt(3) m2). With q = kappa/s and t = r/kappa (0: round, 1: a ridge), an elastic summit with the
-overlap w carries (4/3) E* w^(3/2) kappa^(-1/2) C_P(t) on the area pi w / kappa C_A(t). The integral over t is a function g(q)
-of its own for each, and that over the height is a Gaussian mean: what remains is one integral over q.
+which integrates to m4 / (6 pi sqrt(3) m2). With q = kappa/s and t = r/kappa (0 for a round summit, 1 for a ridge), an elastic
+summit with the overlap w carries the load (4/3) E* w^(3/2) kappa^(-1/2) C_P(t) on the area pi w / kappa C_A(t). For load and
+area each, the integral over t is a function g(q), and the integral over z is a Gaussian mean. One integral over q remains.
 """
 
 import math

@@ -1,1 +1,1 @@
-"""Functions that formats share: arrays, numbers in text, heights with positions."""
+"""Functions that several readers use: arrays, tables of numbers, heights at positions."""

@@ -1,4 +1,4 @@
-"""Functions for reading arrays."""
+"""Check arrays of heights from .npy and .npz files."""
 
 import warnings
 from contextlib import contextmanager
@@ -10,16 +10,16 @@ from stiction.quantities.errors import InputError
 
 @contextmanager
 def quiet():
-    """Suppress warnings of headers that are odd instead of wrong."""
+    """Suppress NumPy warnings about unusual but valid file headers."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield
 
 
 def checked(heights: np.ndarray, name: str) -> np.ndarray:
-    """Return the array of this file as (rows, columns).
+    """Return an array of heights as (rows, columns).
 
-    Raises InputError unless it is of real numbers of that shape, or (n,).
+    Raises InputError unless the array holds real numbers and has the shape (rows, columns) or (n,).
     """
     if heights.dtype.kind not in "iuf" or heights.ndim not in (1, 2):
         told = f"{name}: {heights.dtype} of shape {heights.shape}"

@@ -1,4 +1,4 @@
-"""Heights that come with their positions, brought to a regular grid."""
+"""Bring heights at given positions onto a regular grid."""
 
 import numpy as np
 
@@ -9,11 +9,11 @@ _ROUNDED = 0.75  # of a last digit that positions may be off: half of it, and as
 
 
 def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return a profile with equal spacing: heights (1, n), size (y, x), and a remark.
+    """Return a profile with equal spacing: heights (1, n), size (y, x), and notes.
 
-    The size is in the unit of x. Positions that are equally spaced but for the rounding of their last written digit are taken
-    as equally spaced: interpolating between rounded positions would create false slopes. Others are resampled to as many
-    points.
+    The size has the unit of x. Positions count as equally spaced if they deviate only by the rounding of their last written
+    digit, because interpolating between rounded positions would create false slopes. Other profiles are resampled to the same
+    number of points.
     """
     count = len(x)
     if count < FEWEST_POINTS:
@@ -36,9 +36,10 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
 
 
 def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return heights (rows, columns) of points on a grid, size (y, x), and a remark.
+    """Return heights (rows, columns) of points on a grid, size (y, x), and notes.
 
-    The points come in any order; NaN where none lies. Points along one line, in whichever direction, are a profile.
+    The points may have any order. Grid points without a height get NaN. Points along one line, parallel to x or y, are a
+    profile.
     """
     column, dx, columns, notes_x = _places(x, "x")
     row, dy, rows, notes_y = _places(y, "y")
@@ -57,7 +58,10 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
 
 
 def _places(x: np.ndarray, name: str) -> tuple[np.ndarray, float, int, tuple[str, ...]]:
-    """Return grid indices of the coordinates, the pitch (0 of a line), count, and remark."""
+    """Return grid indices (n,) of coordinates, the pitch, the number of grid points, and notes.
+
+    The pitch is 0 if all coordinates are equal.
+    """
     if not np.isfinite(x).all():
         raise InputError("scan", f"missing {name}", "finite positions x y of all points")
     start, extent = float(x.min()), float(x.max() - x.min())
@@ -83,9 +87,9 @@ def _rounding(off: float, pitch: float) -> tuple[str, ...]:
 
 
 def _last_digit(x: np.ndarray) -> float:
-    """Return the largest power of ten that divides all positions.
+    """Return the largest power of ten of which all positions are multiples.
 
-    0 if none of ten digits does.
+    The result is 0 if none of the first ten digits qualifies.
     """
     largest = int(np.floor(np.log10(np.abs(x).max())))
     for exponent in range(largest, largest - 10, -1):

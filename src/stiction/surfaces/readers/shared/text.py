@@ -1,12 +1,8 @@
-"""Numbers in text: a matrix of heights, columns x y z, or columns x z of a profile.
+"""Read tables of numbers from text: a matrix of heights, columns x y z, or columns x z.
 
-Column separators and decimal marks are detected. Tables with two or three columns are positions and heights: a map that narrow
-would be too small anyway. One line of words above the columns is skipped with a remark, not read for units. Lines that begin
-with # are skipped.
-
-How columns are parted and decimals are marked is found from the file. Tables with two or three columns are positions and
-heights: a map that narrow would be too small anyway. One line of words above the columns is passed over and told of, not
-read for units. Lines that begin with # are left out.
+Column separators and decimal marks are detected. A table with two or three columns holds positions and heights, because a map
+with so few columns would be too narrow. One line of words above the columns is skipped and noted in the history; it is not
+read for units. Lines that begin with # are skipped.
 """
 
 import re
@@ -23,10 +19,10 @@ from stiction.surfaces.readers.shared.positions import equally_spaced, gridded
 
 
 def read_text(path: Path, channel, otherwise: Callable[[np.ndarray, tuple[str, ...], str], RawScan]) -> RawScan | None:
-    """Read positions and heights, by the number of columns.
+    """Read a table of numbers: positions and heights if it has two or three columns.
 
-    Returns None for a file that begins with more than one line of words. otherwise(table, notes, name of the file): for any
-    other number of columns. Raises InputError for tables that cannot be read.
+    otherwise: function (table, notes, file name) -> RawScan for any other number of columns. Returns None for a file that
+    begins with more than one line of words. Raises InputError for a table that cannot be read.
     """
     layout = _layout(path)
     if layout is None:
@@ -54,18 +50,18 @@ _COLUMNS = {2: _profile, 3: _map}
 
 
 def matrix(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    """Return a table of heights, rows along x; one column is a profile.
+    """Return the RawScan of a matrix of heights with rows along x; one column is a profile.
 
-    Raises InputError if it includes row and column numbers.
+    Raises InputError if the table includes row and column numbers.
     """
     _no_numbering(table, name)
     return RawScan(table.T if table.shape[1] == 1 else table, "matrix of heights", notes=notes)
 
 
 def _no_numbering(table: np.ndarray, name: str) -> None:
-    """Raise InputError if the first row and column number the others.
+    """Raise InputError if the first row and the first column hold row and column numbers.
 
-    Spreadsheets and data frames are written so.
+    Spreadsheets and data frames write such tables.
     """
     rows, columns = table.shape
     if (
@@ -81,10 +77,10 @@ def _no_numbering(table: np.ndarray, name: str) -> None:
 
 @dataclass(frozen=True)
 class _Layout:
-    """How the numbers of a text file are written.
+    """The number format of a text file.
 
-    delimiter: None for blanks. commas: whether they mark decimals. ends_rows: whether the delimiter ends each row too. heading:
-    the line of words above the columns, if any.
+    delimiter: column separator; None for blanks. commas: whether commas are decimal marks. ends_rows: whether the delimiter
+    also ends each row. heading: the line of words above the columns, or None.
     """
 
     delimiter: str | None
@@ -114,7 +110,7 @@ def _layout(path: Path) -> _Layout | None:
 
 
 def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout:
-    """Refine the layout by a look at all lines together."""
+    """Return the layout after a check of all lines for decimal marks and row ends."""
     commas, points, ends_rows = False, False, delimiter is not None
     for line in islice(_lines(path), bool(heading), None):
         commas = commas or (delimiter != "," and "," in line)
@@ -143,9 +139,9 @@ def _is_number(text: str) -> bool:
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Yield lines that are neither empty nor remarks.
+    """Yield the lines of a file that are neither empty nor begin with #.
 
-    Bytes that are no UTF-8 are replaced: numbers have none.
+    Bytes that are not valid UTF-8 are replaced; numbers do not contain such bytes.
     """
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for line in file:
@@ -158,7 +154,7 @@ def _lines(path: Path) -> Iterator[str]:
 
 
 def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
-    """Return the table (rows, columns), NaN for empty cells, and remarks."""
+    """Return the table (rows, columns), NaN for empty cells, and notes for the history."""
     try:
         table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
     except ValueError as error:
@@ -171,7 +167,7 @@ def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
 
 
 def _rows(path: Path, layout: _Layout) -> Iterator[str]:
-    """Yield the lines with nan in empty cells and points for decimal commas."""
+    """Yield the lines of numbers, with "nan" in empty cells and points as decimal marks."""
     mark = layout.delimiter
     empty = re.compile(f"(?:^|{mark}) *(?:{mark}|$)")
     for line in islice(_lines(path), bool(layout.heading), None):

@@ -1,4 +1,4 @@
-"""A topography of the library SurfaceTopography as an array."""
+"""Convert a topography of the library SurfaceTopography to an array."""
 
 from typing import Any
 
@@ -8,9 +8,9 @@ from stiction.surfaces.readers.shared.positions import equally_spaced
 
 
 def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:
-    """Return heights (rows, columns), size (y, x), and remarks.
+    """Return heights (rows, columns), size (y, x), and notes, from a topography.
 
-    The library has x first.
+    The library stores x as the first index, so maps are transposed. Profiles with unequal spacing are resampled.
     """
     heights: Any = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
     if topography.dim == 2:
