@@ -24,9 +24,13 @@ import score  # noqa: E402 - of the maps
 CONTACTS = VALIDATION / "contacts" / "results.csv"
 SETS = {
     "first": "before", "second": "after", "third": "after, error of maps doubled", "fourth": "scatter of spots counted once",
+    "fifth": "shape in numbers",
 }  # fmt: skip
-KNOWN = {"map": "the map", "kind": "numbers and kind", "numbers": "numbers alone", "finish": "Sq and the finish"}
-_COLOURS = (BLUE, GREEN, RED, ORANGE)
+KNOWN = {
+    "map": "the map", "kind and shape": "numbers, kind, shape", "shape": "numbers and shape", "kind": "numbers and kind",
+    "numbers": "numbers alone", "finish": "Sq and the finish",
+}  # fmt: skip
+_COLOURS = (BLUE, PURPLE, BLACK, GREEN, RED, ORANGE)
 
 
 def coverage() -> str:
@@ -36,6 +40,8 @@ def coverage() -> str:
         scored = score.read_scored(name)
         for known, words in KNOWN.items():
             some = [row for row in scored if row["known"] == known]
+            if not some:  # not asked of that set
+                continue
             left = score.open_rows(some)
             rows.append((f"{name}, {when}", words, f"{len(some)}", *_cells(some), f"{len(left)}", *_cells(left)[:2]))
     head = ("maps", "known", "areas", "50 %", "90 %", "width", "not certain", "50 %", "90 %")
@@ -57,7 +63,7 @@ def by_class() -> str:
 
 def _mended() -> list[dict[str, str]]:
     """Return the rows of the set that was scored last."""
-    return score.read_scored("fourth")
+    return score.read_scored("fifth")
 
 
 def _cells(rows: list[dict]) -> tuple[str, str, str]:

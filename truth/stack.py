@@ -28,14 +28,14 @@ _NEEDED = 0.02  # loss of the score up to which a law is left out
 _ANSWERS = 0.97  # share of the solved areas that a law must have an answer for
 _SHARPEST = 0.015  # standard deviation of what the solved areas are known to
 _LIKE_NO_OTHER = 0.42  # standard deviation where no solved surface is near, as in a prediction
-_METHODS = {"numbers": ("mccool", "moments"), "kind": ("mccool", "moments"), "map": ("map", "moments")}
+_METHODS = {**dict.fromkeys(("numbers", "shape", "kind"), ("mccool", "moments")), "map": ("map", "moments")}
 _STEPS = 300
 
 
 def densities(known: SolvedSet, errors: np.ndarray, seen: str) -> np.ndarray:
     """Return ln of the density (s, h, p) that a law gives to the solved areas, corrected by its errors on other designs.
 
-    errors: ln(A/solved A) (s, h, p). seen: what is known of the surface, "numbers", "kind" or "map".
+    errors: ln(A/solved A) (s, h, p). seen: what is known of the surface, "numbers", "shape" (in numbers), "kind" or "map".
     """
     near = np.exp(-0.5 * _squared(known, seen)) * _others(known)
     if seen == "kind":
@@ -163,8 +163,11 @@ def _squared(known: SolvedSet, seen: str) -> np.ndarray:
     """Return the squared distance (s, s) of each surface from every other, by what is seen of it."""
     rows, one = [], np.ones(1)
     for at in range(len(known["surfaces"])):
-        alpha, skewness, lay, top = (float(known.feature(name)[at]) for name in ("alpha", "skewness", "lay", "top"))
-        place = Place(one, one, alpha * one, (skewness, lay, top) if seen == "map" else None)
+        names = ("alpha", "skewness", "kurtosis", "lay", "top")
+        alpha, skewness, kurtosis, lay, top = (float(known.feature(name)[at]) for name in names)
+        stated = {"skewness": skewness, "kurtosis": kurtosis, "texture_aspect_ratio": 1.0 / lay}
+        shape = (skewness, lay, top) if seen == "map" else None
+        place = Place(one, one, alpha * one, shape, stated=stated if seen == "shape" else {})
         rows.append(squared_distance(differences(known, place, 0)))
     return np.array(rows)
 

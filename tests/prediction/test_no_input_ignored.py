@@ -20,7 +20,8 @@ BODY = {
     "tangent_modulus": "4 GPa", "characteristic_depth": "100 nm", "surface_energy": "1 J/m^2", "material_class": "metal",
 }  # fmt: skip
 SURFACE = {"asperity_height_deviation": "50 nm", "asperity_radius": "5 um", "asperity_density": "1.6e11 1/m^2"}
-ROUGH = {**SURFACE, "height_distribution": "weibull", "height_parameters": {"exponent": 3.0}, "kind": "worn"}
+SHAPE = {"kind": "worn", "skewness": -0.7, "kurtosis": 4.0, "texture_aspect_ratio": 0.8}
+ROUGH = {**SURFACE, **SHAPE, "height_distribution": "weibull", "height_parameters": {"exponent": 3.0}}
 LIQUID = {
     "relative_humidity": 0.6, "contact_angle_first": "10 deg", "contact_angle_second": "20 deg", "temperature": "290 K",
     "surface_tension": "70 mN/m", "molar_volume": "18 cm^3/mol",
@@ -30,7 +31,7 @@ FILM = {
     "work_of_adhesion": "0.2 J/m^2", "bodies": "first",
 }  # fmt: skip
 BARE = {
-    "first": BODY, "second": {**BODY, "hardness": "2.02 GPa"}, "roughness": {**SURFACE, "kind": "worn"},
+    "first": BODY, "second": {**BODY, "hardness": "2.02 GPa"}, "roughness": {**SURFACE, **SHAPE},
     "work_of_adhesion": "0.3 J/m^2", "nominal_area": "1 mm^2", "interfacial_shear_strength": "100 MPa",
     "pressure_coefficient": 0.05, "strength_variation": 0.4, "weakening_slip": "5 nm",
     "residual_strength": 0.6, "hold_time": "100 s", "reference_time": "1 s",

@@ -33,12 +33,13 @@ SHORTEST = (
 )  # wave of a Gaussian surface; of one that is transformed 4/3 of it before, as transforms make shorter ones
 # Number of maps of each kind in a set. The first was scored once, before errors were mended; the second once, after it; then
 # the error of a solution was doubled, and the third was scored once; then the scatter of spots was counted once in place of
-# twice, and the fourth was scored once.
+# twice, and the fourth was scored once. The fifth was scored once skewness, kurtosis and Str could be stated.
 SETS = {
     "first": {"gaussian": 5, "skewed": 6, "worn": 6, "lay": 5, "two-scale": 4},
     "second": {"gaussian": 2, "skewed": 3, "worn": 3, "lay": 2, "two-scale": 2},
     "third": {"gaussian": 2, "skewed": 2, "worn": 2, "lay": 2, "two-scale": 2},
     "fourth": {"gaussian": 4, "skewed": 5, "worn": 8, "lay": 5, "two-scale": 4},
+    "fifth": {"gaussian": 4, "skewed": 6, "worn": 8, "lay": 3, "strong lay": 5, "two-scale": 4},
 }
 PRESSURES = (0.001, 0.004, 0.02, 0.1)  # of elastic bodies, over E* h'
 OF_HARDNESS = (0.04, 0.3)  # pressures of bodies that flow, over their hardness
@@ -81,7 +82,7 @@ def maps(name: str) -> Iterator[tuple[str, Map]]:
             heights, said = _MAKERS[kind](rng)
             heights = heights - heights.mean()
             heights *= SLOPE / rms_slope(heights)
-            yield f"{kind} {number}", Map(kind, heights, _states(rng), said)
+            yield f"{kind} {number}", Map("lay" if kind == "strong lay" else kind, heights, _states(rng), said)
 
 
 def _states(rng: np.random.Generator):
@@ -149,8 +150,12 @@ def _worn(rng):
     return heights, f"{said}, worn to {part:.2f} above {level:.2f}, {fine:.3f} rough again"
 
 
-def _lay(rng):
-    stretch, angle = _between(rng, 1.5, 8.0), rng.uniform(0.0, math.pi)
+def _strong_lay(rng):
+    return _lay(rng, (5.0, 10.0))
+
+
+def _lay(rng, ends=(1.5, 8.0)):
+    stretch, angle = _between(rng, *ends), rng.uniform(0.0, math.pi)
     z, said = _base(rng, stretch=stretch, angle=angle)
     return z, f"{said}, {stretch:.1f} times longer at {math.degrees(angle):.0f} deg"
 
@@ -162,7 +167,14 @@ def _two_scale(rng):
     return z + times * long, f"{said}, on waves of 1/{waves:.1f} side, {times:.1f} times as high"
 
 
-_MAKERS = {"gaussian": _gaussian, "skewed": _skewed, "worn": _worn, "lay": _lay, "two-scale": _two_scale}
+_MAKERS = {
+    "gaussian": _gaussian,
+    "skewed": _skewed,
+    "worn": _worn,
+    "lay": _lay,
+    "strong lay": _strong_lay,
+    "two-scale": _two_scale,
+}
 
 
 def rms_slope(heights: np.ndarray) -> float:

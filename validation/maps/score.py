@@ -1,10 +1,10 @@
 """Score predictions of the contact area, with tau_0 known, on a set of maps of maps.py.
 
-    python validation/maps/score.py fourth     # writes scored-fourth.csv, and prints what docs/calibration.md has as tables
+    python validation/maps/score.py fifth     # writes scored-fifth.csv, and prints what docs/calibration.md has as tables
 
-Each state of each map is predicted four times: with the map; by sigma, R and N with the kind of surface stated; by them with
-the kind unknown; by Sq and the finish, the map stretched to a slope and height drawn from what that finish leaves open. A row
-is kept for each: the solved area, the level of the predictive distribution there, and its quantiles.
+Each state of each map is predicted six times: with the map; by sigma, R and N alone; by them with the kind of surface, with
+Ssk, Sku and Str of the map, and with both; by Sq and the finish, the map stretched to a slope and height drawn from what that
+finish leaves open. A row is kept for each: the solved area, the level of the predictive distribution there, and its quantiles.
 """
 
 import csv
@@ -17,15 +17,17 @@ import numpy as np
 from maps import POISSON, SIDE, SLOPE, Map, maps, solved_file
 
 import stiction as st
+from stiction.surfaces.areal_parameters import areal_parameters
 from stiction.surfaces.finishes import finish
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.measured import MeasuredRoughness, measure
+from stiction.surfaces.statistics import statistics
 
 HERE = Path(__file__).parent
 QUANTILES = ("q5", "q25", "q50", "q75", "q95")
 ROUNDING = 0.001  # of a solved area, relative
 CERTAIN = 0.02  # width of a 90 % interval that is no wider than what solved areas are known to
-KNOWN = ("map", "kind", "numbers", "finish")
+KNOWN = ("map", "kind and shape", "shape", "kind", "numbers", "finish")
 FINISHES = {
     "gaussian": ("polished", "lapped", "blasted", "wafer"), "skewed": ("as deposited",), "worn": ("worn",),
     "lay": ("ground", "turned", "milled"),
@@ -69,11 +71,19 @@ def roughness_of(name: str, one: Map, known: str):
     if known == "finish":
         return _finished(name, one, surface)
     numbers = found.by_method["mccool"]
-    stated = {"kind": one.kind} if known == "kind" else {}
+    stated = {"kind": one.kind} if known.startswith("kind") else {}
+    stated |= _shape_of(surface) if known.endswith("shape") else {}
     return st.Roughness(
         asperity_height_deviation=numbers.asperity_height_deviation, asperity_radius=numbers.asperity_radius,
         asperity_density=numbers.asperity_density, **stated,
     ), (1.0, 1.0)  # fmt: skip
+
+
+def _shape_of(surface: HeightMap) -> dict[str, float]:
+    """Return the statistics that a user would state, those that the map determines."""
+    of_heights = statistics(surface)
+    found = {"skewness": of_heights.Ssk, "kurtosis": of_heights.Sku, "texture_aspect_ratio": areal_parameters(surface).Str}
+    return {key: value for key, value in found.items() if value is not None}
 
 
 def _finished(name: str, one: Map, surface: HeightMap):

@@ -92,6 +92,12 @@ class Subject(Input):
         return None
 
     @property
+    def surface_shape(self) -> dict[str, Any]:
+        """Return the stated statistics of the surface, by their names in surfaces.roughness.SHAPE."""
+        rough = self.known("roughness")
+        return {} if rough is None else rough.shape
+
+    @property
     def measured(self) -> Any:
         """Return the measured roughness if it comes from scans; else None."""
         return None

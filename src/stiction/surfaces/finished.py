@@ -21,7 +21,7 @@ from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.surfaces.finishes import Finish, finish, surface_kind_of
-from stiction.surfaces.roughness import Roughness
+from stiction.surfaces.roughness import SHAPE, Roughness, ShapeNumber, refuse_impossible_kurtosis
 from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
@@ -40,13 +40,16 @@ class Finished(Input):
 
     finish: name of a finish class (docs/interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
     either height, the finish provides Sq. kind: kind of surface as in Roughness; the default is the kind of the finish.
-    Raises InputError.
+    skewness, kurtosis, texture_aspect_ratio: as in Roughness. Raises InputError.
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="the name of a finish class")
     rms_height: OptionalNumber = None
     mean_height: OptionalNumber = None
     kind: str | None = Field(default=None, description="gaussian, skewed, worn, lay, two-scale or a finish")
+    skewness: ShapeNumber = None
+    kurtosis: ShapeNumber = None
+    texture_aspect_ratio: ShapeNumber = None
 
     @model_validator(mode="before")
     @classmethod
@@ -65,6 +68,7 @@ class Finished(Input):
             )
         if self.kind is not None:
             surface_kind_of(self.kind)
+        refuse_impossible_kurtosis(self.skewness, self.kurtosis)
         return self
 
     @property
@@ -134,6 +138,15 @@ class FinishedBodies(Input):
         finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
         return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
 
+    @model_validator(mode="after")
+    def _shape_is_of_one_body(self):
+        for name, body in self.bodies.items() if len(self.bodies) > 1 else ():
+            for number in SHAPE:
+                if getattr(body, number) is not None:
+                    allowed = "no value where both bodies are rough: that of both together is not known"
+                    raise InputError(f"{name}.{number}", getattr(body, number), allowed)
+        return self
+
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
         """Return sigma [m], R [m] and N [1/m^2] at quantile levels of the uncertain quantities.
 
@@ -146,7 +159,12 @@ class FinishedBodies(Input):
     def roughness(self) -> Roughness:
         """Return the roughness at the medians; it keeps a reference to this object."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
-        return Roughness(**numbers, kind=self._kind()).attached(finished=self)
+        shape = {} if len(self.bodies) > 1 else {number: getattr(self._only, number) for number in SHAPE}
+        return Roughness(**numbers, **shape, kind=self._kind()).attached(finished=self)
+
+    @property
+    def _only(self) -> Finished | Roughness:
+        return next(iter(self.bodies.values()))
 
     def with_first(self, **changes: Any) -> "FinishedBodies":
         """Return a copy with changed fields of the only rough body, e.g. another height or finish.

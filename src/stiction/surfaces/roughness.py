@@ -3,10 +3,10 @@
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_validator
 
 from stiction.quantities.errors import InputError, InWords, field_named
-from stiction.quantities.inputs import Input, Number
+from stiction.quantities.inputs import Input, Number, OptionalNumber
 from stiction.surfaces.finishes import surface_kind_of
 
 
@@ -25,6 +25,25 @@ def _kind(value):
 
 
 _Parameter = Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=float | list[float])]
+
+
+# Statistics of a surface that tell it from a Gaussian isotropic one, where they are stated.
+SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
+
+
+def _single(value: Any) -> float | None:
+    if hasattr(value, "dims"):
+        raise InputError("", InWords(f"{value.size} values"), "one number, without a range or a list")
+    return value
+
+
+ShapeNumber = Annotated[OptionalNumber, AfterValidator(_single)]
+
+
+def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -> None:
+    """Raise InputError for a kurtosis that no heights of this skewness have: it is at least 1 + skewness^2."""
+    if skewness is not None and kurtosis is not None and kurtosis < 1.0 + skewness**2:
+        raise InputError("kurtosis", kurtosis, f"at least {1.0 + skewness**2:.3g}, 1 + skewness^2")
 
 
 class Roughness(Input):
@@ -46,6 +65,11 @@ class Roughness(Input):
         Kind of surface: gaussian, skewed, worn, lay (rougher across than along), two-scale (fine roughness on coarse), or the
         name of a finish ("ground"). It changes no result of a model, only the benchmark surfaces that the result is compared
         to.
+    skewness, kurtosis : float, optional
+        Ssk and Sku of the surface heights (ISO 25178-2), 0 and 3 of a Gaussian surface. Like `kind`, they choose the benchmark
+        surfaces that the result is compared to, and so narrow the interval of a prediction.
+    texture_aspect_ratio : float, optional
+        Str of the surface (ISO 25178-2), 1 of an isotropic one, small with a lay. It acts as skewness does.
     surface : Roughness, optional
         Asperities with the spectral moments of the surface and Gaussian heights (McCool 1986), for theories of the whole
         surface; by default these use the numbers above.
@@ -75,6 +99,9 @@ class Roughness(Input):
     kind: Annotated[str | None, BeforeValidator(_kind)] = Field(
         default=None, description="gaussian, skewed, worn, lay, two-scale or a finish"
     )
+    skewness: ShapeNumber = None
+    kurtosis: ShapeNumber = None
+    texture_aspect_ratio: ShapeNumber = None
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
     _measured: Any = PrivateAttr(None)
     _map: Any = PrivateAttr(None)
@@ -138,11 +165,17 @@ class Roughness(Input):
         return [] if self._finished is None else self._finished.notes()
 
     def of_surface(self) -> "Roughness | None":
-        """Return the field `surface` with the kind of this roughness; None if it is not stated.
+        """Return the field `surface` with the kind and shape of this roughness; None if it is not stated.
 
         It holds the asperities that have the spectral moments of the surface.
         """
-        return self.surface if self.surface is None or self.kind is None else self.surface.replace(kind=self.kind)
+        more = self.shape | ({} if self.kind is None else {"kind": self.kind})
+        return self.surface if self.surface is None or not more else self.surface.replace(**more)
+
+    @property
+    def shape(self) -> dict[str, Any]:
+        """Return the stated statistics of the surface, by their names in SHAPE."""
+        return {name: value for name in SHAPE if (value := getattr(self, name)) is not None}
 
     @property
     def surface_kind(self) -> str | None:
@@ -168,6 +201,11 @@ class Roughness(Input):
         The result is None if the numbers do not come from scans, or the scans cannot be combined into one map.
         """
         return self._map
+
+    @model_validator(mode="after")
+    def _kurtosis_is_possible(self):
+        refuse_impossible_kurtosis(self.skewness, self.kurtosis)
+        return self
 
     @model_validator(mode="after")
     def _surface_is_gaussian(self):

@@ -102,7 +102,7 @@ def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywh
     of_kind = known.of_kind(None if anywhere else place.kind)
     there, asked = there * of_kind, asked * of_kind
     apart = [*([] if anywhere else differences(known, place, at)), of_pressure]
-    presumed = known.gaussian if place.shape is None and place.kind is None and not anywhere else of_kind
+    presumed = of_kind if place.kind_known or anywhere else known.gaussian
     return _averaged(found, there, asked, apart, presumed)
 
 
@@ -134,7 +134,7 @@ def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
     gaussian, of_kind = (
         np.broadcast_to(one[known["film_surfaces"], None], found.shape) for one in (known.gaussian, known.of_kind(place.kind))
     )
-    presumed = gaussian if place.shape is None and place.kind is None else of_kind
+    presumed = of_kind if place.kind_known else gaussian
     there = np.isfinite(found) * of_kind.astype(float)
     return _averaged(found.ravel(), there.ravel(), of_kind.astype(float).ravel(), apart, presumed.ravel())
 

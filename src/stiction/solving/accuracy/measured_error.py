@@ -195,7 +195,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     return MeasuredErrors(
         column, error, _widened(found.middle * told, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
-        sample, why, found.nearest, place.shape is not None or place.kind is not None, place.kind,
+        sample, why, found.nearest, place.kind_known, place.kind,
     )  # fmt: skip
 
 
@@ -282,7 +282,7 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", bare_place, anywhere=False)
     if bare is None:
         return found
-    middle = found.middle if place.kind is None else found.middle + bare.middle
+    middle = found.middle + bare.middle if place.kind_known else found.middle
     middle = np.where(np.asarray(place.pressure) > 0.0, middle, np.nan)  # without pressure there is no area to be off
     own, other = found.levels - found.middle[:, None], bare.levels - bare.middle[:, None]
     levels = middle[:, None] + np.where(np.abs(own) > np.abs(other), np.sign(own), np.sign(other)) * np.hypot(own, other)

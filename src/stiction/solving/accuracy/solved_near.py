@@ -5,8 +5,8 @@ divided by a unit, for example half of a logarithm of alpha. The units are liste
 """
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 _SCALES = {"alpha": 0.5, "skewness": 0.6, "lay": 0.35, "top": 0.25}  # that count as a distance of 1; logarithms but skewness
 _LEAST_TOP = 0.03
+# The same where numbers are stated in place of a map: of the skewness, and of the logarithms of kurtosis and Str. Narrower ones
+# sharpen the interval, but leaving designs of the set out one by one it then holds too few areas of surfaces with a lay.
+_STATED = {"skewness": 0.35, "kurtosis": 0.3, "texture_aspect_ratio": 0.25}
 _ALIKE, _FEWEST = 2.0, 8  # distance in shape of the nearest solved surface, points on a side, for a map to have a kind
 _PRESSURE = 1.4  # ln of the pressure above those of the set, a distance of 1
 # The same below the lightest pressure, where area over load hardly changes (truth/light.csv), and where all flows: below this
@@ -33,6 +36,8 @@ _NAMES = {
     "skewness": "skewness",
     "lay": "rms slope across over along the lay",
     "top": "rms slope of the highest 5 % over that of all",
+    "kurtosis": "kurtosis",
+    "texture_aspect_ratio": "Str",
 }
 _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "nominal pressure over hardness"
 
@@ -42,8 +47,9 @@ class Place:
     """Hold the features of k points by which near solved surfaces are found.
 
     pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and slope of the top of the map, None
-    without a map; kind: the stated kind of surface, for a contact without a map; thickness: of the film over
-    sqrt(m2/m4); modulus: of the film over that of the substrate.
+    without a map; kind: the stated kind of surface, for a contact without a map; stated: stated statistics of the surface,
+    name in surfaces.roughness.SHAPE -> number, for a contact without a map; thickness: of the film over sqrt(m2/m4);
+    modulus: of the film over that of the substrate.
     """
 
     pressure: np.ndarray
@@ -53,6 +59,12 @@ class Place:
     modulus: np.ndarray | None = None
     thickness: np.ndarray | None = None
     kind: str | None = None
+    stated: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def kind_known(self) -> bool:
+        """Whether more is known of the surface than sigma, R and N: its map, its kind, or its shape in numbers."""
+        return self.shape is not None or self.kind is not None or bool(self.stated)
 
     @classmethod
     def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
@@ -71,8 +83,9 @@ class Place:
             pressure, hardness, alpha, shape = _of_map(surface, problem, load)
         modulus, thickness = _film_of(groups, points) if groups.has_film else (None, None)
         kind = problem.subject.surface_kind if shape is None and problem.subject is not None else None
+        stated = problem.subject.surface_shape if shape is None and problem.subject is not None else {}
         hardness = np.broadcast_to(hardness, load.shape).ravel()
-        return cls(pressure.ravel(), hardness, alpha, shape, modulus, thickness, kind)
+        return cls(pressure.ravel(), hardness, alpha, shape, modulus, thickness, kind, stated)
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
@@ -121,13 +134,24 @@ class Difference:
 def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
     """Return the differences between one point and every surface (s,).
 
-    Without a map only Nayak's alpha is compared, with surfaces of every kind.
+    Without a map only Nayak's alpha and the stated statistics are compared, with surfaces of every kind.
     """
     alpha = float(place.alpha[at])
     apart = ((np.log(known.feature("alpha")) - math.log(alpha)) / _SCALES["alpha"]) ** 2
     if place.shape is None:
-        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart)]
+        stated = [_of_stated(known, name, value) for name, value in place.stated.items()]
+        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart), *stated]
     return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart), *_of_shape(known, place.shape)]
+
+
+def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
+    """Return the difference in a stated statistic from every surface (s,).
+
+    Str of a stretched isotropic surface is one over its lay.
+    """
+    theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)
+    apart = theirs - ours if name == "skewness" else np.log(theirs / ours)
+    return Difference(_NAMES[name], ours, theirs, (apart / _STATED[name]) ** 2)
 
 
 def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:

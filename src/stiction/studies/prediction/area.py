@@ -166,7 +166,8 @@ def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ..
         return area_weights("map"), area_weights("numbers")
     if contact.heights[0] != "gaussian":
         return (_OTHER_HEIGHTS,)
-    return (area_weights("numbers" if contact.surface_kind is None else "kind"),)
+    known = "shape" if contact.surface_shape else "numbers"
+    return (area_weights(known if contact.surface_kind is None else "kind"),)
 
 
 def _answers(sampled: SampledCase, choice: Choice) -> bool:

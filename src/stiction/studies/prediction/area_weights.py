@@ -13,6 +13,6 @@ FILE = Path(__file__).parent / "area_weights.json"
 
 @cache
 def area_weights(known: str) -> tuple[tuple[Choice, float], ...]:
-    """Return the area models and their weights for a surface known by "numbers", "kind" or "map"."""
+    """Return the area models and their weights for a surface known by "numbers", "shape", "kind" or "map"."""
     rows = json.loads(FILE.read_text(encoding="utf-8"))[known]
     return tuple((Choice(row["model"], asperity=row["asperity"], tangential="none"), row["weight"]) for row in rows)

@@ -111,9 +111,10 @@ def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:
-    """Return whether the kind of surface is unknown: neither a scan, a kind nor non-Gaussian heights are stated."""
-    sampled = mixture.sampled
-    return not sampled.on_map and sampled.contact.surface_kind is None and sampled.contact.heights[0] == "gaussian"
+    """Return whether the kind of surface is unknown: neither a scan, a kind, a shape nor non-Gaussian heights are stated."""
+    contact = mixture.sampled.contact
+    stated = mixture.sampled.on_map or contact.surface_kind is not None or bool(contact.surface_shape)
+    return not stated and contact.heights[0] == "gaussian"
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
