@@ -26,8 +26,9 @@ out.
 *Friction*: a law of the interface is applied to the pressure of every point. For $\tau=\tau_0+\alpha p$ the sum is exact,
 $T=\tau_0A+\alpha P$. With the option `shear` the strength of a point is the smaller of $\alpha p$ and $\tau_0$
 ([orowan_1943]), or points that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]):
-$T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: $A=A_\text{px}-.100\,S\,\Delta x$, where $S$ is the
-length of the edges of points in contact; the form follows [yastrebov_2017], the constant was fitted to this solver. *Check*:
+$T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: $A=A_\text{px}-c\,S\,\Delta x$, where $S$ is the
+length of the edges of points in contact; the form follows [yastrebov_2017]. The coefficient was fitted to this solver:
+$c=.100+.090r^4$ with $r=|S_x-S_y|/(S_x+S_y)$, larger where edges run along the points. *Check*:
 Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
 """
 

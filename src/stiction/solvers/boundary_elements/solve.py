@@ -21,7 +21,7 @@ from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
 from stiction.solvers.boundary_elements.limits import TOLERANCE
 from stiction.solvers.boundary_elements.map_warnings import share_at_ends, warnings_of_load, warnings_of_map
-from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
+from stiction.solvers.boundary_elements.measures import edges, rms_step
 from stiction.solvers.boundary_elements.menisci import Condensed, Menisci, condense
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
@@ -328,7 +328,7 @@ def _without_excess(request: _Asked, pressure: np.ndarray, pixel: float) -> tupl
     """Return area [m2] without the excess of edge pixels, and edge length [m]."""
     sides = edges(pressure > 0.0, request.periodic)
     counted = int(np.count_nonzero(pressure)) * pixel
-    corrected = counted - PIXEL_EXCESS * sides.count * pixel
+    corrected = counted - sides.excess * pixel
     least = float(pressure.sum()) * pixel / request.hardness
     pitch = request.size[0] / pressure.shape[0], request.size[1] / pressure.shape[1]
     perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
