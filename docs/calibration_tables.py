@@ -14,7 +14,7 @@ import numpy as np
 from markdown_table import table
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, finish
+from stiction.report.pictures import BLUE, GREEN, GREY, ORANGE, RED, SKY, finish
 
 HERE = Path(__file__).parent
 VALIDATION = HERE.parent / "validation"
@@ -24,13 +24,13 @@ import score  # noqa: E402 - of the maps
 CONTACTS = VALIDATION / "contacts" / "results.csv"
 SETS = {
     "first": "before", "second": "after", "third": "after, error of maps doubled", "fourth": "scatter of spots counted once",
-    "fifth": "shape in numbers",
+    "fifth": "shape in numbers", "sixth": "areas along a lay",
 }  # fmt: skip
 KNOWN = {
     "map": "the map", "kind and shape": "numbers, kind, shape", "shape": "numbers and shape", "kind": "numbers and kind",
     "numbers": "numbers alone", "finish": "Sq and the finish",
 }  # fmt: skip
-_COLOURS = (BLUE, PURPLE, BLACK, GREEN, RED, ORANGE)
+_COLOURS = (BLUE, SKY, GREY, GREEN, RED, ORANGE)
 
 
 def coverage() -> str:
@@ -63,7 +63,19 @@ def by_class() -> str:
 
 def _mended() -> list[dict[str, str]]:
     """Return the rows of the set that was scored last."""
-    return score.read_scored("fifth")
+    return score.read_scored("sixth")
+
+
+def by_numbers() -> str:
+    """How often the 90 % interval of a contact by numbers holds, and how wide it is, in the last two sets by kind of surface."""
+    scored = [row for name in ("fifth", "sixth") for row in score.read_scored(name)]
+    known = {name: words for name, words in KNOWN.items() if name not in ("map", "finish")}
+    rows = []
+    for kind in (None, *dict.fromkeys(row["kind"] for row in scored)):
+        mine = [row for row in scored if kind is None or row["kind"] == kind]
+        each = (_cells([row for row in mine if row["known"] == name])[1:] for name in known)
+        rows.append((kind or "all", *(", ".join(cells) for cells in each)))
+    return table(("kind", *known.values()), rows)
 
 
 def _cells(rows: list[dict]) -> tuple[str, str, str]:
@@ -119,7 +131,8 @@ def figure() -> Figure:
         scored, mended = score.open_rows(rows), axes is panels[1]
         for colour, (known, words) in zip(_COLOURS, KNOWN.items(), strict=True):
             below = np.array([float(row["level"]) for row in scored if row["known"] == known])
-            axes.plot(levels, _within(below, levels), color=colour, label=words)
+            if below.size:
+                axes.plot(levels, _within(below, levels), color=colour, label=words)
         if mended:
             below = np.array([float(row["draws_below"]) for row in _contacts()])
             axes.plot(levels, _within(below, levels), "k--", label="contacts with printed friction")

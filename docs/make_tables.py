@@ -341,7 +341,7 @@ TABLES = {
     "reference/surface-statistics.md": {"methods": ways},
     "explanation/which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},
     "explanation/trust.md": {"conditions": conditions, "kinds of warning": kinds_of_warning},
-    "explanation/truth.md": truth_tables.TABLES,
+    "explanation/truth.md": truth_tables.TABLES | {"by numbers": calibration_tables.by_numbers},
     "explanation/calibration.md": calibration_tables.TABLES,
     "explanation/what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "reference/materials.md": {"materials": materials, "sources of materials": material_sources},

@@ -111,3 +111,49 @@ def test_a_case_states_it_and_other_words_are_refused():
     with refusal("kind", "3", "gaussian"):
         st.Roughness(**NUMBERS, kind=3)
     assert json_schema()["$defs"]["Roughness"]["properties"]["kind"]["type"] == "string"
+
+
+SHAPE = {"skewness": -1.2, "kurtosis": 4.5, "texture_aspect_ratio": 0.4}
+
+
+@pytest.mark.parametrize("names", [["skewness"], ["kurtosis", "texture_aspect_ratio"], list(SHAPE)])
+@pytest.mark.parametrize("kind", [None, "worn"])
+def test_a_stated_shape_weighs_the_solved_surfaces_by_their_difference_from_it(names, kind):
+    """1 is .5 in ln alpha, .35 in skewness, .3 in ln of kurtosis, .25 in ln of Str, which is one over the lay of the set."""
+    known = solved_set()
+    mine = np.isin(known["kinds"], OF_KIND[kind] if kind else sum(OF_KIND.values(), ()))
+    errors = known.errors("persson_widened|moments")[mine, 0, known["loads"].tolist().index(0.1)]
+    squared = (np.log(known.feature("alpha")[mine] / bandwidth(0.04)) / 0.5) ** 2
+    apart = {
+        "skewness": (known.feature("skewness") + 1.2) / 0.35, "kurtosis": np.log(known.feature("kurtosis") / 4.5) / 0.3,
+        "texture_aspect_ratio": np.log(known.feature("lay") * 0.4) / 0.25,
+    }  # fmt: skip
+    squared = squared + sum(apart[name][mine] ** 2 for name in names)
+    weight = np.exp(-0.5 * (squared - squared.min())) * np.isfinite(errors)
+    stated = {name: SHAPE[name] for name in names} | ({"kind": kind} if kind else {})
+    said = json.loads(solved(None, more=stated).attrs["measured_error"])
+    assert said["distance"][0] == pytest.approx(squared.min() ** 0.5, rel=5e-3)
+    assert said["surfaces"] == [int((weight > 0.1).sum())] and said["kind_known"] is True
+    assert said["area"][0] is None or said["area"][0] == pytest.approx(
+        np.expm1(np.average(np.nan_to_num(errors), weights=weight)), rel=5e-3, abs=1e-4
+    )
+
+
+def test_a_stated_shape_narrows_the_prediction_and_replaces_the_question_for_the_kind():
+    width = {}
+    for name, stated in {"numbers": {}, "shape": SHAPE, "kind": {"kind": "lay"}, "both": SHAPE | {"kind": "lay"}}.items():
+        answer = st.predict(contact(**stated), load="50 N")
+        width[name] = float(np.log(answer.friction_coefficient_high / answer.friction_coefficient_low))
+        assert any("kind of surface" in one for one in answer.warnings) == (name == "numbers")
+    assert width["both"] < width["kind"] < width["numbers"] and width["shape"] < width["numbers"]
+
+
+def test_a_shape_that_cannot_be_is_refused():
+    with refusal("kurtosis", "4.0", "at least 5"):
+        st.Roughness(**NUMBERS, skewness=2.0, kurtosis=4.0)
+    with refusal("texture_aspect_ratio", "1.2", "<= 1"):
+        st.Roughness(**NUMBERS, texture_aspect_ratio=1.2)
+    with refusal("skewness", "2 values", "one number"):
+        st.Roughness(**NUMBERS, skewness=st.axis("skewness", [0.0, 1.0]))
+    with refusal("roughness.first.skewness", "-0.5", "no value where both bodies are rough"):
+        contact().replace(roughness={"first": {"finish": "ground", "skewness": -0.5}, "second": {"finish": "ground"}})

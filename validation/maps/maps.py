@@ -33,13 +33,15 @@ SHORTEST = (
 )  # wave of a Gaussian surface; of one that is transformed 4/3 of it before, as transforms make shorter ones
 # Number of maps of each kind in a set. The first was scored once, before errors were mended; the second once, after it; then
 # the error of a solution was doubled, and the third was scored once; then the scatter of spots was counted once in place of
-# twice, and the fourth was scored once. The fifth was scored once skewness, kurtosis and Str could be stated.
+# twice, and the fourth was scored once. The fifth was scored once skewness, kurtosis and Str could be stated;
+# then errors of maps with a lay were widened, and the sixth was scored once.
 SETS = {
     "first": {"gaussian": 5, "skewed": 6, "worn": 6, "lay": 5, "two-scale": 4},
     "second": {"gaussian": 2, "skewed": 3, "worn": 3, "lay": 2, "two-scale": 2},
     "third": {"gaussian": 2, "skewed": 2, "worn": 2, "lay": 2, "two-scale": 2},
     "fourth": {"gaussian": 4, "skewed": 5, "worn": 8, "lay": 5, "two-scale": 4},
     "fifth": {"gaussian": 4, "skewed": 6, "worn": 8, "lay": 3, "strong lay": 5, "two-scale": 4},
+    "sixth": {"gaussian": 4, "skewed": 6, "worn": 8, "lay": 3, "strong lay": 5, "two-scale": 4},
 }
 PRESSURES = (0.001, 0.004, 0.02, 0.1)  # of elastic bodies, over E* h'
 OF_HARDNESS = (0.04, 0.3)  # pressures of bodies that flow, over their hardness

@@ -115,7 +115,7 @@ class Number:
     def knob(self, value: float) -> Knob:
         """Return a slider that includes this value."""
         row = self.quantity
-        linear = math.isfinite(row.lower) and row.upper <= 2.0
+        linear = math.isfinite(row.lower) and (row.upper <= 2.0 or row.lower < 0.0)
         step = 0.005 if linear else 0.01
         below, above = (0.0 if included else step for included in (row.lower_included, row.upper_included))
         if linear:
