@@ -67,7 +67,7 @@ def _mended() -> list[dict[str, str]]:
 
 
 def by_numbers() -> str:
-    """How often the 90 % interval of a contact by numbers holds, and how wide it is, in the last two sets by kind of surface."""
+    """How often the 90 % interval of a contact by numbers holds in the last two sets, and its width, by kind of surface."""
     scored = [row for name in ("fifth", "sixth") for row in score.read_scored(name)]
     known = {name: words for name, words in KNOWN.items() if name not in ("map", "finish")}
     rows = []

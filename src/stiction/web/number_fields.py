@@ -18,8 +18,8 @@ from stiction.web.fields import NOT_STATED, Number, as_written, got, with_points
 _LABELS = {
     "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
     "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",
-    "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P", "skewness": "skewness Ssk", "kurtosis": "kurtosis Sku",
-    "texture_aspect_ratio": "texture Str",
+    "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P", "skewness": "skewness Ssk",
+    "kurtosis": "kurtosis Sku", "texture_aspect_ratio": "texture Str",
 }  # fmt: skip
 _ROUND_LOAD = 10.0  # ratio of the ends of a range to the load that is set
 _LOAD = Number(("solve", "load"), QUANTITIES["load"], True)

@@ -148,7 +148,7 @@ def test_the_excess_of_pixels_at_edges_of_all_directions():
 
 
 def test_the_area_of_waves_along_the_pixels():
-    """Westergaard's waves along the pixels and at 14 degrees: a lay. With one coefficient .05 to .09 of a pixel would be left."""
+    """Westergaard's waves along the pixels and at 14 degrees. With one coefficient .01 to .09 of a pixel would be left."""
     count, draw = 96, np.random.default_rng(1)
     for along_y, along_x in ((4, 0), (0, 5), (4, 1)):
         step, left, sides = np.arange(count) / count, [], []
