@@ -187,7 +187,7 @@ def test_what_is_uncertain_is_in_the_answer(reported):
     ends = alone["friction_coefficient_quantile"].values[[0, -1], 0]
     # From 0.08 to 0.32 half the width is 0.12: two places after the point.
     assert record["friction_coefficient_rounded"] == f"{record['friction_coefficient']:.2f}"
-    assert f"with its uncertain inputs {ends[0]:.2g} to {ends[1]:.2g}" in page.text
+    assert f"the uncertain inputs give {ends[0]:.2g} to {ends[1]:.2g}" in page.text
 
 
 def test_the_same_case_gives_the_same_page(tmp_path):
