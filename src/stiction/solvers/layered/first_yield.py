@@ -1,14 +1,14 @@
-"""First yield, by von Mises, of the film or the body below under a sphere that is pressed and sheared.
+"""First yield (von Mises) of a film or the body below it, under a pressed and sheared sphere.
 
-The square of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z
-and radius r, at the angle theta from the direction of the traction,
+The square of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z,
+radius r and angle theta from the direction of the traction it is
 
     M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2.
 
 The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary,
-and refined by parabolas. Its root N(s, q) is a norm, one for the film and one for the body; each yields where its N reaches
-its yield stress. For very small contacts the film acts as a half-space. For contacts much wider than the film the body acts
-as a half-space, and the film is stretched like the surface below it.
+and refined by parabolas. The root N(s, q) of the maximum is a norm. Film and body each have their own N, and yield where it
+reaches their yield stress. For very small contacts the film acts as a half-space. For contacts much wider than the film, the
+body acts as a half-space and stretches the film like its own surface.
 """
 
 from functools import lru_cache
@@ -55,9 +55,9 @@ class Yield(NamedTuple):
 
 
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
-    """Locate first yield under a traction that is this multiple >= 0 of the pressure.
+    """Locate first yield for traction = `traction` times pressure (`traction` >= 0).
 
-    film_strength: yield stress of the film over the value of the body below.
+    film_strength: yield stress of the film divided by that of the body below.
     """
     candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
@@ -72,9 +72,10 @@ def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0)
 
 
 def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
-    """Return the largest tension and shear at the interface of film and body.
+    """Return the largest tension and the largest shear stress at the interface of film and body.
 
-    Over the mean pressure, under a traction that is this multiple >= 0 of the pressure; 0 if there is no tension.
+    Both are divided by the mean pressure. traction: ratio of traction to pressure, >= 0. The tension is 0 if the interface is
+    only compressed.
     """
     r = np.unique(np.concatenate([_RADII, 2.0 * _WIDE * max(1.0, stresses.thickness)]))
     radial = stresses.in_film(r, np.array([stresses.thickness]))
@@ -86,9 +87,9 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
-    """Return N of the PARTS (PARTS, m) in directions (m,) of ANGLES' kind.
+    """Return the norm N in each region of film and body: (PARTS, m).
 
-    All parts but the last are of the film.
+    angles: (m,), arctan(q/s) for traction q and pressure s. The last region is the body; the others belong to the film.
     """
     (film, _, _), (body, _, _) = _fields(stresses)
     return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
@@ -97,9 +98,10 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 @lru_cache(maxsize=64)
 @on_one_thread
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
-    """Return ln N of films and bodies below, the larger of two: (2, PLACES, ANGLES).
+    """Return ln N of the film and of the body below: (2, PLACES, ANGLES).
 
-    That of the body is of N times 1 + (t/a)^2, which stays finite where the body is not stressed.
+    With two coated bodies, the larger value counts. For the body, N is multiplied by 1 + (t/a)^2, which stays finite for
+    contacts much smaller than the film.
     """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
@@ -109,9 +111,9 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
-    """Return ln N of the PARTS (PARTS, PLACES, ANGLES).
+    """Return ln N of all regions of one coated body: (PARTS, PLACES, ANGLES).
 
-    The last two are of N times 1 + (t/a)^2.
+    In the last two regions (interface and body) N is multiplied by 1 + (t/a)^2.
     """
     from scipy.interpolate import Akima1DInterpolator  # slow to import
 
@@ -128,10 +130,10 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
 
 
 def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
-    """Return N of the parts of a film (4, m).
+    """Return N in the regions of a film: (4, m).
 
-    Its surface without the edge of contact, the edge, the inside, and the last of its depths; only the first two (2, m) of a
-    film that is all surface.
+    The regions are the surface without the contact edge, the contact edge, the inside, and the largest depth. A film with one
+    depth only has the first two: (2, m).
     """
     rest = np.arange(len(_RADII)) != _EDGE
     depth, edge = np.arange(forms[0].shape[0])[:, None], ~rest[None, :]
@@ -142,7 +144,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Return stresses in film and body at the radii and depths of the search."""
+    """Return (stresses, radii, depths) of film and body on their search grids."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
@@ -154,19 +156,19 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Return depths in a thick film, dense where a half-space is stressed."""
+    """Return depths in a thick film, dense near the surface where stresses are large."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 
 @lru_cache(maxsize=64)
 def _alone(nu: float) -> Radial:
-    """Return stresses of a half-space: a film like its body, of any thickness."""
+    """Return the stresses in a homogeneous half-space with Poisson's ratio nu."""
     whole = Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5)
     return whole.in_film(_RADII, _IN_BODY)
 
 
 def stretched(below: Radial, body: CoatedBody) -> Radial:
-    """Return stresses of a film of no thickness that a half-space stretches."""
+    """Return the stresses in a very thin film that takes the strain of the surface below it."""
     surface = Radial(*(tuple(one[:1] for one in part) for part in below))
     stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
 
@@ -179,7 +181,7 @@ def stretched(below: Radial, body: CoatedBody) -> Radial:
 
 
 def forms_of(radial: Radial) -> Forms:
-    """Return the quadratic forms of the stresses in M."""
+    """Return the coefficients (A, B, D, C) of M from the stresses."""
     *along, rt, tz = radial.dragged
     return (
         _product(radial.pressed, radial.pressed),
@@ -190,15 +192,15 @@ def forms_of(radial: Radial) -> Forms:
 
 
 def _product(first, second) -> np.ndarray:
-    """Return 3/2 of the double contraction of two deviators."""
+    """Return 3/2 times the double contraction of two deviatoric stress tensors."""
     mean = (first[0] + first[1] + first[2]) * (second[0] + second[1] + second[2]) / 3.0
     return 1.5 * (first[0] * second[0] + first[1] * second[1] + first[2] * second[2] - mean) + 3.0 * first[3] * second[3]
 
 
 def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
-    """Return the largest M over theta, and |cos(theta)| there.
+    """Return the maximum of M over theta, and |cos(theta)| at that maximum.
 
-    s, q: numbers or arrays that broadcast with the forms.
+    s, q: mean pressure and traction, numbers or arrays that broadcast with the forms.
     """
     A, B, D, C = forms
     across = np.maximum(C - D, 1e-300) * q
@@ -208,7 +210,10 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return M (n, m, angles) in these directions, and |cos(theta)| at its maximum."""
+    """Return the maximum of M over theta (n, m, angles), and |cos(theta)| there.
+
+    angles: arctan(q/s) for traction q and pressure s.
+    """
     return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
 
 
@@ -217,9 +222,9 @@ def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
-    """Return the maxima (angles,) of (n, m, angles) among some places (n, m).
+    """Return the maximum of `square` (n, m, angles) over a masked part of the grid: (angles,).
 
-    Refined by parabolas through each maximum and its neighbours.
+    among: mask (n, m). A parabola through each maximum and its neighbours refines the value.
     """
     n, m, count = square.shape
     where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)

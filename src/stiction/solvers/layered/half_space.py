@@ -1,14 +1,15 @@
-r"""Stresses that a round contact makes in a half-space, for any smooth pressure, on its surface and below.
+"""Stresses in a half-space under a round contact with any smooth pressure.
 
-The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds (contact radius 1), g an even polynomial. The
-integrals that stresses are made of are then, with zeta = z + i s, R = sqrt(r^2 + zeta^2), w = r/(R + zeta),
+The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds for contact radius 1, where g is an even
+polynomial. With zeta = z + i s, R = sqrt(r^2 + zeta^2) and w = r/(R + zeta), the stresses are sums of the integrals
 
     H_mn = Integral_0^infinity k^m exp(-k z) J_n(k r) P(k) dk = Re Integral_0^1 g(s) K_mn(r, zeta) ds,
     K_1n = w^n (n R + zeta)/R^3,    K_2n = w^n [(n^2 - 1) R^2 + 3 n R zeta + 3 zeta^2]/R^5
 
-(Lipschitz's integral of J_n, differentiated by zeta). On the real axis they are singular where s = r and z = 0. g is a
-polynomial, so that the path may leave it: from s = -i T, up to where the imaginary axis counts for nothing because g is even,
-along a quarter of an ellipse to s = 1, where nodes crowd. It is as smooth for the surface as for any depth.
+(Lipschitz's integral of J_n, differentiated by zeta). On the real axis the integrand is singular at s = r if z = 0. Because g
+is a polynomial, the path of integration may leave the real axis. It starts at s = -i T and follows a quarter of an ellipse to
+s = 1, where nodes are dense. The part on the imaginary axis contributes nothing, because g is even. The integrand is equally
+smooth at the surface and at any depth.
 """
 
 from functools import lru_cache
@@ -24,9 +25,9 @@ _DEEPEST, _GROWTH = 0.35, 3.0
 
 
 def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return H_mn at radii r (m,) and depths z (n,), over the contact radius.
+    """Return H_mn at radii r (m,) and depths z (n,): shape (2, 4, n, m), for m = 1, 2 and n = 0 to 3.
 
-    Of shape (2, 4, n, m), for m = 1, 2 and n = 0 to 3. g: coefficients of the pressure, as of `sphere.pressure`.
+    r and z are divided by the contact radius. g: coefficients of the pressure, as `sphere.pressure` returns them.
     """
     s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
     out = np.empty((2, 4, z.size, r.size))
@@ -55,7 +56,7 @@ def _add_up(s, weighed, r, z, out):
 
 @lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return nodes s and weights ds of the quarter ellipse."""
+    """Return the nodes s and weights ds on the quarter ellipse of this depth T."""
     v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
     left, step = np.pi / 2.0 * v**2, np.pi * v

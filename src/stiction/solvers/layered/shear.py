@@ -1,15 +1,15 @@
-r"""How stiff a round contact of bodies with a film is against a tangential displacement, all of it in stick.
+"""Tangential stiffness of a round contact between coated bodies, with full stick.
 
-The surface moves by delta in the direction x everywhere on the contact. The traction that this takes is not only along x, of
-the transform Q0(k): where a wave along itself and across itself meets compliances C_L(k)/k and C_T(k)/k in another ratio than
-on a half-space, it has a second harmonic too, of transform Q2(k). Of a wave in the direction phi, (Q0 - Q2) cos(phi) is along
-and -(Q0 + Q2) sin(phi) across it, so that for all tractions q0, q2 on the contact (Galerkin's equations)
+Every point of the contact moves by delta in the direction x. The traction has a component Q0(k) along x. A second harmonic
+Q2(k) is added, because the compliances C_L(k)/k along a wave and C_T(k)/k across it have another ratio than on a half-space.
+For a wave in the direction phi, (Q0 - Q2) cos(phi) is along the wave and -(Q0 + Q2) sin(phi) across it. For all tractions q0,
+q2 on the contact (Galerkin's equations)
 
     (2/pi) Integral C_L (q0 - q2)(Q0 - Q2) + C_T (q0 + q2)(Q0 + Q2) dk = (4/pi) delta q0(0),   T = 2 pi Q0(0).
 
-Q0 is made of the spherical Bessel functions of orders 0, 2, 4 ..., Q2 of 2, 4, 6 ...: tractions on the unit circle. A
-half-space has Q0 of order 0 alone and T = 8 delta/(C_L + C_T), which is Mindlin's 8 a/beta. As in Mindlin's, the tangential
-traction is taken to leave the pressure alone. Derived here; the half-space is Mindlin (1949).
+Q0 is a sum of the spherical Bessel functions of orders 0, 2, 4 ..., and Q2 of orders 2, 4, 6 .... These are transforms of
+tractions on the unit circle. On a half-space Q0 has order 0 only, and T = 8 delta/(C_L + C_T), which is Mindlin's 8 a/beta.
+As in Mindlin's theory, the traction is assumed not to change the pressure. Derived here; the half-space is Mindlin (1949).
 """
 
 from functools import lru_cache
@@ -26,9 +26,9 @@ _STEP = 1e-4  # of ln x, for slopes of compliances
 
 
 def shear_ends(bodies: Bodies) -> tuple[float, float]:
-    """Return K beta where only the film is felt, and without it.
+    """Return K beta for very small contacts (film only) and very large ones (no film).
 
-    K is 4/3 of the modulus of both bodies without a film.
+    K is 4/3 of the effective modulus of both bodies without a film. beta: tangential compliance in T = 8 a delta/beta.
     """
     film = _of_surfaces(bodies, *np.array([[1.0 - body.nu, 1.0] for body in bodies.coated]))
     below = [np.array([1.0 - body.nu_below, 1.0]) * body.shear_ratio for body in bodies.coated]
@@ -36,9 +36,9 @@ def shear_ends(bodies: Bodies) -> tuple[float, float]:
 
 
 def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
-    """Return K beta in T = 8 a delta/beta, and its slope d ln beta/d ln a.
+    """Return K beta, with beta from T = 8 a delta/beta, and the slope d ln beta/d ln a.
 
-    At the contact radius a over the thickness of one film.
+    radius: contact radius a divided by the thickness of one film.
     """
     k, weights, even = spherical_waves(radius)
     x = k / radius
@@ -54,9 +54,9 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 @lru_cache(maxsize=256)
 @on_one_thread
 def shear_curve(bodies: Bodies) -> np.ndarray:
-    """Return coefficients (TERMS,) of ln beta, as those of `curves`.
+    """Return the coefficients c_k (TERMS,) of ln(K beta) against contact size, as in `curves`.
 
-    ln beta = (1 - z)/2 ln(film's) + (1 + z)/2 ln(without) + (1 - z^2) Sum c_k z^k.
+    ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k, with the ends of `shear_ends`.
     """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
@@ -64,9 +64,9 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 
 
 def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
-    """Return C_L and C_T (2, ...) of both bodies.
+    """Return C_L and C_T (2, ...) of both bodies together.
 
-    From those of each coated body times the shear modulus of its film.
+    of_films: for each coated body, its C_L and C_T times the shear modulus of its film.
     """
     per_film = 2.0 / bodies.film_modulus
     bare = 2.0 * bodies.bare_share * np.array([1.0, 1.0 / (1.0 - bodies.bare_nu)])
@@ -75,12 +75,12 @@ def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
 
 
 def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
-    """Return C_L and C_T of the waves x = k t (2, m)."""
+    """Return C_L and C_T (2, m) of both bodies for waves x = k t (m,)."""
     return _of_surfaces(bodies, *(waves(x, body).surface_compliances(body.nu) for body in bodies.coated))
 
 
 def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix of both harmonics for these compliances (2, m)."""
+    """Return Galerkin's matrix for the compliances C_L and C_T (2, m) of all waves."""
     along, across = compliances
     first, second = even[:-1], even[1:]
     total, difference = weights * (along + across), weights * (along - across)
@@ -89,9 +89,9 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
 
 
 def _matrix_of_half_space(count: int, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix of a half-space in closed form.
+    """Return Galerkin's matrix for constant C_L and C_T (a half-space), in closed form.
 
-    The functions are orthonormal, and those of both harmonics are the same but for one.
+    The functions are orthonormal. Both harmonics use the same functions, shifted by one order.
     """
     along, across = compliances
     mixed = (across - along) * np.eye(count - 1, k=-1)

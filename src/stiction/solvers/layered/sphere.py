@@ -34,11 +34,11 @@ _LONGEST = 60.0
 
 
 class Response(NamedTuple):
-    """Response of a sphere at one contact radius.
+    """The response of coated bodies to a sphere at one contact radius.
 
-    Moduli are over the plane-strain modulus of the two surfaces that meet. load: E_P in P = 4 E_P a^3/(3R); approach: D in
-    delta = D a^2/R; stiffness: E_S in dP/d delta = 2 a E_S; edge: B in dS/da = 2 B, which an adhesive edge feels; load_slope,
-    approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
+    Moduli are divided by the plane-strain modulus of the two surfaces that meet. load: E_P in P = 4 E_P a^3/(3R). approach: D
+    in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B, which determines adhesion at the
+    contact edge. load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
     """
 
     load: float
@@ -51,9 +51,9 @@ class Response(NamedTuple):
 
 
 def respond(pair: Pair, radius: float) -> Response:
-    """Return the response at a contact radius over the thickness of one film.
+    """Return the response to a sphere at one contact radius, accurate to 1e-6.
 
-    The radius is above 0, tried up to 1000; the response is good to 1e-6.
+    radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
     """
     _, _, even, at_edge, edge_slope = _waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
@@ -76,11 +76,10 @@ def respond(pair: Pair, radius: float) -> Response:
 
 
 def pressure(pair: Pair, radius: float) -> np.ndarray:
-    """Return the pressure of a sphere (n,) in orthonormal even polynomials of g.
+    """Return the coefficients (n,) of g for the pressure under a sphere.
 
-    Mean pressure and contact radius are 1.
-
-    P(k) = Integral_0^1 g(s) cos(k s) ds is its Hankel transform. radius: as in `respond`.
+    g is a sum of orthonormal even polynomials. P(k) = Integral_0^1 g(s) cos(k s) ds is the Hankel transform of the pressure.
+    Mean pressure and contact radius are 1. radius: as in `respond`.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
@@ -89,16 +88,16 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
 
 
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return wavenumbers over 1/a (m,), weights times 2/pi, and transforms (n, m).
+    """Return wavenumbers k a (m,), weights times 2/pi (m,), and transforms (n, m).
 
-    The transforms are those of orthonormal even polynomials.
+    The transforms are those of orthonormal even polynomials. radius: as in `respond`.
     """
     k, weights, even, _, _ = _waves(float(radius))
     return k, weights, even
 
 
 def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """Return g(s) from coefficients (n,) of orthonormal even polynomials on 0 to 1.
+    """Return g(s) from the coefficients (n,) of orthonormal even polynomials on 0 to 1.
 
     s may be complex.
     """
@@ -108,16 +107,16 @@ def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
 
 
 def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
-    """Return P(k) at k (m,) > 0, over 1/a."""
+    """Return the Hankel transform P(k) at wavenumbers k (m,) > 0 in units of 1/a."""
     order = np.arange(g.size)
     return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
 
 
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
-    """Solve for g_0, g_2 and the edge.
+    """Solve for the flat punch g_0, for g_2, and for the change of g_0 with the contact radius.
 
-    Returns the weights of the waves times the excess of the compliance over the surfaces'; g_0, g_2 and the solution
-    for the edge's addition, as coefficients; and the edge's part of each coefficient.
+    Returns (m,) weights times the relative excess compliance of each wave; the coefficients (n,) of the three solutions; and
+    (n,) the factors that give the edge values g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = _waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
@@ -132,10 +131,10 @@ def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=256)
 def _waves(radius: float) -> tuple[np.ndarray, ...]:
-    """Return wavenumbers k (m,), weights, transforms (n, m), cos k and -k sin k.
+    """Return wavenumbers k a (m,), weights, transforms (n, m), cos(k a) and -k a sin(k a).
 
-    Wavenumbers are over 1/a, weights have the factor 2/pi, transforms are of orthonormal even polynomials on 0 to 1. They
-    depend on no material, and are cached.
+    Weights include the factor 2/pi. Transforms are those of orthonormal even polynomials on 0 to 1. The results depend on no
+    material and are cached.
     """
     x, weights = gauss(_ENDS, radius)
     k = radius * x
@@ -145,9 +144,9 @@ def _waves(radius: float) -> tuple[np.ndarray, ...]:
 
 
 def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return Gauss-Legendre nodes and weights over waves x = k t between these ends.
+    """Return Gauss-Legendre nodes and weights for waves x = k t between these ends.
 
-    Dense enough for cos^2(x radius).
+    The nodes are dense enough to integrate cos^2(x radius).
     """
     nodes, weights = [], []
     for low, high in pairwise(ends):
@@ -160,9 +159,9 @@ def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]
 
 
 def _even_bessel(k: np.ndarray, count: int) -> np.ndarray:
-    """Return spherical Bessel functions (count, m) of even orders at k (m,) > 0.
+    """Return the spherical Bessel functions of even orders at k (m,) > 0: (count, m).
 
-    By the upward recurrence where k is above the order, else by Miller's downward one: each is unstable on the other side.
+    The upward recurrence is stable only for k above the order, so smaller k use Miller's downward recurrence.
     """
     out = np.empty((count, k.size))
     far = k > 2.0 * count

@@ -1,14 +1,15 @@
-r"""Stresses in a film and in the body below it under a sphere that is pressed and dragged.
+"""Stresses in a film and in the body below it, under a sphere that is pressed and dragged.
 
-The pressure is that of the frictionless contact (`sphere`), and the traction is in proportion to it, as Hamilton (1983) has it
-for a half-space: both have one Hankel transform P(k), and a wave k makes the amplitudes of `waves` at every depth. Averaged
-over all directions, with s_xx, s_yy ... along and across the wave, the pressure makes
+The pressure is that of the frictionless contact (`sphere`). The traction is proportional to it, as in Hamilton (1983) for a
+half-space. Both have the same Hankel transform P(k), and a wave k produces the amplitudes of `waves` at every depth. Let s_xx
+and s_yy be the stresses along and across a wave. Averaged over all directions, the pressure produces
 
     s_zz = <s_zz>_0,  s_rz = <s_xz>_1,  s_rr, s_tt = <s_xx + s_yy>_0/2 -+ <s_xx - s_yy>_2/2,  <f>_n = Int f k P(k) J_n(k r) dk
 
-and the traction, whose share cos(phi) is along a wave in the direction phi and -sin(phi) across it, cos(theta) or sin(theta)
-times what `_dragged` adds up. In the film it is the half-space's (`half_space`), and what the interface sends back; this falls
-as exp(-k (2 t - z)), so that both are good on the surface too. Below, all is one transform. Tension is positive.
+The traction has the component cos(phi) along a wave in the direction phi and -sin(phi) across it. It produces cos(theta) or
+sin(theta) times the sums in `_dragged`. Stresses in the film are those of a half-space (`half_space`) plus the part that the
+interface reflects. The reflected part falls as exp(-k (2 t - z)), so that both parts are accurate at the surface too.
+Stresses in the body are computed by a single transform. Tension is positive.
 """
 
 from collections.abc import Callable
@@ -29,10 +30,10 @@ _SMALL = 0.05
 
 
 class Radial(NamedTuple):
-    """Stresses at depths and radii (n, m), over the mean pressure.
+    """Stresses (n, m) at depths (n,) and radii (m,), divided by the mean pressure.
 
-    The traction is as large as the pressure. rr, tt, zz, rz: under pressure. Under a traction in the direction x: rr, tt, zz,
-    rz times cos(theta), rt, tz times sin(theta).
+    pressed: (rr, tt, zz, rz) due to the pressure. dragged: (rr, tt, zz, rz, rt, tz) due to a traction of the same size in the
+    direction x; the first four are to be multiplied by cos(theta), rt and tz by sin(theta).
     """
 
     pressed: tuple[np.ndarray, ...]
@@ -40,11 +41,12 @@ class Radial(NamedTuple):
 
 
 class Stresses:
-    """Stresses under a sphere that touches on the radius a, in a coated body.
+    """The stresses in one coated body under a sphere with contact radius a.
 
-    pair: the bodies that meet, body: one of them that has a film, as elastic constants of their own (it must be one of the
-    pair's layers). radius: a over the thickness of its film, 0.001 to 1000. Lengths are over a, stresses over the mean
-    pressure. What the film adds is good to exp(-reach).
+    pair: layers of the two bodies in contact. body: elastic constants of the coated body whose stresses are computed; it must
+    be one of the layers in pair. radius: a divided by the film thickness, 0.001 to 1000. Lengths are divided by a and
+    stresses by the mean pressure. reach: largest wavenumber k t; the relative error of the film's contribution is
+    exp(-reach).
     """
 
     def __init__(self, pair: Pair, body: CoatedBody, radius: float, reach: float = 36.0):
@@ -56,7 +58,7 @@ class Stresses:
         self._weights = radius * weights * self._k * transform(self._g, self._k)
 
     def in_film(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """Return stresses at radii r (m,) and depths z (n,) from 0 to the thickness."""
+        """Return the stresses in the film at radii r (m,) and depths z (n,) from 0 to its thickness."""
         near = integrals(self._g, r, z)
         nu, depth = self.body.nu, z[:, None]
 
@@ -68,11 +70,11 @@ class Stresses:
         return _assembled(lambda name, order: of_half_space(*half[name], order) + sent_back(name, order))
 
     def in_body(self, r: np.ndarray, z: np.ndarray) -> Radial:
-        """Return stresses at radii r (m,) and depths z (n,) below the film."""
+        """Return the stresses in the body at radii r (m,) and depths z (n,) below the film."""
         return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
 
     def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
-        """Return <f>_n (n, m) of an amplitude f, by its name and n."""
+        """Return a function (name, n) -> <f>_n (n, m), where name selects the amplitude f."""
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
         sides = [across(self._waves, depth / self.thickness) for depth in z]
@@ -82,9 +84,9 @@ class Stresses:
 
 
 def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.ndarray, ...]:
-    """Return the stresses x, y, z, xy, yz, xz at the angles theta (m,) of the radii.
+    """Return the stresses xx, yy, zz, xy, yz, xz at the angles theta (m,) of the radii.
 
-    Under pressure and a traction in the direction x that is this multiple of it.
+    traction: ratio of the traction, in the direction x, to the pressure.
     """
     c, s = np.cos(theta), np.sin(theta)
     rr, tt, zz, rz = (one + traction * c * other for one, other in zip(radial.pressed, radial.dragged[:4], strict=True))
@@ -100,7 +102,7 @@ def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.nd
 
 
 def _half_space(nu: float) -> dict[str, tuple[float, float]]:
-    """Return amplitudes c and d of (c + d k z) exp(-k z) in a half-space."""
+    """Return (c, d) of each stress amplitude (c + d k z) exp(-k z) in a half-space."""
     return {
         "pressed_zz": (-1.0, -1.0), "pressed_xz": (0.0, -1.0), "pressed_xx": (-1.0, 1.0), "pressed_yy": (-2.0 * nu, 0.0),
         "dragged_zz": (0.0, -1.0), "dragged_xz": (-1.0, 1.0), "dragged_xx": (-2.0, 1.0), "dragged_yy": (-2.0 * nu, 0.0),
@@ -109,9 +111,9 @@ def _half_space(nu: float) -> dict[str, tuple[float, float]]:
 
 
 def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
-    """Return stresses of the functions F, F', F'' (3, 2, n, waves).
+    """Return the stress amplitudes (n, waves) by name, from F, F', F'' (3, 2, n, waves).
 
-    Under pressure and shear.
+    The second axis of F is (pressure, shear).
     """
     (p, q), (p1, q1), (p2, q2) = F
     return {
@@ -121,9 +123,9 @@ def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
 
 
 def _across_film(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shear across the wave that the film adds.
+    """Return the two antiplane shear stresses that the film adds to those of a half-space.
 
-    On planes of constant depth and in the plane.
+    The first acts on planes of constant depth, the second on vertical planes along the wave.
     """
     up, down = waves.across * np.exp((depth - 1.0) * waves.x), waves.across * np.exp(-(depth + 1.0) * waves.x)
     return up - down, -up - down
@@ -135,7 +137,10 @@ def _across_body(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
-    """Return the stresses from the transforms `of(amplitude, order)`."""
+    """Return all stresses from a function that gives the transforms <f>_n.
+
+    of: function (name of the amplitude f, order n) -> <f>_n.
+    """
     mean = (of("pressed_xx", 0) + of("pressed_yy", 0)) / 2.0
     difference = (of("pressed_xx", 2) - of("pressed_yy", 2)) / 2.0
     pressed = mean - difference, mean + difference, of("pressed_zz", 0), of("pressed_xz", 1)
@@ -168,15 +173,15 @@ def _dragged(of: Callable[[str, int], np.ndarray]) -> tuple[np.ndarray, ...]:
 
 @lru_cache(maxsize=64)
 def _nodes(radius: float, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return nodes and weights of all waves x = k t.
+    """Return the nodes and weights of all waves x = k t up to `reach`.
 
-    Dense enough for J(k r) cos(k) up to r = 3.
+    The nodes are dense enough to integrate J(k r) cos(k) up to r = 3.
     """
     return gauss((*_ENDS, *((12.0,) if reach > 12.0 else ()), reach), 2.0 * radius)
 
 
 def _bessel(k: np.ndarray, r: np.ndarray) -> np.ndarray:
-    """Return J_0 to J_3 of k r: (4, k, r)."""
+    """Return the Bessel functions J_0 to J_3 of k r: (4, k, r)."""
     from scipy import special  # slow to import, and this module is imported whenever tangential laws are listed
 
     x = np.outer(k, r)

@@ -1,10 +1,11 @@
-r"""The curves of a film on one body, for any materials, from a table: where thousands of pairs are asked for at once.
+"""Response curves of a film on one body, interpolated from a table for any materials.
 
-A table of exact solutions (`curves.npz`, made by `python -m stiction.solvers.layered.table`, two minutes) in three coordinates:
-ln r over ln 200, r the ratio of moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), W the film's
-share, which is 0 for a film that is not felt and 1 on a rigid counterbody. The curves are Chebyshev series in them: E_P, D and
-E_S are within 0.4 % of exact solutions, B within 0.8 %. Other bodies (films on two unlike ones, moduli farther apart) are
-solved one by one, each of them once.
+The table makes sweeps over thousands of material pairs fast. Running `python -m stiction.solvers.layered.table` (two minutes)
+computes it from exact solutions and writes `curves.npz`. It has three coordinates: ln r over ln 200, where r is the ratio of
+moduli; the excess of `compliance.Layer`; and v = sqrt(r) W/(1 - W + sqrt(r) W), where W is the film's share of the
+compliance. v is 0 if the film has no effect and 1 for a rigid counterbody. The curves are Chebyshev series in these
+coordinates. E_P, D and E_S are within 0.4 % of exact solutions, and B within 0.8 %. Moduli that differ more are solved one by
+one.
 """
 
 from functools import cache
@@ -26,9 +27,9 @@ _FILE = "curves.npz"
 
 @on_one_thread
 def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) -> np.ndarray:
-    """Return coefficients (n, CURVES, TERMS) as `curves`, for a film on one body.
+    """Return the coefficients (n, CURVES, TERMS) of `curves` for n films, each on one body.
 
-    Layers are given as arrays (n,).
+    share, ratio, excess: fields of `compliance.Layer`, as arrays (n,).
     """
     places = np.stack([np.log(ratio) / _RANGE, excess, 2.0 * _together(share, ratio) - 1.0], axis=1)
     tabled = np.abs(places[:, 0]) <= 1.0
@@ -41,13 +42,13 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
 
 
 def _together(share, ratio):
-    """Return v of the table, for arrays or numbers."""
+    """Return the table coordinate v, for arrays or numbers."""
     root = np.sqrt(ratio)
     return root * share / (1.0 - share + root * share)
 
 
 def _interpolated(places: np.ndarray) -> np.ndarray:
-    """Interpolate coefficients (n, CURVES, TERMS) at places (n, 3) within -1 and 1."""
+    """Interpolate the coefficients (n, CURVES, TERMS) at table coordinates (n, 3), -1 to 1."""
     table, modes = _table()
     series = [chebyshev.chebvander(column, size - 1) for column, size in zip(places.T, _SIZES, strict=True)]
     if np.ptp(places[:, 2]) == 0.0:  # a sweep over materials on one kind of counterbody, rigid as a rule
@@ -62,9 +63,9 @@ def _interpolated(places: np.ndarray) -> np.ndarray:
 
 @cache
 def _table() -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients (sizes, _MODES) and the modes.
+    """Return the Chebyshev coefficients (*_SIZES, _MODES) and the modes.
 
-    The modes (_MODES, CURVES * TERMS) are in powers of z.
+    The modes (_MODES, CURVES * TERMS) are converted from Chebyshev polynomials to powers of z.
     """
     with resources.files("stiction.solvers.layered").joinpath(_FILE).open("rb") as file:
         data = np.load(file)
@@ -73,7 +74,7 @@ def _table() -> tuple[np.ndarray, np.ndarray]:
 
 
 def _pair(place: tuple[float, float, float]) -> Pair:
-    """Return the bodies at a place of the table."""
+    """Return the pair of bodies at a point of the table, given by its three coordinates."""
     ratio, v = float(np.exp(place[0] * _RANGE)), (place[2] + 1.0) / 2.0
     share = v / (v + np.sqrt(ratio) * (1.0 - v))
     return (Layer(float(share), ratio, float(place[1])),)
@@ -82,7 +83,7 @@ def _pair(place: tuple[float, float, float]) -> Pair:
 def make() -> tuple[np.ndarray, np.ndarray]:
     """Compute the table and its modes from exact solutions.
 
-    At Chebyshev's extreme points of the three coordinates.
+    The solutions are at the Chebyshev extreme points of the three coordinates.
     """
     points = [-np.cos(np.pi * np.arange(size) / (size - 1)) for size in _SIZES]
     solved = np.zeros((*_SIZES, CURVES * TERMS))

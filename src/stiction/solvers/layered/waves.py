@@ -1,15 +1,16 @@
-r"""One wave of pressure, or of shear along or across it, on a film on a half-space: what it makes inside both.
+"""Response of a film on a half-space to one wave of pressure or shear on its surface.
 
-Lengths are over 1/k of the wave, z is depth and x = k t that of the interface. Along the wave all is plane strain, of a stress
-function: a pressure cos(xi) gives s_zz = -F cos, s_xz = F' sin, s_xx = F'' cos, and a shear cos(xi), turned by a quarter wave,
-s_zz = F sin, s_xz = F' cos, s_xx = -F'' sin; s_yy = nu (s_xx + s_zz). Both have
+Lengths are in units of 1/k. z is the depth, and x = k t the depth of the interface. Along the wave there is plane strain,
+described by a stress function F. A pressure cos(xi) gives s_zz = -F cos, s_xz = F' sin, s_xx = F'' cos. A shear cos(xi),
+shifted by a quarter of the wave, gives s_zz = F sin, s_xz = F' cos, s_xx = -F'' sin. In both cases s_yy = nu (s_xx + s_zz),
+and
 
-    2 mu u_x = (1 - nu) F'' + nu F,   2 mu u_z = (1 - nu) F''' - (2 - nu) F'    (but for the sign and the sine or cosine),
+    2 mu u_x = (1 - nu) F'' + nu F,   2 mu u_z = (1 - nu) F''' - (2 - nu) F'    (apart from the sign and the sine or cosine).
 
-F = (a + b z) exp(-z) on a half-space: (1 + z) exp(-z) under pressure, -z exp(-z) under shear. A film adds four terms, whose
-tractions vanish on the surface, and the half-space below has two: six equations, solved for all waves at once. What is added
-falls as exp(-x), so that nothing cancels in a thick film. Across the wave (antiplane shear) there is a closed form.
-Source: the equations of plane and antiplane strain; such a solution for a layer is in O'Sullivan & King (1988).
+On a half-space F = (a + b z) exp(-z): (1 + z) exp(-z) under pressure, -z exp(-z) under shear. A film adds four terms with
+zero traction on the surface. The half-space below has two terms. Six equations determine them, and are solved for all waves
+at once. The added part falls as exp(-x), so no digits cancel in a thick film. Across the wave (antiplane shear) there is a
+closed form. Source: the equations of plane and antiplane strain; O'Sullivan & King (1988) solve a layer in this way.
 """
 
 from dataclasses import dataclass
@@ -19,10 +20,10 @@ import numpy as np
 
 @dataclass(frozen=True)
 class CoatedBody:
-    """A film bonded to a half-space.
+    """The elastic constants of a film bonded to a half-space.
 
-    ratio: plane-strain modulus of the film over the value of the body below, above 0, finite; nu, nu_below: Poisson's ratios of
-    the two, 0 to 0.5.
+    ratio: plane-strain modulus of the film divided by that of the body below, > 0, finite. nu, nu_below: Poisson's ratios of
+    film and body, 0 to 0.5.
     """
 
     ratio: float
@@ -31,18 +32,21 @@ class CoatedBody:
 
     @property
     def shear_ratio(self) -> float:
-        """Return the shear modulus of the film over the value of the body below."""
+        """Return the shear modulus of the film divided by that of the body below."""
         return self.ratio * (1.0 - self.nu) / (1.0 - self.nu_below)
 
 
 @dataclass(frozen=True)
 class Waves:
-    """Amplitudes at wavenumbers x = k t (m,).
+    """The amplitudes of waves with wavenumbers x = k t (m,) in film and body.
 
-    added (4, 2, m): of exp(-z), z exp(-z), exp(-y) and y exp(-y) in the film's stress function in addition to a half-space's, y
-    = x - z, under pressure and under shear along the wave; below (2, 2, m): of exp(-s) and s exp(-s) in the body,
-    s = z - x. across, across_below (m,): of exp(-y) + exp(-y - 2 z) added to the displacement exp(-z) of a half-space, and of
-    exp(-s) below, under shear across the wave, times the shear modulus of either.
+    added (4, 2, m): factors of exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z, in the stress function that the
+    film adds to that of a half-space. The second axis is (pressure, shear along the wave). below (2, 2, m): factors of
+    exp(-s) and s exp(-s), with s = z - x, in the stress function of the body.
+
+    across, across_below (m,): displacements under shear across the wave, times the shear modulus of film or body. across is
+    the factor of exp(-y) + exp(-y - 2 z), added to the exp(-z) of a half-space. across_below is the factor of exp(-s) in the
+    body.
     """
 
     x: np.ndarray
@@ -52,9 +56,9 @@ class Waves:
     across_below: np.ndarray
 
     def surface_compliances(self, nu: float) -> np.ndarray:
-        """Return surface displacements along and across the wave (2, m) under unit shear.
+        """Return the surface displacement (2, m) along and across a wave of unit shear.
 
-        Times k times the shear modulus of the film: 1 - nu and 1 on a half-space.
+        It is multiplied by k and the shear modulus of the film: 1 - nu and 1 on a half-space.
         """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
@@ -62,7 +66,7 @@ class Waves:
 
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
-    """Return the amplitudes of the waves x = k t (m,) > 0."""
+    """Return the amplitudes of the waves x = k t (m,) > 0 in a coated body."""
     m = body.shear_ratio
     equations, right = np.zeros((x.size, 6, 6)), np.zeros((x.size, 6, 2))
     top, bottom, under = _film(0.0, x), _film(x, x), _decaying(np.zeros_like(x))
@@ -86,20 +90,20 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m) of what the film adds, at the depth over t.
+    """Return F, F' and F'' (3, 2, m) that the film adds at one depth.
 
-    Under pressure and shear.
+    depth: divided by the film thickness. The second axis is (pressure, shear).
     """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 
 
 def body_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return F, F' and F'' of the body, at the depth over t, at least 1."""
+    """Return F, F' and F'' (3, 2, m) in the body at one depth, >= 1 film thickness."""
     return _sum(_decaying((depth - 1.0) * waves.x), waves.below)
 
 
 def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m) as a sum of amplitudes times functions."""
+    """Return F, F' and F'' (3, 2, m): the sum of all functions times their amplitudes."""
     total = functions[:3, 0, None] * amplitudes[0]
     for function, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
         total += function[:, None] * amplitude
@@ -107,13 +111,13 @@ def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
 
 
 def _decaying(z) -> np.ndarray:
-    """Return exp(-z), z exp(-z) and their three derivatives: (4, 2, m)."""
+    """Return exp(-z) and z exp(-z) with their first three derivatives: (4, 2, m)."""
     down = np.exp(-z)
     return np.stack([[down, z * down], [-down, (1.0 - z) * down], [down, (z - 2.0) * down], [-down, (3.0 - z) * down]])
 
 
 def _film(z, x) -> np.ndarray:
-    """Return the four functions of a film and their derivatives: (4, 4, m)."""
+    """Return the four functions of a film with their first three derivatives: (4, 4, m)."""
     z = np.broadcast_to(z, x.shape)
     down, up = _decaying(z), _decaying(x - z)
     up[1::2] *= -1.0
@@ -121,13 +125,13 @@ def _film(z, x) -> np.ndarray:
 
 
 def _weigh(amplitudes, z) -> np.ndarray:
-    """Return F to F''' (4, m) of a half-space."""
+    """Return F, F', F'' and F''' (4, m) of a half-space for two amplitudes."""
     return np.einsum("dbm,b->dm", _decaying(z), np.array(amplitudes))
 
 
 def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, ...]:
-    """Return the numbers that are continuous at an interface.
+    """Return the quantities that are continuous at an interface.
 
-    F and F', and both displacements times 2 mu of the film.
+    They are F, F', and both displacements times 2 mu of the film.
     """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])
