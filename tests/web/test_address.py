@@ -76,11 +76,14 @@ FILES = {
         "roughness": {"first": {"file": "../../etc/passwd"}, "second": "/etc/shadow"},
         "work_of_adhesion": {"samples": "measured.csv"},
     },
+    "sweep": {"roughness": ["/root/map.npz", {"file": "/root/other.npz"}]},
 }
 
 
 def test_every_file_that_a_case_names_is_found():
-    assert sorted(files_named(FILES)) == ["../../etc/passwd", "/etc/shadow", "measured.csv", "my.toml"]
+    assert sorted(files_named(FILES)) == [
+        "../../etc/passwd", "/etc/shadow", "/root/map.npz", "/root/other.npz", "measured.csv", "my.toml"
+    ]  # fmt: skip
 
 
 def test_files_of_this_machine_are_not_read_for_whoever_writes_an_address():

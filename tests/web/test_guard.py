@@ -46,7 +46,14 @@ def test_a_browser_on_this_machine_is_let_through():
         (414, {"query": b"s=" + b"a" * 100_000}),
         (503, {"visitors": MOST_VISITORS}),
         (403, {"origin": "http://elsewhere.example"}),
+        (403, {"origin": "null"}),
+        (403, {"origin": "http://["}),
+        (403, {"origin": "http://127.0.0.1:8080@elsewhere.example"}),
+        (403, {"origin": "http://127.0.0.1:9090"}),
         (421, {"host": "elsewhere.example"}),
+        (421, {"host": "["}),
+        (421, {"host": ""}),
+        (421, {"host": "127.0.0.1.elsewhere.example"}),
     ],
 )
 def test_what_is_refused_is_told_in_a_sentence(status, request_):

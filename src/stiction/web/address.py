@@ -5,6 +5,7 @@ import binascii
 import tomllib
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 from stiction.case.places import roughness_in
@@ -40,11 +41,14 @@ def unpacked(text: str) -> dict[str, Any]:
 
 
 def files_named(tables: Mapping[str, Any]) -> list[str]:
-    """Return the files that a case names: of materials, of scans, of samples and of measured series."""
+    """Return the files that a case names: of materials, of scans, of maps of a sweep, of samples and of measured series."""
     found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
     rough = roughness_in(tables)
     if isinstance(rough, Mapping):
         found += [rough[body] for body in ("first", "second") if isinstance(rough.get(body), str)]
+    sweep = tables.get("sweep")
+    maps = sweep.get("roughness") if isinstance(sweep, Mapping) else None
+    found += [name for name in maps if isinstance(name, str)] if isinstance(maps, list) else []
     return [*found, *_files_in(tables)]
 
 
@@ -67,5 +71,5 @@ def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> Non
     known = set(allowed)
     for name in files_named(tables):
         if name not in known:
-            there = ", ".join(sorted(known)) or "none"
+            there = ", ".join(sorted(Path(name).name for name in known)) or "none"  # visitors need no folder of this machine
             raise InputError("file", name, f"a file of the served case, or one that was uploaded here (now: {there})")

@@ -41,9 +41,9 @@ class Guard:
         """Return status and message if a request is refused; the message is "" if it is accepted."""
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
-        if self._names is not None and urlsplit(f"//{host}").hostname not in self._names:  # without its port
+        if self._names is not None and _part_of(f"//{host}", "hostname") not in self._names:  # without its port
             return 421, "Refused: this server answers under its own name only."
-        if (origin := heads.get(b"origin")) and urlsplit(origin).netloc != host:
+        if (origin := heads.get(b"origin")) and _part_of(origin, "netloc") != host:
             return 403, "Refused: the request comes from another page."
         if len(scope.get("query_string", b"")) + len(scope["path"]) > _LONGEST_ADDRESS:
             return 414, f"Refused: an address has {_LONGEST_ADDRESS} characters at most."
@@ -56,6 +56,14 @@ class Guard:
             if int(length) > LARGEST_UPLOAD:
                 return 413, f"Refused: an upload has {LARGEST_UPLOAD} bytes at most; stiction surface reads larger scans."
         return 200, ""
+
+
+def _part_of(address: str, part: str) -> str | None:
+    """Return the `hostname` or `netloc` of an address; None for text that is no address, as "//["."""
+    try:
+        return getattr(urlsplit(address), part)
+    except ValueError:
+        return None
 
 
 def names_for(host: str) -> frozenset[str] | None:

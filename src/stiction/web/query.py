@@ -1,6 +1,7 @@
 """Solve a case of the page, compare models for it, and describe the answer; safe to call from any thread."""
 
 import math
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -91,7 +92,10 @@ class Answer:
 def read_query(query: Query) -> Case:
     """Read the case of a query. Raises InputError for an invalid case or one that is too large for the page."""
     refuse_other_files(query.tables, query.files)
-    case = case_in(query.tables, query.folder)
+    try:
+        case = case_in(query.tables, query.folder)
+    except InputError as error:
+        raise _without_folders(error, query) from None
     points = case.load if case.load is not None else case.separation
     count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
     count *= 1 if hasattr(points, "dims") else np.size(points)
@@ -101,6 +105,18 @@ def read_query(query: Query) -> Case:
         if size > limit:
             raise InputError(field, size, f"at most {limit} {_MORE}")
     return case
+
+
+def _without_folders(error: InputError, query: Query) -> InputError:
+    """Return the error without the folders of this machine, which no visitor needs to know: files keep their names."""
+    folders = [f"{Path(query.folder, name).resolve().parent}{os.sep}" for name in query.files]
+
+    def bare(text: Any) -> Any:
+        for folder in folders:
+            text = text.replace(folder, "") if isinstance(text, str) else text
+        return text
+
+    return InputError(bare(error.field), bare(error.value), bare(error.allowed), bare(error.hint))
 
 
 def solved(query: Query) -> Answer:

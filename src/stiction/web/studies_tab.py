@@ -178,7 +178,8 @@ class StudiesTab:
             try:
                 return calibrated(query, self._load(query), Path(path), free(), progress)
             except InputError as error:
-                raise InputError(error.field.replace(path, name), error.value, error.allowed) from None
+                value = error.value.replace(path, name) if isinstance(error.value, str) else error.value
+                raise InputError(error.field.replace(path, name), value, error.allowed, error.hint) from None
 
         self._study("Calibrate", work)
 
