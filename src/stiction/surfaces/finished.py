@@ -119,7 +119,7 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 
 
 class FinishedBodies(Input):
-    """The rough bodies of a contact, of which at least one is described by a finish.
+    """The rough bodies of a contact; a finish describes at least one of them.
 
     A contact has two rough bodies, or one rough body on a smooth one. Raises InputError.
     """

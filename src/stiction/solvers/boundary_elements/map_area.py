@@ -1,10 +1,10 @@
-"""Real contact area of a map against load, from the solution of some of its points, or from its slopes where it is too large.
+"""Real contact area of a map against load, by solving some of its points or by a formula.
 
-The share A/A0 is solved at the mean pressures asked for, or where these are many at four to a factor of ten, each with the
-fewest points of the map that are enough: four in the shortest wave, eight across a lay, and 3000 in contact. Between them ln A
-is a monotone cubic of ln p. Below the lightest pressure that is solved, and above the heaviest, it goes on in proportion to a
-formula (`area_estimates`), which also stands for maps with more points than are solved here. Solutions are kept as long as the
-program runs.
+The share A/A0 is solved at the requested mean pressures. If these are many, it is solved at four pressures per decade, and ln
+A is interpolated by a monotone cubic of ln p. Each solution uses the fewest points that suffice: four in the shortest wave,
+eight across a lay, and 3000 in contact. Below the lightest and above the heaviest solved pressure the area follows a formula
+(`area_estimates`), scaled to the last solution. The formula also replaces solutions of maps that are too large to solve.
+Solutions are cached as long as the program runs.
 """
 
 import hashlib
@@ -44,9 +44,10 @@ _MOST_SKEWNESS, _MOST_LAY, _TOP, _TOP_RANGE = 0.5, 1.3, 0.05, (0.75, 1.3)
 
 @dataclass(frozen=True, eq=False)
 class MapArea:
-    """Real contact area of one map.
+    """The real contact area of one map, as a function of mean pressure and hardness.
 
-    heights (rows, columns) [m], complete; size (y, x) [m]; periodic: one period of an endless surface.
+    heights: (rows, columns) [m], without missing points. size: (y, x) [m]. periodic: whether the map is one period of an
+    endless surface.
     """
 
     heights: np.ndarray
@@ -82,11 +83,11 @@ class MapArea:
         return [MapArea(np.ascontiguousarray(part), (high, wide), periodic=False) for part in parts]
 
     def sample_error(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """Return the standard error of ln A as a window of a larger surface.
+        """Return the standard error of ln A of a map that is a window of a larger surface.
 
-        Estimated from the scatter of quadrants; 0 for one period. Quadrants of a window with few of the longest waves
-        resemble each other, so the error grows by _OF_WAVES where there are half as many waves as make a sample. pressure,
-        hardness: as in `share`. NaN where a quadrant is flat, or the pressure is 0.
+        The error is estimated from the scatter between the quadrants of the map. It is 0 for a periodic map. If the window
+        holds few of the longest waves, its quadrants resemble each other and the error is increased (_OF_WAVES). pressure,
+        hardness: as in `share`. The result is NaN if a quadrant is flat or the pressure is 0.
         """
         if self.periodic:
             return np.zeros(np.shape(pressure))
@@ -99,9 +100,9 @@ class MapArea:
 
     @cached_property
     def solvable(self) -> list[int]:
-        """Return the possible steps of point sampling, coarsest first; empty if there is none.
+        """Return the usable sampling steps, coarsest first; empty if the map cannot be solved.
 
-        Each leaves few enough points to solve, and enough points in the shortest wave.
+        Each step leaves few enough points to solve, and enough points in the shortest wave.
         """
         in_wave = self.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -116,7 +117,10 @@ class MapArea:
 
     @property
     def gaussian(self) -> bool:
-        """Return whether the map is Gaussian and isotropic enough for formula (3), by top slopes."""
+        """Return whether formula (3) of `area_estimates` (top slopes) holds for the map.
+
+        The map must be nearly Gaussian and isotropic.
+        """
         z = self.heights - self.heights.mean()
         skewness = float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
         low, high = _TOP_RANGE
@@ -131,11 +135,11 @@ class MapArea:
 
     @property
     def formula(self) -> Callable[[float, MapSlopes], float]:
-        """Return the formula that replaces the solution where there is none."""
+        """Return the formula for the area at pressures that are not solved."""
         return by_top_slopes if self.gaussian else by_ranks
 
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """Return A/A0 at mean pressures over E* (any shape, >= 0).
+        """Return A/A0 at mean pressures divided by E* (any shape, >= 0).
 
         hardness: H/E*, may be infinite.
         """
@@ -146,10 +150,10 @@ class MapArea:
         return self._curves[hardness](flat).reshape(np.shape(pressure))
 
     def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Return solved elastic A/A0 (n,) where films deform as well.
+        """Return the solved elastic A/A0 (n,) for bodies with films.
 
-        NaN where too few points touch or the map is too large. pressure: mean, in the unit of the compliance, (n,) rising;
-        expected: approximate area.
+        compliance: bodies and films. pressure: mean pressures (n,), ascending, in the unit of the compliance. expected:
+        approximate A/A0 (n,). The result is NaN where too few points touch or the map is too large.
         """
         areas = np.full(len(pressure), np.nan)
         if not self.solvable:
@@ -162,14 +166,14 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest sampling step at which enough points touch for this A/A0."""
+        """Return the coarsest sampling step with enough points in contact at this A/A0."""
         expected = area * self.heights.size
         return next((step for step in self.solvable if expected / step**2 >= LEAST_CONTACT), self.solvable[-1])
 
     def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
-        """Return solved A/A0 (n,) of every so many-th point at mean pressures (n,).
+        """Return A/A0 (n,) at mean pressures (n,), solved with every `every`-th point.
 
-        NaN where too few points touch; how: bodies, as `solve_map` takes them.
+        how: keywords of `solve_map` for the bodies. The result is NaN where too few points touch.
         """
         heights = np.ascontiguousarray(self.heights[::every, ::every])
         covered = zip(self.size, self.heights.shape, heights.shape, strict=True)
@@ -182,14 +186,14 @@ class MapArea:
         return np.where(touching, np.minimum(contacts.array("area") / (high * wide), 1.0), np.nan)
 
     def by_formula(self, pressure: float, hardness: float) -> float:
-        """Return A/A0 by the formula, at pressure and hardness over E* h'."""
+        """Return A/A0 by the formula, with pressure and hardness divided by E* h'."""
         return float(with_hardness(self.formula(pressure, self.slopes), pressure, hardness))
 
 
 class _Curve:
-    """A/A0 against p/(E* h') at one hardness over E* h'.
+    """The curve of A/A0 against p/(E* h') at one hardness H/(E* h').
 
-    Nodes: solved ln p -> ln A; for many pressures at p = 10^(k/4).
+    Solved nodes are stored as ln A against p. For many pressures the nodes are at p = 10^(k/4).
     """
 
     def __init__(self, area: MapArea, hardness: float):
@@ -211,7 +215,7 @@ class _Curve:
         return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve few pressures as they are, else the nodes around them."""
+        """Solve the given pressures if they are few, else the nodes around them."""
         inside = np.minimum(pressure, self._heaviest)
         if len(pressure) > _FEW:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)
@@ -262,14 +266,14 @@ class _Curve:
 
 
 def map_area(surface: HeightMap) -> MapArea:
-    """Return the area of a complete map, cached by its content."""
+    """Return the MapArea of a map without missing points, cached by the content of the map."""
     digest = hashlib.blake2b(np.ascontiguousarray(surface.heights).tobytes(), digest_size=20)
     digest.update(repr((surface.heights.shape, surface.size, surface.periodic)).encode())
     return _kept(digest.hexdigest(), _Held(surface))
 
 
 class _Held:
-    """Map that compares equal to any other, because its digest is the cache key."""
+    """A wrapper that makes maps compare equal, because a digest already identifies them in the cache."""
 
     def __init__(self, surface: HeightMap):
         self.surface = surface

@@ -1,4 +1,4 @@
-"""Validity warnings of a solved map: few points in the shortest wave, few of the longest waves, and the like."""
+"""Validity warnings of a solved map, e.g. too few points in the shortest wave."""
 
 import math
 
@@ -55,7 +55,10 @@ def _warnings_of_film(film, pitch):
 
 
 def warnings_of_load(solution: Found, load_error: float, ends: bool, tolerance: float) -> tuple[ValidityWarning, ...]:
-    """Return the warnings about one solution; ends: nothing presses outside the map."""
+    """Return the warnings about the solution at one load.
+
+    ends: whether the map has free edges, so that nothing presses outside of it.
+    """
     return (*_warnings_of_solution(solution, load_error, tolerance), *(_warnings_of_ends(solution.pressure) if ends else ()))
 
 
@@ -73,7 +76,7 @@ def _warnings_of_solution(solution, load_error, tolerance):
 
 
 def share_at_ends(pressure: np.ndarray) -> float:
-    """Return the share of the load on the outermost points of a (rows, columns) map."""
+    """Return the fraction of the load on the outermost points of a pressure map (rows, columns)."""
     total = float(pressure.sum())
     if total <= 0.0:
         return 0.0  # of a load below the smallest number: nothing

@@ -36,9 +36,9 @@ _WORKERS = 2
 
 @dataclass(frozen=True)
 class Edges:
-    """Number of pixel sides between contact and no contact.
+    """The numbers of pixel sides between contact and no contact.
 
-    along_y: sides of neighbours in x; along_x: sides of neighbours in y.
+    along_y: sides between neighbours in x. along_x: sides between neighbours in y.
     """
 
     along_y: int
@@ -46,7 +46,7 @@ class Edges:
 
     @property
     def count(self) -> int:
-        """Return the number of all edges."""
+        """Return the number of all pixel sides between contact and no contact."""
         return self.along_y + self.along_x
 
     @property
@@ -57,25 +57,25 @@ class Edges:
 
 
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
-    """Count the edges of the points in contact, bool (rows, columns).
+    """Count the pixel sides at the edge of contact.
 
-    periodic: the last point neighbours the first.
+    contact: bool (rows, columns). periodic: whether the last point is a neighbour of the first.
     """
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
 def _changes(contact, periodic):
-    """Count changes along the rows."""
+    """Count the changes between neighbouring values along the rows."""
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
     return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
 
 @dataclass(frozen=True)
 class Waves:
-    """Characteristic wavelengths of a map [m].
+    """The characteristic wavelengths of a map [m].
 
-    shortest: waves shorter than this hold 1 % of the mean square gradient; longest: waves longer than this hold half of the
-    mean square height; gradient: root mean square of all waves [1].
+    shortest: waves shorter than this contribute 1 % of the mean square gradient. longest: waves longer than this contribute
+    half of the mean square height. gradient: rms gradient of all waves [1].
     """
 
     shortest: float
@@ -84,10 +84,10 @@ class Waves:
 
 
 def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
-    """Measure the characteristic wavelengths of a map.
+    """Compute the characteristic wavelengths of a map.
 
-    heights: (rows, columns) [m]; size: (y, x) [m]. A map that is not periodic is seen through Hann's window, so that the step
-    between its ends does not count as roughness.
+    heights: (rows, columns) [m]. size: (y, x) [m]. A map that is not periodic is multiplied by Hann's window, so that the
+    step between its ends does not count as roughness.
     """
     heights = heights - heights.mean()
     if not periodic:
@@ -115,6 +115,6 @@ def _where_sum_reaches(edge, part, share):
 def rms_step(heights: np.ndarray) -> float:
     """Return the rms height difference of neighbouring points along x and y [m].
 
-    Gaps are measured in units of it.
+    Solvers measure gaps in units of it.
     """
     return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))

@@ -26,10 +26,10 @@ _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reache
 
 @dataclass(frozen=True)
 class Menisci:
-    """Liquid between the faces.
+    """The liquid menisci between two faces.
 
-    pressure: gamma/r, by which the liquid pulls [Pa]; height: largest gap that it fills, 2 r c [m]. Raises InputError unless
-    both are > 0.
+    pressure: suction gamma/r of the liquid [Pa]. height: largest gap that it fills, 2 r c [m]. Raises InputError unless both
+    are > 0.
     """
 
     pressure: float
@@ -43,9 +43,10 @@ class Menisci:
 
 @dataclass(frozen=True)
 class Condensed:
-    """Contact with condensed liquid.
+    """The solution of a contact with condensed liquid.
 
-    found: q of (1), the pressure of contact over the suction [Pa], and the gap; wet: B, bool of the map's shape; problem: (1).
+    found: solution of problem (1): contact pressure plus suction q [Pa], and the gap. wet: bool map of the points with
+    liquid. problem: problem (1).
     """
 
     found: Found
@@ -57,9 +58,9 @@ def condense(
     problem: Problem, menisci: Menisci | None, start: np.ndarray, *, tolerance: float, most: int,
     seen: Callable[[int, float], None] | None = None,
 ) -> Condensed:  # fmt: skip
-    """Solve the contact with the liquid that condenses around the dry contact.
+    """Solve a contact together with the liquid that condenses around the dry contact.
 
-    problem: the dry contact; menisci: None for a dry contact; the rest: as in `minimise`.
+    problem: the dry contact. menisci: the liquid, or None for a dry contact. Other arguments: as in `minimise`.
     """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
@@ -76,7 +77,7 @@ def condense(
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
-    """Return the problem (1) with suction at the wet points."""
+    """Return problem (1), with suction at the wet points."""
     suction = np.where(wet, menisci.pressure, 0.0)
     return replace(
         problem,

@@ -39,18 +39,18 @@ import numpy as np
 
 
 class Boundary(Protocol):
-    """How the face of a map answers to pressure, in the precision of what it is given.
+    """The interface of a map's compliance operator: displacement from pressure.
 
-    inverts: whether `inverse` is exact.
+    It computes in the precision of its argument. inverts: whether `inverse` is exact.
     """
 
     inverts: bool
 
     def __call__(self, pressure: np.ndarray, /) -> np.ndarray:
-        """Return the displacement [m] of the pressure [Pa]."""
+        """Return the displacement map [m] caused by a pressure map [Pa]."""
 
     def inverse(self, displacement: np.ndarray, /) -> np.ndarray:
-        """Return a pressure [Pa] of about this displacement [m]."""
+        """Return a pressure map [Pa] that causes about this displacement map [m]."""
 
 
 _ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
@@ -64,10 +64,10 @@ _BLOCK = 2**16  # points that are worked on together: their numbers stay in the 
 
 @dataclass(frozen=True)
 class Problem:
-    """Quadratic problem (1).
+    """The quadratic minimisation problem (1).
 
-    displacement: C, from pressure [Pa] to displacement [m]; heights [m]; mean: pressure [Pa]; hardness: H [Pa], infinite:
-    elastic; length: [m], unit of gaps.
+    displacement: C, from pressure [Pa] to displacement [m]. heights: map [m]. mean: mean pressure [Pa]. hardness: H [Pa];
+    infinite for elastic bodies. length: unit of gaps [m].
     """
 
     displacement: Boundary
@@ -103,10 +103,10 @@ class Found:
 def minimise(
     problem: Problem, start: np.ndarray, *, tolerance: float, most: int, seen: Callable[[int, float], None] | None = None
 ) -> Found:
-    """Return the minimum of (1).
+    """Return the solution of the minimisation problem (1).
 
-    start: any pressure of the map's shape [Pa]; tolerance: of the residual; most: number of steps; seen: called with the
-    number of the step and the residual before each. Without convergence the state of least residual is returned.
+    start: any pressure map [Pa]. tolerance: of the residual. most: largest number of steps. seen: called before each step
+    with its number and the residual. Without convergence, the state with the smallest residual is returned.
     """
     best = last = _in_double(problem, on_level(np.clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)

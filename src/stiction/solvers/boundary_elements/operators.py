@@ -56,7 +56,7 @@ def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray
 
 
 class _Kernel:
-    """Factors of the waves in both precisions."""
+    """The factors of all waves in single and double precision."""
 
     def __init__(self, factors: np.ndarray):
         self._double = factors
@@ -71,10 +71,9 @@ class _Kernel:
 
 
 class PeriodicBoundary:
-    """Displacements of one period of a map.
+    """The compliance operator of a periodic map.
 
-    shape: (rows, columns); size: (y, x) [m]. knows_approach: whether displacements count from where the bodies were; if not,
-    from their mean.
+    shape: (rows, columns). size: (y, x) [m]. knows_approach: whether displacements are absolute; if not, their mean is zero.
     """
 
     inverts = True
@@ -98,9 +97,9 @@ class PeriodicBoundary:
 
 
 class MirroredBoundary:
-    """Displacements of a window that its mirror images continue.
+    """The compliance operator of a window that is continued by its mirror images.
 
-    shape: (rows, columns); size: (y, x) [m]. knows_approach: as of one period.
+    shape: (rows, columns). size: (y, x) [m]. knows_approach: as in PeriodicBoundary.
     """
 
     inverts = True
@@ -124,9 +123,9 @@ class MirroredBoundary:
 
 
 class FreeBoundary:
-    """Displacements of a map with no pressure outside.
+    """The compliance operator of a map with no pressure outside of it.
 
-    shape: (rows, columns); size: (y, x) [m].
+    shape: (rows, columns). size: (y, x) [m].
     """
 
     knows_approach = True
@@ -150,12 +149,15 @@ class FreeBoundary:
         return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return a pressure [Pa] of about this displacement [m]: that of the map as one period."""
+        """Return an approximate pressure [Pa] for this displacement [m].
+
+        It is exact for a periodic map, but not for a map that ends.
+        """
         return self._periodic.inverse(displacement)
 
 
 def _through(pressure, grid, kernel):
-    """Multiply the zero-padded pressure with the kernel in wavevectors."""
+    """Return the pressure, zero-padded to the grid, convolved with the kernel."""
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel.like(pressure)
@@ -172,7 +174,7 @@ def _through_cosines(pressure, kernel):
 
 
 def _inverted(factors):
-    """Return one over C(k), and 0 where that is 0."""
+    """Return 1/C(k), and 0 where C(k) is 0."""
     return np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0)
 
 

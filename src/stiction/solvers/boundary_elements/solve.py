@@ -3,9 +3,9 @@
     found = solve_map(surface.heights, surface.size, modulus=1e11, loads=[1.0, 10.0], periodic=True)
     found[-1].area, found[-1].separation, found.validity_warnings
 
-Assumptions: small slopes, no friction, no adhesion but that of a liquid; bodies are half-spaces (with or without a film) whose
-compliance carries the load of the whole map; plastic flow is a pressure that does not rise above the hardness, without
-hardening, without volume that goes elsewhere, and every load is reached from none (no memory of the loads before).
+Assumptions: Slopes are small. There is no friction, and no adhesion except that of a liquid. Bodies are half-spaces, with or
+without a film. Plastic flow limits the pressure to the hardness, without hardening and without displaced volume. Every load
+starts from the unloaded state, so earlier loads have no influence.
 """
 
 import math
@@ -75,9 +75,9 @@ class MapContact:
 
 @dataclass(frozen=True)
 class MapContacts:
-    """Contacts at rising loads, as a sequence.
+    """The contacts of a map at increasing loads, as a sequence of MapContact.
 
-    validity_warnings: warnings of the map at all loads; complete: False where it was interrupted.
+    validity_warnings: warnings that hold for the map at all loads. complete: False if the solution was interrupted.
     """
 
     contacts: tuple[MapContact, ...]
@@ -94,15 +94,16 @@ class MapContacts:
         return iter(self.contacts)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one number of every contact, by its name, as an array over the loads."""
+        """Return one attribute of all contacts, by its name, as an array over the loads."""
         return np.array([getattr(contact, name) for contact in self.contacts], dtype=float)
 
 
 @dataclass(frozen=True)
 class Progress:
-    """Position of a solution.
+    """The progress of a solution.
 
-    load: number of the load, from 0, of `loads`; step; residual: falls to the tolerance.
+    load: index of the current load, from 0. loads: number of loads. step: number of the step. residual: current residual; the
+    solution ends when it is below the tolerance.
     """
 
     load: int
@@ -146,7 +147,7 @@ def solve_map(
 
 
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
-    """Raise InputError for a map, loads or keywords that `solve_map` refuses."""
+    """Raise InputError if `solve_map` does not accept this map, these loads or keywords."""
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
     _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
 
@@ -175,7 +176,7 @@ class _How:
 
 @dataclass(frozen=True)
 class _Asked:
-    """Checked arguments of `solve_map`."""
+    """The checked arguments of `solve_map`."""
 
     heights: np.ndarray
     size: tuple[float, float]
@@ -187,7 +188,7 @@ class _Asked:
 
     @property
     def ends(self) -> bool:
-        """Return whether the map ends, with nothing pressing outside of it."""
+        """Return whether the map has free edges: nothing presses outside of it."""
         return self.how.free and not self.periodic
 
     @classmethod
@@ -223,7 +224,10 @@ def usable_map(heights) -> np.ndarray:
 
 
 def _rising(request: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
-    """Solve at rising mean pressures, each from the solution before."""
+    """Yield the contact at each of the increasing mean pressures.
+
+    Each solution starts from the one before.
+    """
     boundary = PeriodicBoundary if request.periodic else FreeBoundary if request.ends else MirroredBoundary
     displacement = boundary(compliance, request.heights.shape, request.size)
     length = rms_step(request.heights)
@@ -247,9 +251,9 @@ def _reporting(progress, index, loads):
 
 
 def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
-    """Return a first pressure from the solution of every second point.
+    """Return a start pressure, interpolated from the solution of every second point.
 
-    Applied recursively; a small map begins with the mean everywhere.
+    The function calls itself for the coarser map. A small map starts with a uniform pressure.
     """
     if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
         return np.full(heights.shape, mean)
@@ -261,7 +265,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
-    """Return a map of twice the rows, new ones midway between their neighbours."""
+    """Return a map with twice the rows; new rows are means of their neighbours."""
     fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
     fine[::2] = coarse
     fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])
@@ -270,9 +274,9 @@ def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
 
 
 def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approach: bool) -> MapContact:
-    """Collect the numbers of one load.
+    """Return the MapContact of one solved load.
 
-    The solids press with the pressure of the solution less the suction of the liquid around them.
+    The pressure between the solids is the solved pressure minus the suction of the liquid.
     """
     solution, gap = wetted.found, wetted.found.gap
     suction = 0.0 if request.menisci is None else request.menisci.pressure
@@ -325,7 +329,7 @@ def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
 
 
 def _without_excess(request: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
-    """Return area [m2] without the excess of edge pixels, and edge length [m]."""
+    """Return the area [m2] corrected for edge pixels, and the length of the contact edge [m]."""
     sides = edges(pressure > 0.0, request.periodic)
     counted = int(np.count_nonzero(pressure)) * pixel
     corrected = counted - sides.excess * pixel

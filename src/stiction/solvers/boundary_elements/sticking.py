@@ -1,8 +1,8 @@
-"""Contacts of one periodic map that adheres, in the form of contacts that do not.
+"""Contacts of one adhesive periodic map, as the same objects as contacts without adhesion.
 
-The faces attract each other over a range rho (see `adhesive`). "atomic_range": that of atoms, which few maps resolve;
-"shortest_range": the shortest that the points of the map resolve, two of them along the length E* rho^2/w over which the edge
-of contact is pulled. The shorter it is, the nearer to Johnson, Kendall & Roberts.
+The faces attract each other over a range rho (see `adhesive`). "atomic_range" is the range of atomic forces, which few maps
+resolve. "shortest_range" is the shortest range that the points of the map resolve: two points along the length E* rho^2/w
+over which the contact edge is pulled. The shorter the range, the closer the result is to Johnson, Kendall & Roberts.
 """
 
 import math
@@ -24,19 +24,19 @@ if TYPE_CHECKING:
 
 
 def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
-    """Return the range of attraction [m] that the points of a map just resolve.
+    """Return the shortest range of attraction [m] that the points of a map resolve.
 
-    work: of adhesion [J/m2].
+    work: work of adhesion [J/m2].
     """
     near = Compliance(bodies.modulus, bodies.film, bodies.counter_film).near
     return math.sqrt(LEAST_POINTS * max(surface.pitch) * near * work)
 
 
 def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
-    """Solve an adhesive map at nominal pressures [Pa] in the order given.
+    """Solve an adhesive map at nominal pressures [Pa], in the given order.
 
-    Negative pressures pull; each is solved from the one before. work: of adhesion [J/m2]; reach: range of attraction [m].
-    Raises InputError for a map that ends, for bodies that flow, and for films on both.
+    Negative pressures pull. Each solution starts from the one before. work: work of adhesion [J/m2]. reach: range of
+    attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and for films on both bodies.
     """
     if not surface.periodic:
         raise InputError("adhesion", "on a map that ends", "left_out, or one period of a surface (periodic = true)")
@@ -55,9 +55,10 @@ def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
 
 
 def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
-    """Convert an adhesive contact to a MapContact without pressures.
+    """Convert an adhesive contact to a MapContact without a pressure map.
 
-    Faces that do not touch are infinitely far apart. The pressure is left out because it pulls also where there is contact.
+    The separation of faces that do not touch is infinite. The pressure map is left out because adhesive tension acts inside
+    the contact too.
     """
     return MapContact(
         load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,

@@ -1,4 +1,7 @@
-"""Tells how far a solution is, to whoever asked to be told: the solver is called many rooms below who shows it."""
+"""Report the progress of a solution to listeners registered by distant callers.
+
+A caller that displays progress does not call the solver directly, so it registers a listener here.
+"""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,7 +13,10 @@ _listeners: list[Callable[[Progress], None]] = []
 
 @contextmanager
 def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
-    """Call the listener before every step of every solution inside."""
+    """Register a progress listener for all solutions inside a `with` block.
+
+    listener: called with a Progress for each step that is reported.
+    """
     _listeners.append(listener)
     try:
         yield
@@ -19,6 +25,6 @@ def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
 
 
 def tell(progress: Progress) -> None:
-    """Report a step of a solver to the listener."""
+    """Pass the progress of a solver to all registered listeners."""
     for listener in _listeners:
         listener(progress)

@@ -57,7 +57,7 @@ class Yield(NamedTuple):
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
     """Locate first yield for traction = `traction` times pressure (`traction` >= 0).
 
-    film_strength: yield stress of the film divided by that of the body below.
+    film_strength: ratio of the yield stresses of film and body below.
     """
     candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):

@@ -22,8 +22,8 @@ import numpy as np
 class CoatedBody:
     """The elastic constants of a film bonded to a half-space.
 
-    ratio: plane-strain modulus of the film divided by that of the body below, > 0, finite. nu, nu_below: Poisson's ratios of
-    film and body, 0 to 0.5.
+    ratio: ratio of the plane-strain moduli of film and body below, > 0, finite. nu, nu_below: Poisson's ratios of film and
+    body, 0 to 0.5.
     """
 
     ratio: float
@@ -32,7 +32,7 @@ class CoatedBody:
 
     @property
     def shear_ratio(self) -> float:
-        """Return the shear modulus of the film divided by that of the body below."""
+        """Return the ratio of the shear moduli of film and body below."""
         return self.ratio * (1.0 - self.nu) / (1.0 - self.nu_below)
 
 

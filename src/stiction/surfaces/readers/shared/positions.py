@@ -87,9 +87,9 @@ def _rounding(off: float, pitch: float) -> tuple[str, ...]:
 
 
 def _last_digit(x: np.ndarray) -> float:
-    """Return the largest power of ten of which all positions are multiples.
+    """Return the largest power of ten such that all positions are multiples of it.
 
-    The result is 0 if none of the first ten digits qualifies.
+    The result is 0 if none of the ten largest powers qualifies.
     """
     largest = int(np.floor(np.log10(np.abs(x).max())))
     for exponent in range(largest, largest - 10, -1):
