@@ -104,3 +104,42 @@ def test_half_of_what_weakening_takes_is_refused():
         slide(contact(), tangential="none")
     with refusal("weakening_slip", "1 nm", "boundary_elements"):
         st.slide(contact(), load="1 mN", weakening_slip="1 nm", residual_strength=0.5)
+
+
+def test_a_force_is_met_at_the_displacement_that_is_found():
+    found = slide(contact(), tangential_force=["0.02 mN", "0.05 mN"])
+    np.testing.assert_allclose(found["tangential_force"].values, [2e-5, 5e-5], rtol=1e-5)
+    again = slide(contact(), displacement=found["displacement"].values)
+    np.testing.assert_allclose(again["tangential_force"].values, [2e-5, 5e-5], rtol=1e-5)
+    whole = slide(contact(nominal_area="1000 um^2"), load="10 mN", tangential_force=["0.2 mN"])
+    assert float(whole["displacement"][0]) == pytest.approx(float(found["displacement"][0]), rel=1e-5)
+
+
+def test_a_soft_machine_leaps_and_a_stiff_one_does_not():
+    """A drive through a spring is ahead by F/k; where the force falls faster than k, states are left out (Dieterich 1978)."""
+    given = {"load": "3 mN", "residual_strength": 0.0, "weakening_slip": "2 nm"}
+    stiff = slide(contact(), spring_stiffness="1e9 N/m", **given)
+    assert (stiff["state_is_met"].values == 1.0).all()
+    force, shift = stiff["tangential_force"].values, stiff["displacement"].values
+    np.testing.assert_allclose(stiff["drive_displacement"].values, shift + force / 1e9, rtol=1e-12)
+    falls = float(np.max(-np.diff(force) / np.diff(shift)))
+    soft = slide(contact(), spring_stiffness=0.1 * falls, **given)
+    met, top = soft["state_is_met"].values, int(np.argmax(force))
+    assert met[: top + 1].all() and 0 < np.count_nonzero(met == 0.0)
+    np.testing.assert_array_equal(soft["tangential_force"].values, force)
+    assert float(soft["largest_tangential_force"]) == float(stiff["largest_tangential_force"])
+
+
+def test_refused_forces_and_springs():
+    with refusal("tangential_force", "sum of strengths"):
+        slide(contact(), tangential_force="1 N")
+    with refusal("tangential_force", "beside displacement"):
+        slide(contact(), tangential_force="0.01 mN", displacement="1 nm")
+    with refusal("tangential_force", "falls with slip"):
+        slide(contact(), tangential_force="0.01 mN", residual_strength=0.5, weakening_slip="1 nm")
+    with refusal("load", "one load"):
+        slide(contact(), tangential_force="0.01 mN", load=["1 mN", "2 mN"])
+    with refusal("spring_stiffness", "0", "0"):
+        slide(contact(), spring_stiffness=0.0)
+    with refusal("spring_stiffness", "boundary_elements"):
+        st.slide(contact(), load="1 mN", spring_stiffness=1.0)

@@ -82,6 +82,8 @@ def slide(
     tangential: Tangential = None,
     residual_strength: float | None = option("Residual strength of a sliding asperity or point, as a fraction."),
     weakening_slip: str | None = option("Slip over which a point of a map falls to its residual strength, e.g. '10 nm'."),
+    spring_stiffness: str | None = option("Stiffness of the machine that moves a map, e.g. '100 N/mm'."),
+    tangential_force: str | None = option("Force on a map in place of displacements, e.g. '1 mN'."),
     **beside: str | None,
 ) -> None:
     """Compute the tangential force of a contact against its tangential displacement, from rest to sliding.
@@ -94,7 +96,10 @@ def slide(
     with solving():
         from stiction.studies.case_results import slide_case
 
-        data = slide_case(chosen, laws, residual_strength=residual_strength, weakening_slip=weakening_slip)
+        data = slide_case(
+            chosen, laws, residual_strength=residual_strength, weakening_slip=weakening_slip,
+            spring_stiffness=spring_stiffness, tangential_force=tangential_force,
+        )  # fmt: skip
     from stiction.report.views.sliding import sliding_view
 
     present(sliding_view(chosen, data), out, json, details)

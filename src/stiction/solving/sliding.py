@@ -26,7 +26,7 @@ from stiction.solving.on_map import OnMap
 from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
 from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
 from stiction.solving.results import labelled, summary_of
-from stiction.solving.sliding_on_map import slide_on_map, used_by_sliding
+from stiction.solving.sliding_on_map import Move, slide_on_map, used_by_sliding
 
 if TYPE_CHECKING:
     import xarray
@@ -50,8 +50,10 @@ def slide(
     separation: "QuantityLike | None" = None,
     load: "QuantityLike | None" = None,
     displacement: "QuantityLike | None" = None,
+    tangential_force: "QuantityLike | None" = None,
     residual_strength: float | None = None,
     weakening_slip: "QuantityLike | None" = None,
+    spring_stiffness: "QuantityLike | None" = None,
     model: str | None = None,
     heights: Heights | str | None = None,
     **laws: Unpack[LawKeywords],
@@ -67,11 +69,16 @@ def slide(
     displacement : float [m], str with a unit, or array, optional
         Tangential displacements from rest, 0 or more; over sigma for Indices. By default 61 of them, up to 1.5 times the
         largest sliding displacement.
+    tangential_force : float [N], str with a unit, or array, optional
+        For a map at one load: forces from rest, below the sum of strengths, in place of displacements. Points then have to
+        keep their strength.
     residual_strength : float, optional
         Fraction of its strength that an asperity, or a point, retains once it slides, 0 to 1; 1 is Coulomb's law. By default
         that of the contact, or 1.
     weakening_slip : float [m] or str with a unit, optional
         For a map: slip over which a point loses the rest of its strength, linearly. By default that of the contact.
+    spring_stiffness : float [N/m] or str with a unit, optional
+        For a map: stiffness of the machine through which a slow drive moves it. By default the machine is rigid.
     model : str, optional
         As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map.
     heights : Heights or str, optional
@@ -86,7 +93,8 @@ def slide(
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
         sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for a
         residual strength of 1, energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest
-        force over the sum of strengths, and over `displacement` sticking_share.
+        force over the sum of strengths, and over `displacement` sticking_share; with a spring, drive_displacement [m] and
+        state_is_met, 0 at displacements that the map leaps past.
 
     Raises
     ------
@@ -109,11 +117,14 @@ def slide(
     """
     subject = as_subject(contact)
     residual = _residual(subject, residual_strength)
+    of_maps = {"weakening_slip": weakening_slip, "tangential_force": tangential_force, "spring_stiffness": spring_stiffness}
     if model is not None and isinstance(on_map := make_problem(contact, choice_of(model, laws, subject), heights), OnMap):
         slip = getattr(subject, "weakening_slip", None) if weakening_slip is None else weakening_slip
-        return slide_on_map(on_map, points_of(on_map, load, separation), displacement, residual, slip)
-    if weakening_slip is not None:
-        raise InputError("weakening_slip", weakening_slip, "no value, except with model = boundary_elements")
+        how = Move(displacement, tangential_force, residual, slip, spring_stiffness)
+        return slide_on_map(on_map, points_of(on_map, load, separation), how)
+    for name, value in of_maps.items():
+        if value is not None:
+            raise InputError(name, value, "no value, except with model = boundary_elements")
     if subject.has_film:
         raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)

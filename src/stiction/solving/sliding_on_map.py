@@ -3,6 +3,7 @@
 The tangential law gives each point its strength from its pressure; `solvers.shear` displaces the map tangentially.
 """
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,12 +31,24 @@ _NEARLY = 0.99  # of a force that is only tended to
 _KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
 
 
-def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: float, weakening_slip: Any) -> "xarray.Dataset":
+@dataclass(frozen=True)
+class Move:
+    """How a map is moved aside: the arguments of `slide` that only maps take, and its displacements."""
+
+    displacement: Any
+    tangential_force: Any
+    residual: float
+    weakening_slip: Any
+    spring_stiffness: Any
+
+
+def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset":
     """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
     from stiction.solvers.shear.path import full_shift
 
     contact, factors = problem.contact, problem.factors
-    weakening = _weakening(problem, residual, weakening_slip)
+    residual, displacement = move.residual, move.displacement
+    weakening = _weakening(problem, residual, move.weakening_slip)
     static = solve_points(points).tables
     loads = static["load"]
     contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
@@ -43,14 +56,16 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: fl
         raise InputError("load", f"{loads.size - len(contacts)} not solved", "loads at which the contact of the map was found")
     strengths = [problem.strengths(one) for one in contacts]
     operator = _operator(problem)
-    if displacement is None:
+    whole = contact.nominal_area / contacts[0].nominal_area
+    if move.tangential_force is not None:
+        displacement = _at_forces(problem, operator, strengths, contacts[0].nominal_area, move)
+    elif displacement is None:
         displacement = _way(max(full_shift(operator, strength) for strength in strengths), weakening)
     moved = points_asked(problem.subject, "displacement", displacement)
     shifts = np.atleast_1d(np.asarray(moved, dtype=float))
     if shifts.min() < 0.0:
         raise InputError("displacement", contact.show(float(shifts.min()), "displacement"), "0 or more")
     paths = [_path(operator, one, strength, shifts, weakening) for one, strength in zip(contacts, strengths, strict=True)]
-    whole = contact.nominal_area / contacts[0].nominal_area
     ends = _ends(operator, paths, whole, residual, factors)
     if weakening is not None:
         ends["points_in_weakening"] = _points_in_loss(problem, operator, strengths, weakening)
@@ -63,6 +78,8 @@ def slide_on_map(problem: OnMap, points: Points, displacement: Any, residual: fl
         "sticking_share": np.array([path.array("stick") for path in paths]).reshape(shape),
     }
     coords = problem.coords | coordinates_of(points.value, moved)
+    if move.spring_stiffness is not None:
+        curves |= _through_spring(problem, paths, whole, shape, move.spring_stiffness)
     data = labelled(problem.subject, static | ends, points.factors, points.dims, coords)
     data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
     data["point_state"] = (*dims, "row", "column"), _point_states(paths).reshape(*shape, *_shown(strengths[0]).shape), _STATES
@@ -116,6 +133,44 @@ def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None"
     if residual == 1.0:
         raise InputError("weakening_slip", slip, "nothing, where a point keeps all of its strength: residual_strength < 1")
     return Weakening(float(problem.subject.read(slip, "weakening_slip")), residual)
+
+
+def _at_forces(
+    problem: OnMap, operator: "ShearOperator", strengths: list[np.ndarray], nominal_area: float, move: Move
+) -> np.ndarray:
+    """Return the displacements [m] at forces of the whole contact. Raises InputError."""
+    from stiction.solvers.shear.path import at_force
+
+    if move.displacement is not None:
+        raise InputError("tangential_force", move.tangential_force, "no value beside displacement")
+    if move.residual < 1.0:
+        raise InputError(
+            "tangential_force", move.tangential_force, "no value where strength falls with slip: give displacements"
+        )
+    if len(strengths) != 1:
+        raise InputError("load", f"{len(strengths)} loads", "one load beside tangential_force")
+    contact, pixel = problem.contact, nominal_area / strengths[0].size
+    forces = np.atleast_1d(np.asarray(problem.subject.read(move.tangential_force, "tangential_force"), dtype=float))
+    most = float(strengths[0].sum()) * pixel * contact.nominal_area / nominal_area
+    if not ((forces >= 0.0) & (forces < most)).all():
+        shown = contact.show(float(forces.max()), "tangential_force"), contact.show(most, "tangential_force")
+        raise InputError("tangential_force", shown[0], f"0 to less than the sum of strengths, {shown[1]}")
+    part = nominal_area / contact.nominal_area
+    return np.array([at_force(operator, strengths[0], float(force) * part, pixel=pixel).shift for force in forces])
+
+
+def _through_spring(
+    problem: OnMap, paths: "list[SlidingPath]", whole: float, shape: tuple[int, ...], stiffness: Any
+) -> dict[str, np.ndarray]:
+    """Return the displacement of the drive, normalised, and whether it meets the states."""
+    from stiction.solvers.shear.path import through_spring
+
+    of_map = float(problem.subject.read(stiffness, "spring_stiffness")) / whole
+    drives = [through_spring(path, of_map) for path in paths]
+    return {
+        "drive_displacement": np.array([drive for drive, _ in drives]).reshape(shape) / problem.factors["m"],
+        "state_is_met": np.array([met for _, met in drives], dtype=float).reshape(shape),
+    }
 
 
 def _operator(problem: OnMap) -> "ShearOperator":

@@ -98,6 +98,8 @@ def slide_case(
     choice: Choice | None = None,
     residual_strength: float | None = None,
     weakening_slip: "QuantityLike | None" = None,
+    spring_stiffness: "QuantityLike | None" = None,
+    tangential_force: "QuantityLike | None" = None,
 ) -> "xarray.Dataset":
     """Compute the tangential force of a case against displacement, at no more than five of its points.
 
@@ -110,6 +112,10 @@ def slide_case(
     residual_strength : float, optional
         As in `slide`, 0 to 1.
     weakening_slip : float [m] or str with a unit, optional
+        As in `slide`.
+    spring_stiffness : float [N/m] or str with a unit, optional
+        As in `slide`.
+    tangential_force : float [N], str with a unit, or array, optional
         As in `slide`.
 
     Returns
@@ -137,7 +143,10 @@ def slide_case(
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
     points = {name: row[few_places(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
     subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
-    data = slide(subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip, **arguments)
+    data = slide(
+        subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip,
+        spring_stiffness=spring_stiffness, tangential_force=tangential_force, **arguments,
+    )  # fmt: skip
     return _said(data, case).assign_attrs(case.subject.groups())
 
 
