@@ -138,13 +138,14 @@ def _prepare_numba() -> None:
 
 def _register_formulas() -> None:
     """Tell Numba of all formulas that were marked since the last call."""
-    with _registering:
-        if _waiting:
-            from numba.extending import register_jitable
+    if not _waiting:  # the list is cleared when all are registered
+        return
+    from numba.extending import register_jitable
 
-            for function in _waiting:
-                register_jitable(**function.targetoptions)(function)
-            _waiting.clear()
+    with _registering:
+        for function in _waiting:
+            register_jitable(**function.targetoptions)(function)
+        _waiting.clear()
 
 
 def digest(function: Callable) -> str:

@@ -20,7 +20,7 @@ from stiction.engine.compiled import engine_kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
 
-_BLOCK = 512  # laws at a time: their values stay in the processor's cache
+_BLOCK = 1024  # laws at a time: their values stay in the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1], and how many of them (rules,).
 Rules = tuple[np.ndarray, np.ndarray]
 
@@ -135,21 +135,18 @@ def displacements(regime: Regime, laws: Laws) -> np.ndarray:
 def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6) -> np.ndarray:
     """Return the values (n, values, k) of n laws at the coordinates u (n, k)."""
     evaluate, found = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
-    out = np.empty((min(len(u), _BLOCK), values * LONGEST))
-    law, eight = np.arange(len(out)), np.full(len(out), 8)
+    out, eight = np.empty((min(len(u), _BLOCK), values * LONGEST)), np.empty((min(len(u), _BLOCK), 8))
+    law, count = np.arange(len(out)), np.full(len(out), 8)
     for start in range(0, len(u), _BLOCK):
         rows = slice(start, start + _BLOCK)
         for first in range(0, u.shape[1], 8):
-            columns = slice(first, first + 8)
-            some = u[rows, columns]
-            evaluate(_eight(some), law[: len(some)], eight, table[rows], out)
-            found[rows, :, columns] = out[: len(some)].reshape(-1, values, LONGEST)[:, :, : some.shape[1]]
+            some = u[rows, first : first + 8]
+            laws, columns = some.shape
+            eight[:laws, :columns] = some
+            eight[:laws, columns:] = some[:, -1:]  # the loop takes eight at a time
+            evaluate(eight[:laws], law[:laws], count, table[rows], out)
+            found[rows, :, first : first + columns] = out[:laws].reshape(-1, values, LONGEST)[:, :, :columns]
     return found
-
-
-def _eight(u: np.ndarray) -> np.ndarray:
-    """Return u padded to eight columns by repeating its last column."""
-    return np.concatenate([u, np.repeat(u[:, -1:], 8 - u.shape[1], axis=1)], axis=1)
 
 
 @cache
