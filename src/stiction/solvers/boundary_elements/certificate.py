@@ -1,18 +1,19 @@
-"""How far a pressure can be from the solution on its grid, known from the pressure alone.
+"""Error bounds of a pressure on its grid, computed from the pressure alone.
 
-Let s be the gap that must be added for the conditions (2) of `minimise` to hold: -g where the point is free, -min(g, 0)
-without pressure, -max(g, 0) at the hardness. The pressure p then solves the same problem for the heights h - s. With e its
-distance from the solution p* for h, the dual problem (Boyd & Vandenberghe 2004, Convex Optimization, section 5.5) bounds the
-energy E, and so e, since E rises from its minimum at least by half of <e C e>:
+Let s be the gap that must be added for the conditions (2) of `minimise` to hold: -g at free points, -min(g, 0) at points
+without pressure, -max(g, 0) at the hardness. The pressure p then solves the same problem exactly for the heights h - s. Let
+p* be the solution for h, and e = p - p*. The dual problem (Boyd & Vandenberghe 2004, Convex Optimization, section 5.5) bounds
+the energy E. It also bounds e, because E exceeds its minimum by at least <e C e>/2:
 
     E(p) - E(p*) <= 1/2 <s C^-1 s>        <e C e> <= <s C^-1 s>                                                             (1)
 
-with the mean of s left out where C(0) is not defined. Derived here. Where a map ends C^-1 is not known, and the weaker
+where the mean of s is left out if C(0) is not defined. Derived here. For a map that ends, C^-1 is not known, and the weaker
+bound
 
     <e C e> <= <g p> - min <g q>   over all q of the same mean and bounds                                                   (2)
 
-is taken (Frank & Wolfe 1956, Naval Res. Logist. 3, 95). Both hold for any pressure of the right mean and bounds. They leave out
-what the points of the map miss of the surface between them.
+is used (Frank & Wolfe 1956, Naval Res. Logist. 3, 95). Both hold for any pressure with the right mean and bounds. They do not
+include the error of representing the surface by the points of the map.
 """
 
 import math

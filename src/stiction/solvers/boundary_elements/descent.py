@@ -1,15 +1,16 @@
-"""The minimum downhill of the energy of faces that attract each other, over gaps of 0 or more.
+"""Minimise the energy of faces that attract each other, over gaps >= 0.
 
-With lengths over the range of attraction and energies over the work of adhesion, and K symmetric and not negative,
+Lengths are divided by the range of attraction and energies by the work of adhesion. K is symmetric and positive semidefinite.
+The energy
 
     1/2 <(g + h) K (g + h)> - <e^(-g)> + P <g>,      g >= 0                                                               (1)
 
-is lowered by conjugate gradients over the points that are free: those apart, and those that touch and would rather not
-(Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29), with three additions. Directions are
-smoothed by 1/K (K grows with the wavevector: without it long waves are slow), taken on the free points only. The step is
-Newton's along the direction, shorter where the attraction bends the energy down, no farther than twice the attraction's range
-where it acts, and halved until the energy falls. And where all faces are so far apart that no attraction outweighs the tension
-they are sent away.
+is reduced by conjugate gradients over the free points: points apart, and points in contact whose energy falls if they
+separate (Polonsky & Keer 1999, Wear 231, 206; Bugnicourt et al. 2018, Tribology Lett. 66, 29). There are three additions.
+First, directions are multiplied by 1/K and restricted to the free points; K grows with the wavevector, so long waves would
+otherwise converge slowly. Second, the step is Newton's along the direction. It is shortened where the attraction makes the
+energy concave, limited to twice the range where attraction acts, and halved until the energy falls. Third, if the faces are
+so far apart that no attraction outweighs the tension, they are moved apart at once.
 """
 
 import math

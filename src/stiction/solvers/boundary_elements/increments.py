@@ -1,12 +1,13 @@
-"""How the load answers to an approach while contact stays where it is: a linear system over the points that are free.
+"""Contact stiffness of a map at fixed contact area, from a linear system over the free points.
 
-An increment q of the pressure that moves the face of all free points alike (0 < p < H; those that flow carry no more, those
-that do not touch nothing) has C q = w on them. The compliance of a map is w over the mean of q; by Rayleigh's principle
+Free points have 0 < p < H. An approach w moves the face equally at all of them, and changes their pressure by q with C q = w.
+Points that flow carry no more load, and points outside the contact touch nothing. The compliance of the map is w divided by
+the mean of q. By Rayleigh's principle
 
     w/<q> = minimum of <q C q>/<q>^2 over all q on these points                                                           (1)
 
-so that a small error of q enters with its square (for rough contact: Barber 2003, Proc. R. Soc. A 459, 53), and single
-precision is enough.
+so that a small error of q changes the compliance only by its square (for rough contact: Barber 2003, Proc. R. Soc. A 459,
+53). Single precision is therefore enough.
 """
 
 import math

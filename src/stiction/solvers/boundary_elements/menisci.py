@@ -1,15 +1,15 @@
-"""Liquid between the faces of a map: Laplace's pressure wherever the gap is less than a meniscus is high.
+"""Liquid between the faces of a map: Laplace pressure wherever the gap is below a limit.
 
-In equilibrium with its vapour a liquid fills every gap below H = 2 r c and pulls there with gamma/r (r: Kelvin's radius, c:
-mean cosine of the contact angles). With s this suction, B the points of g < H, and q >= 0 what is pressed against it where they
-touch, the pressure is p = q - s on B, and q solves the contact without liquid of
+A liquid in equilibrium with its vapour fills every gap below H = 2 r c and pulls there with the suction s = gamma/r (r:
+Kelvin radius, c: mean cosine of the contact angles). Let B be the points with g < H, and q >= 0 the contact pressure plus s.
+The pressure is p = q - s on B, and q solves the contact without liquid of
 
     heights  h + C(s on B),     mean pressure  P/A_n + s |B|/A_n,     hardness  H_s + s                                     (1)
 
-B and q are found in turns, from B of the dry contact on. Suction nowhere opens a gap (where the opening of two solutions is
-largest their difference would have to be pressed there by less, which it is not), so B grows until it is the smallest that
-(1) agrees with: that which vapour fills as it condenses around dry contacts. The attraction of Maugis & Dugdale (Maugis 1992)
-at every point of a map; derived here. The pressure at the edge of contact is -s, as there.
+B and q are computed alternately, beginning with B of the dry contact. Suction nowhere opens a gap: where the difference of
+two gaps is largest, the pressure would have to fall, which it does not. Therefore B only grows, up to the smallest set that
+agrees with (1). This is the set that vapour fills as it condenses around dry contacts. The model is the attraction of Maugis
+& Dugdale (Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
 """
 
 import math

@@ -35,17 +35,19 @@ _COARSE_TOLERANCE = 1e-2
 
 @dataclass(frozen=True)
 class MapContact:
-    """Contact of a map at one load. All numbers are of the whole map.
+    """The contact of a map at one load. All values refer to the whole map.
 
-    load [N]; mean_pressure: over the nominal area [Pa]; nominal_area [m2]; area: real, corrected for pixels [m2]; area_pixels:
-    as counted [m2]; perimeter: of the real area [m]; separation: of the mean planes of the undeformed heights and the face [m]
-    (where bodies are half-spaces and the map periodic, of the deformed face); mean_gap: mean distance of the faces [m], 0 where
-    they touch; approach: since first touch [m], None where a periodic half-space leaves it unknown; stiffness: of load over
-    approach [N/m], NaN if no point can answer; plastic_area [m2]: where the pressure is the hardness; plastic_share: of the
-    load, carried there [1]; pressure: (rows, columns) [Pa], None if not kept; residual, steps: of the solution;
-    pressure_error, area_error, overlap [m]: bounds of its error on this grid (see `certificate`); load_error: relative;
-    points: how many are in contact; load_at_ends: share of the load on the outermost points, 0 of a map that does not end;
-    pull: by the liquid where faces do not touch [N], which is carried in addition to the load.
+    load [N]. mean_pressure: load over nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels [m2].
+    area_pixels: area of all pixels in contact [m2]. perimeter: of the real area [m]. separation: distance from the mean plane
+    of the undeformed heights to the face [m]; for half-spaces on a periodic map, to the mean of the deformed face. mean_gap:
+    mean distance of the faces [m], 0 where they touch. approach: since first touch [m]; None for half-spaces on a periodic
+    map. stiffness: derivative of load by approach [N/m]; NaN without elastic points. plastic_area: area where the pressure
+    equals the hardness [m2]. plastic_share: fraction of the load on it [1].
+
+    pressure: (rows, columns) [Pa]; None if not kept. residual, steps: of the solution. pressure_error, area_error, overlap
+    [m]: error bounds on this grid (see `certificate`). load_error: relative. points: number of points in contact.
+    load_at_ends: fraction of the load on the outermost points; 0 for a map that does not end. pull: force by which the liquid
+    pulls outside the contact [N]; the contact carries it in addition to the load.
     """
 
     load: float
@@ -119,13 +121,15 @@ def solve_map(
 ) -> MapContacts:  # fmt: skip
     """Solve the contact of a map with a rigid flat face at every load.
 
-    heights: (rows, columns) [m], finite, not all alike; size: (y, x) [m]; modulus: effective modulus E* [Pa] of the bodies
-    without their films (infinite: rigid); loads: [N], > 0, any order; periodic: whether the map is one period of an endless
-    surface, or a window of it, which its mirror images continue; hardness: the largest pressure [Pa], None: elastic; menisci:
-    of the liquid between the faces, in equilibrium with its vapour, None: dry. Further, by name: free: whether nothing
-    presses outside of a map that is not periodic (False); tolerance: of the residual; most_steps; keep_maps: whether pressure
-    maps are kept (True); stiffness: whether it is computed (True); progress: called with a `Progress` before every step;
-    done: called with each contact. Results are in the order of the loads.
+    heights: (rows, columns) [m], finite, not all equal. size: (y, x) [m]. modulus: effective modulus E* [Pa] of the bodies
+    without films; infinite for rigid bodies. loads: [N], > 0, in any order. periodic: True if the map is one period of an
+    endless surface; otherwise it is a window that its mirror images continue. hardness: largest pressure [Pa]; None for
+    elastic bodies. menisci: liquid between the faces in equilibrium with its vapour; None for dry faces.
+
+    Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: of the
+    residual. most_steps: largest number of steps. keep_maps: whether pressure maps are kept (True). stiffness: whether it is
+    computed (True). progress: called with a `Progress` before every step. done: called with each contact. Results are in the
+    order of the loads.
 
     A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned.
     Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
