@@ -25,7 +25,15 @@ OF_SDIST = ("tests", "docs", "examples", "benchmarks", "truth", "validation", "r
             "README.md", "LICENSE", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "ARCHITECTURE.md",
             "requirements.lock")  # fmt: skip
 LEFTOVERS = re.compile(r"(^|/)(__pycache__|\.venv|\.git|build|dist|demo|\.\w+_cache|\.hypothesis|\.ci)/|\.(pyc|nbi|nbc|so)$")
+# Bytes that no package may hold: keys, and folders of the machine on which it was built.
+SECRETS = (b"-----BEGIN " + b"PRIVATE KEY", b"-----BEGIN RSA " + b"PRIVATE KEY", b"-----BEGIN OPENSSH " + b"PRIVATE KEY")
 MOST = {".whl": 2.0e6, ".gz": 5.0e6}  # bytes
+
+
+def secrets_in(name: str, content: bytes) -> list[str]:
+    """What a file holds that is only of this machine, or of its owner: a line each."""
+    own = [str(place).encode() for place in (ROOT, Path.home()) if len(place.parts) > 2]
+    return [f"in {name}: {secret.decode()}" for secret in (*SECRETS, *own) if secret in content]
 
 
 def tree() -> set[str]:
@@ -45,6 +53,7 @@ def problems_of_wheel(path: Path) -> list[str]:
         about = next(name for name in names if name.endswith(".dist-info/METADATA"))
         told = HeaderParser().parsestr(archive.read(about).decode())
         entries = archive.read(about.replace("METADATA", "entry_points.txt")).decode()
+        secrets = [line for name in sorted(names) for line in secrets_in(name, archive.read(name))]
     inside = {name for name in names if ".dist-info/" not in name}
     found = [f"missing: {name}" for name in sorted(tree() | {f"stiction/{name}" for name in DATA}) if name not in inside]
     found += [f"too much: {name}" for name in sorted(inside - tree())]
@@ -57,17 +66,19 @@ def problems_of_wheel(path: Path) -> list[str]:
         found.append(f"metadata of another version: {told['Version']}, {told.get_all('Provides-Extra')}")
     if "stiction = stiction.cli:main" not in entries:
         found.append("no command `stiction`")
-    return found + _heavy(path)
+    return found + secrets + _heavy(path)
 
 
 def problems_of_sdist(path: Path) -> list[str]:
     """What is wrong with an sdist, a line each."""
     with tarfile.open(path) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
+        files = {member.name: archive.extractfile(member) for member in archive.getmembers() if member.isfile()}
+        secrets = [line for name, file in files.items() if file is not None for line in secrets_in(name, file.read())]
     found = [f"missing: src/{name}" for name in sorted(tree()) if f"src/{name}" not in names]
     found += [f"missing: {part}" for part in OF_SDIST if not any(name == part or name.startswith(f"{part}/") for name in names)]
     found += [f"not of a package: {name}" for name in sorted(names) if LEFTOVERS.search(name)]
-    return found + _heavy(path)
+    return found + secrets + _heavy(path)
 
 
 def _heavy(path: Path) -> list[str]:

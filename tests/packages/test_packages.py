@@ -46,6 +46,12 @@ def test_packages_hold_what_they_should(built, capsys):
     assert contents.main(built) == 0, capsys.readouterr().out
 
 
+def test_a_folder_of_this_machine_or_a_key_in_a_package_is_seen():
+    assert contents.secrets_in("a.py", b"nothing") == []
+    assert contents.secrets_in("a.py", b"x = '" + str(ROOT / "src").encode()) == [f"in a.py: {ROOT}"]
+    assert len(contents.secrets_in("key", contents.SECRETS[1])) == 1
+
+
 def test_what_is_wrong_with_a_package_is_seen(built, tmp_path):
     """A wheel without the sources of its equations, and with a test in it."""
     (wheel,) = built.glob("*.whl")

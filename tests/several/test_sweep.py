@@ -358,6 +358,24 @@ def test_a_store_of_another_case_is_left_alone(tmp_path, other, where):
     assert before == {file: file.read_bytes() for file in (tmp_path / "store").rglob("*") if file.is_file()}
 
 
+@pytest.mark.parametrize("damage", [None, b"", b'{"zarr_format": 3'])
+@pytest.mark.parametrize("file", ["contact_area/zarr.json", "validity_warnings_by_block/zarr.json", "zarr.json"])
+def test_a_store_with_a_damaged_description_is_refused_in_one_line(tmp_path, file, damage):
+    interrupted(DRAWN, tmp_path / "store", after=2)
+    path = tmp_path / "store" / file
+    path.unlink() if damage is None else path.write_bytes(damage)
+    with refusal("--out"):
+        sweep(DRAWN, tmp_path / "store")
+
+
+def test_a_list_of_blocks_that_cannot_be_read_is_refused_in_one_line(tmp_path):
+    interrupted(DRAWN, tmp_path / "store", after=2)
+    chunk = next(path for path in (tmp_path / "store" / "validity_warnings_by_block" / "c").rglob("*") if path.is_file())
+    chunk.write_bytes(b"no chunk")
+    with refusal("--out"):
+        sweep(DRAWN, tmp_path / "store")
+
+
 def test_a_folder_of_something_else_is_left_alone(tmp_path):
     (tmp_path / "mine.txt").write_text("kept")
     with refusal("--out"):

@@ -182,7 +182,20 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
     if attributes["identity"] != plan.identity():
         where = _difference(json.loads(attributes["identity"]), json.loads(plan.identity()))
         raise InputError("--out", str(path), f"a new store, or the store of this case; {where} differs")
+    _check_whole(store, path)
     return store
+
+
+def _check_whole(store: Store, path: Path) -> None:
+    """Raise InputError if an array of the store is absent, or its description or its list of blocks cannot be read."""
+    try:
+        absent = ({_DONE} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
+        store.left()
+    except Exception:  # zarr raises many kinds of errors for damaged files
+        absent = {"a readable array"}
+    if absent:
+        allowed = "an undamaged store: files of this one were changed or deleted; delete it and run the sweep again"
+        raise InputError("--out", str(path), allowed)
 
 
 def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
