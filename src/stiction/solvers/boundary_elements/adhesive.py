@@ -1,29 +1,30 @@
 """Adhesive contact of a periodic map: faces that attract each other over a stated range.
 
-Per area, faces a gap g >= 0 apart have the energy -w e^(-g/rho) (w: work of adhesion, rho: range; the law of the
-contact-mechanics challenge, Mueser et al. 2017, Tribology Lett. 65, 118); they never overlap. Under the mean pressure P the gap
-is a minimum of
+Faces at a gap g >= 0 have the energy -w e^(-g/rho) per area (w: work of adhesion, rho: range), and never overlap. This is the
+law of the contact-mechanics challenge (Mueser et al. 2017, Tribology Lett. 65, 118). Under the mean pressure P the gap is a
+minimum of
 
     1/2 <u K u> - w <e^(-g/rho)> + P <g>,        u = g + h less its mean,  K = 1/C(k),        over all g >= 0             (1)
 
-(Pastewka & Robbins 2014, PNAS 111, 3298); `descent` goes there. Its gradient is the pressure of the contact; it vanishes where
-g > 0. Where rho is short against what the edge of contact deforms, this is the limit of Johnson, Kendall & Roberts; where long,
-that of Derjaguin, Muller & Toporov.
+(Pastewka & Robbins 2014, PNAS 111, 3298). `descent` finds it. The gradient of (1) is the contact pressure; it vanishes where
+g > 0. If rho is short compared with the deformation at the contact edge, this is the limit of Johnson, Kendall & Roberts. If
+rho is long, it is the limit of Derjaguin, Muller & Toporov.
 
-The attraction makes (1) have more than one minimum: what is found is the one downhill from where it starts, at the first load
-the contact without adhesion, at every further load the one before. So loads in falling order are a separation, and beyond the
-largest pull there is no contact: `detached`.
+Because of the attraction, (1) has more than one minimum. The solver finds the one downhill from its start. At the first load
+it starts from the contact without adhesion, and at every further load from the load before. Loads in falling order therefore
+describe a separation. Beyond the largest pull there is no contact: `detached`.
 
-The grid must see the edge: e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along it the edge of a sphere
-catches on the points, and its largest pull (Tabor's parameter 3; 1.0276 of that of Johnson, Kendall & Roberts, by rings around
-one axis) is high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, .2 to .8 % at 2 to 3. A map with fewer than two is solved between
-its points too, by its waves, where that makes up for it (m of .8 and more); else it has a warning. What pixels add to the area
-is c S d as of contacts without adhesion (see `measures`), with
+The grid must resolve the contact edge, where e^(-g/rho) pulls over a length of about E* rho^2/w. With m points along this
+length the edge of a sphere catches on the points. Its largest pull (Tabor's parameter 3; 1.0276 times the value of Johnson,
+Kendall & Roberts, by an axisymmetric solution) is then too high by 5 % at m = .9, 2 % at 1.1, 1.5 % at 1.3, and .2 to .8 % at
+2 to 3. A map with m below 2 is also solved between its points, by interpolation with its waves, where that is accurate enough
+(m >= .8). Otherwise it has a warning. The pixels add c S d to the area, as in contacts without adhesion (see `measures`),
+with
 
     c = .100 + .085/m     (m >= 1)                                                                                        (2)
 
-measured on rough maps of 8 points in the shortest wave against the same maps with 32: c = .11 (m = 8), .12 (4), .14 (2), .19
-(1), each +- .015 (standard deviation), at contact of 3 to 80 % of the map.
+This was measured on rough maps with 8 points in the shortest wave against the same maps with 32: c = .11 (m = 8), .12 (4),
+.14 (2), .19 (1), each +- .015 (standard deviation), for contact on 3 to 80 % of the map.
 """
 
 import math

@@ -1,8 +1,8 @@
-"""Elastic contact area of a map without its solution: from its slopes, or from the solution of some of its points.
+"""Estimate the elastic contact area of a map without solving it, from slopes or ranks of its points.
 
-This project's own formulas, grade B: their evidence is solved maps. All begin with Persson's theory (2001),
-A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the map, and widen it, (1) and
-(2) in surfaces.theory.widened_area:
+These are formulas of this project, grade B: their evidence is solved maps. All start from Persson's theory (2001), A/A0 =
+erf(2^(1/2) p), where p is the mean pressure over E* h' and h' the rms gradient of the map. They widen it by (1) and (2) in
+surfaces.theory.widened_area:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)
 
@@ -11,14 +11,16 @@ A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient of the m
     by ranks        A = G(p/S(r), c) with A = r/(1.195 + .312 S(r)), the first such r                                      (4)
                     c = .655 - .071 ln alpha + .183 ln R
 
-alpha: Nayak's m0 m4/m2^2; R: root of the ratio of the eigenvalues of the gradient tensor; points are ranked from the highest,
-r is the share of points above. F(A): rms gradient of the highest 2A of the map over that of all of it. S(r): of the local
-gradient s(r) at rank r over h', [mean over ranks below r of s^m]^(1/m), m = .783; past r = 1 it stays 1.
+alpha is Nayak's m0 m4/m2^2. R is the root of the ratio of the eigenvalues of the gradient tensor. Points are ranked from the
+highest, and r is the share of points above. F(A) is the rms gradient of the highest 2A of the map over that on the whole map.
+S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r = 1
+it stays 1.
 
-Constants were fitted to the surfaces of the set with seeds 1 and 2 (docs/truth.md), (2) and (3) to its Gaussian isotropic ones.
-Error of the others, of seeds 3 and 4, in % rms (largest), p = .002 to .3: Gaussian isotropic (2) 6.6 (37), 80 % of all within
-5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) of other surfaces: skewed 5.1 (18), peaked 7.4, flat 5.1, with a lay 5.1 (23),
-bimodal 3.8, periodic 10, worn 30 (96): at light loads it misses plateaus that are rough again.
+The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (docs/truth.md); (2) and (3) only to its
+Gaussian isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic
+(2) 6.6 (37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4,
+flat 5.1, with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus that are
+rough again.
 """
 
 import math

@@ -1,22 +1,22 @@
-"""How far elastic bodies give way under a wave of pressure: normal displacement over pressure, by wavevector k.
+"""Compliance of elastic bodies to a wave of pressure: normal displacement over pressure, by wavevector k.
 
-Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), of a pair 1/E* = sum):
+Half-space (Johnson 1985, Contact Mechanics, section 13.2; plane-strain modulus E* = E/(1 - nu^2), for a pair 1/E* is the sum):
 
     C(k) = 2 / (E* k)                                                                                                     (1)
 
-A film of thickness t (1) bonded to a half-space (2), without shear on its face, x = k t, G = mu1/mu2 the ratio of the shear
-moduli; one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the notation of Nogi & Kato
-(1997, J. Tribology 119, 493):
+For a film of thickness t (1) bonded to a half-space (2), without shear on its face, let x = k t, and G = mu1/mu2 the ratio of
+the shear moduli. This is one wave of the layered half-space of O'Sullivan & King (1988, J. Tribology 110, 235), in the
+notation of Nogi & Kato (1997, J. Tribology 119, 493):
 
     C(k) = 2/(E1* k) [1 + 4 x K e^(-2x) - L K e^(-4x)] / [1 - (L + K + 4 K x^2) e^(-2x) + L K e^(-4x)]                    (2)
     L = 1 - 4 (1 - nu1) / (1 + G (3 - 4 nu2)),          K = (G - 1) / (G + 3 - 4 nu1)
 
-Grade B: (2) was not compared with print but with the six boundary conditions of one wave, solved directly (tests). t -> 0 and
-G -> 1 give (1) of the substrate, t -> infinity that of the film; G = 0 is a film on a rigid base, nu1 = 1/2 an incompressible
-one.
+Grade B: (2) was not compared with print. Tests compare it with a direct solution of the six boundary conditions of one wave.
+t -> 0 and G -> 1 give (1) of the substrate, and t -> infinity (1) of the film. G = 0 is a film on a rigid base, and nu1 = 1/2
+an incompressible film.
 
-With y = 2x, and both lines times e^y, (2) is free of differences of nearly equal numbers as x -> 0, where a film on a rigid
-base gives way in proportion to t, an incompressible one to k^2 t^3:
+With y = 2x, numerator and denominator of (2) are multiplied by e^y. This avoids differences of nearly equal numbers as x ->
+0. In that limit the compliance of a film on a rigid base is proportional to t, or to k^2 t^3 if the film is incompressible:
 
     numerator   = (1 - LK) cosh y + (1 + LK) (sinh y - y) + (1 + LK + 2K) y                                               (3)
     denominator = (1 + LK) (cosh y - 1) + (1 - LK) sinh y + (1 - L)(1 - K) - K y^2
