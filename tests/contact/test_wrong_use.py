@@ -94,7 +94,7 @@ def test_a_good_value_is_not_assigned_either_and_the_way_is_named():
             lambda: st.compare(contact(), load=np.array([1.0])),
             "load: 1.0; allowed: one load > 0 N: compare takes a single load",
         ),
-        (lambda: st.compare(contact(), separations=3.0), "separations: 3.0; allowed: a row of numbers"),
+        (lambda: st.compare(contact(), separations=3.0), "separations: 3.0; allowed: a sequence of numbers"),
     ],
 )
 def test_a_wrong_use_says_what_is_right(use, said):

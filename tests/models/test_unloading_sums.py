@@ -301,7 +301,7 @@ def test_of_a_contact_in_si():
         )
         assert found["load"][i, 1, 2] == pytest.approx(float(same["load"] * unit), rel=1e-7)
         assert found["pull_off_force"][i, 1] == pytest.approx(float(same["pull_off_force"] * unit), rel=1e-7)
-    assert found.attrs["unloading"] == "as thornton_ning_1998 has it" and found.attrs["grade"] == "B"
+    assert found.attrs["unloading"] == "by the unloading law of thornton_ning_1998" and found.attrs["grade"] == "B"
 
 
 def test_given_back_as_it_was_found():

@@ -103,18 +103,26 @@ class Contact(Subject):
         if 0 < len(left_out) < len(rest):
             raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
         if self.weakening_slip is not None and self.residual_strength is None:
-            raise InputError("residual_strength", None, "0 to 1 beside weakening_slip: the fraction of the strength that stays")
+            raise InputError(
+                "residual_strength", None, "0 to 1, the fraction of the strength that remains after weakening_slip"
+            )
         return self
 
     def _check_adhesion(self) -> None:
         """Raise InputError if an array parameter mixes contacts with and without adhesion, which need different groups."""
         some = np.asarray(0.0 if self.work_of_adhesion is None else self.work_of_adhesion)
         if (some == 0.0).any() and some.any():
-            raise InputError("work_of_adhesion", "a sweep from 0", "above 0 all along, or 0 all along: then nothing adheres")
+            raise InputError(
+                "work_of_adhesion", "a sweep from 0", "a sweep with all values above 0, or 0 as a single number for no adhesion"
+            )
         film = None if self.coating is None else self.coating.work_of_adhesion
         if film is None or np.all((np.asarray(film) > 0.0) == some.any()):
             return
-        wanted = "above 0, as that of the bodies is" if some.any() else "nothing, as the bodies do not adhere either"
+        wanted = (
+            "above 0, because work_of_adhesion of the contact is above 0"
+            if some.any()
+            else "no value, because work_of_adhesion of the contact is 0 or not stated"
+        )
         raise InputError("coating.work_of_adhesion", "0" if some.any() else "above 0", wanted)
 
     @property
@@ -136,7 +144,7 @@ class Contact(Subject):
             with np.errstate(all="ignore"):  # what overflows in an array is refused by Indices
                 groups = self.unlabelled._groups()
         except ArithmeticError:
-            raise InputError("contact", "numbers out of all proportion", "numbers of real materials") from None
+            raise InputError("contact", "numbers that overflow", "numbers of the size that real materials have") from None
         names = {} if self.unlabelled is self else coordinates(self.arrays())
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 

@@ -51,7 +51,7 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
     for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
         bounds = QUANTITIES[name]
         if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
-            raise InputError(field, ratio, f"what leaves {bounds.symbol} of the film alone {bounds.allowed}")
+            raise InputError(field, ratio, f"a ratio with which {bounds.symbol} of the film alone is {bounds.allowed}")
 
 
 class Indices(Subject):
@@ -138,9 +138,13 @@ class Indices(Subject):
             return self
         missing = "lam" if self.lam is None and self.theta is not None else "theta"
         if self.hardness_group is not None:
-            raise InputError("hardness_group", self.hardness_group, f"nothing where {given[0]} is given: it follows from both")
+            raise InputError(
+                "hardness_group",
+                self.hardness_group,
+                "no value beside theta and lam, because it follows from them",
+            )
         raise InputError(
-            missing, None, f"{QUANTITIES[missing].described}; or hardness_group in place of theta and lam where nothing adheres"
+            missing, None, f"{QUANTITIES[missing].described}; without adhesion state hardness_group in place of theta and lam"
         )
 
     @model_validator(mode="after")
@@ -167,9 +171,9 @@ class Indices(Subject):
             return
         films = 1.0 if self.films is None else self.films
         if np.any((films == 2.0) & (self.coated_share == 1.0)):
-            raise InputError("coated_share", self.coated_share, "below 1 where both bodies are coated")
+            raise InputError("coated_share", self.coated_share, "below 1, because both bodies are coated (films = 2)")
         if np.any((films == 1.0) & (self.n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
-            raise InputError("n_E", self.n_E, "1/(1 - coated_share) at most: what a rigid film leaves to the other body")
+            raise InputError("n_E", self.n_E, "at most 1/(1 - coated_share), the ratio with a rigid film")
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema, handler):
@@ -294,7 +298,7 @@ class Indices(Subject):
         the film's unit of force, which is n_E times smaller. Raises InputError without a film.
         """
         if not self.has_film:
-            raise InputError("tau", None, "n_E, n_H and tau: there is no film")
+            raise InputError("tau", None, "a number beside n_E and n_H: these indices describe no film")
         whole = self.resolved()
         strength, tabor, eta = whole.shear_strength, whole.tabor_parameter, whole.hardness_group
         return whole.substrate().with_changes(
@@ -326,7 +330,7 @@ class Indices(Subject):
         if labelled:
             check_names(value, name)
             if (unit := value.attrs.get("units", "1")) not in ("", "1"):
-                raise InputError(name, f"numbers in {unit}", f"{normalised}: they have no unit")
+                raise InputError(name, f"numbers in {unit}", f"{normalised}, without a unit")
             return value.copy(deep=False, data=array) if array.ndim else float(array)
         if array.ndim > 1:
             raise InputError(

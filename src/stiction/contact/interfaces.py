@@ -54,7 +54,7 @@ class Interface(Input):
         check_ranges(self)
         for name, (low, _) in self.range.items():
             if low <= 0.0:
-                raise InputError(f"range.{name}", low, "ends above 0: the logarithm is normal")
+                raise InputError(f"range.{name}", low, "two numbers above 0, because the distribution is lognormal")
         return self
 
     @property
@@ -73,7 +73,9 @@ class Interface(Input):
             name = "hardness" if self.strength == "shear_strength" else "shear_modulus"
             scale = hardness if name == "hardness" else shear_modulus
             if scale is None:
-                raise InputError(name, None, f"that of the softer body: the state {self.name} is given over it")
+                raise InputError(
+                    name, None, f"the {name} of the softer body, because the strength of {self.name} is relative to it"
+                )
         return scale * self._quantile(self.strength, level)
 
     def pressure_coefficient_at(self, level: Any) -> np.ndarray:
@@ -161,12 +163,12 @@ def check_interface(contact: Input, state: Interface, first: Material, second: M
     """Raise InputError if both a state and strength numbers are stated, or if the bodies do not allow the state."""
     stated = ("interfacial_shear_strength", "pressure_coefficient")
     for name in (name for name in stated if getattr(contact, name) is not None):
-        allowed = f"nothing where {name} is stated: leave out interface to keep the number, or {name} to keep the state"
+        allowed = f"either interface or {name}; leave out one of them"
         raise InputError("interface", state.name, allowed)
     coated = contact.part("coating") is not None
     if not state.allows(first, second, coated=coated):
         bodies = f"{first.name} and {second.name}" + ("" if coated else " without a film")
-        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))}: what {bodies} allow"
+        allowed = f"{', '.join(allowed_interfaces(first, second, coated=coated))} (the states that suit {bodies})"
         raise InputError("interface", state.name, allowed)
 
 

@@ -68,7 +68,9 @@ class Liquid(Input):
             low, high = _LIQUID
             outside = (np.asarray(self.temperature) < low) | (np.asarray(self.temperature) >= high)
             if outside.any():
-                raise InputError("surface_tension", None, f"that of the liquid: water is none outside of {low} to {high} K")
+                raise InputError(
+                    "surface_tension", None, f"the surface tension of the liquid: the preset water ends at {low} and {high} K"
+                )
         return self
 
     @property

@@ -216,7 +216,7 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
         return meant[0]
     if meant:
         choices = ", ".join(f"{name} ({symbols_of(name)[0]})" for name in meant)
-        raise InputError(field, word, f"one of {choices}: several presets have this name")
+        raise InputError(field, word, f"one of {choices}, because several presets have this name")
     wanted = "a material of the case, or a preset: " if others else "a preset: "
     raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])}; all: stiction materials")
 

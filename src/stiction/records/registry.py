@@ -333,8 +333,8 @@ def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
 
 def incompatibility(law: TangentialLaw | FilmLaw | Addition, asperity: AsperityLaw) -> str:
     """Return why a tangential law, film law or added law cannot be combined with an asperity law; "" if it can."""
-    missing = [f"{why} ({trait}: {TRAITS[trait]})" for trait, why in law.wants.items() if trait not in asperity.traits]
-    return f"{law.key} does not suit the asperity law {asperity.key}: {'; '.join(missing)}" if missing else ""
+    missing = [why for trait, why in law.wants.items() if trait not in asperity.traits]
+    return f"{law.key} does not suit {asperity.key}: {' and '.join(missing)}" if missing else ""
 
 
 def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) -> str:
@@ -342,14 +342,14 @@ def friction_incompatibility(film: FilmLaw, tangential: TangentialLaw | None) ->
     if tangential is None or film.tangential in ("", tangential.key):
         return ""
     if film.tangential != "interface":
-        return f"{film.key} brings its own friction, {film.tangential}"
+        return f"{film.key} always takes its friction from {film.tangential}"
     if tangential.interfacial or (film.solved_as_one and tangential.layered):
         return ""
     if not film.solved_as_one:
-        return f"{film.key} needs a tangential law of the interface, because its film slips there"
+        return f"{film.key} needs a tangential law of interface strength: its film slips at the interface"
     why = f": {tangential.of_half_space}" if tangential.of_half_space else ""
     why += f"; take {tangential.like}" if tangential.like else ""
-    return f"{film.key} needs a tangential law of the interface or of a layered solid{why}"
+    return f"{film.key} needs a tangential law of interface strength or of layered solids{why}"
 
 
 def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]:
@@ -366,7 +366,9 @@ def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) 
     allowed = {name: values for record in known for name, values in record.options.items()}
     for name, value in options.items():
         if value is not None and value not in allowed.get(name, ()):
-            keys = dict.fromkeys(record.key for record in known)
-            nothing = f"not supported by {' and '.join(keys)}" + (f", which have {', '.join(allowed)}" if allowed else "")
+            keys = list(dict.fromkeys(record.key for record in known))
+            nothing = f"not supported by {' or '.join(filter(None, [', '.join(keys[:-1]), *keys[-1:]]))}" + (
+                f"; their options are {', '.join(allowed)}" if allowed else ""
+            )
             raise InputError(name, value, ", ".join(allowed.get(name, ())) or nothing)
     return {name: options.get(name) or values[0] for name, values in allowed.items()}

@@ -124,7 +124,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
             if name == RECOMMENDED:
-                raise InputError(error.field, name, "the key of a model; `stiction compare --all` lists them") from None
+                raise InputError(error.field, name, "the name of a model; `stiction compare --all` lists them") from None
             raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
     asked = Choice.of(name, given)
     return known[name].with_changes(asked.laws() | {"model": None}, asked.options)

@@ -97,10 +97,10 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
     for one in (tangential, film, *additions.values()):
         if one is not None and (reason := incompatibility(one, asperity)):
             field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
-            raise InputError(field, value, f"laws that go together: {reason}")
+            raise InputError(field, value, f"another law, because {reason}")
     if film is not None and (reason := friction_incompatibility(film, tangential)):
         assert tangential is not None  # without friction there is nothing that could not suit
-        raise InputError("tangential", tangential.key, f"laws that go together: {reason}")
+        raise InputError("tangential", tangential.key, f"another law, because {reason}")
     options = _options(choice, model, asperity, tangential, film)
     _refuse_junctions(film, tangential, options)
     return Chosen(model, asperity, tangential, film, options, _ignored(choice, coated), additions)
@@ -134,7 +134,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
         return
     for law in () if tangential is None else tangential.parts(options):
         if isinstance(law, TangentialLaw) and (reason := friction_incompatibility(film, law)):
-            raise InputError(JUNCTIONS, law.key, f"{NO_JUNCTIONS}, or a law that suits the film: {reason}")
+            raise InputError(JUNCTIONS, law.key, f"{NO_JUNCTIONS}, or a law that suits the film law: {reason}")
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
@@ -153,29 +153,29 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
     brought = [key for value, key in model.film_by_option.items() if value in choice.options.values()]
     if brought:
         if choice.film not in (None, *brought):
-            raise InputError("film", choice.film, f"{brought[0]}, with these options of {model.key}")
+            raise InputError("film", choice.film, f"{brought[0]}, the film law that these options of {model.key} select")
         return find(brought[0], FilmLaw)
     key = choice.film or model.default_film
     if not key:
-        raise InputError("model", model.key, "a model of coated contacts, or one with a film law: the contact has a film")
+        raise InputError("model", model.key, "a model for coated contacts, because this contact has a film")
     film = find(key, FilmLaw)
     if not film.interchangeable:
-        raise InputError("film", key, "another film law; this one belongs to one variant of its model")
+        raise InputError("film", key, "another film law: this one works only with one variant of its own model")
     return film
 
 
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """Raise InputError for laws and options that cannot be combined with a theory in closed form."""
     if coated and not model.on_film:
-        raise InputError("model", model.key, "an asperity model, because the contact has a film")
+        raise InputError("model", model.key, "an asperity model, because this contact has a film")
     if model.on_film and not coated:
-        raise InputError("model", model.key, "a model of bare contacts: this contact has no film")
+        raise InputError("model", model.key, "a model for bare contacts, because this contact has no film")
     if coated and choice.film:
-        raise InputError("film", choice.film, f"no film law: {model.key} has its own")
+        raise InputError("film", choice.film, f"no film law, because {model.key} already contains one")
     if choice.asperity:
-        raise InputError("asperity", choice.asperity, f"no asperity law: {model.key} is not a sum over asperities")
+        raise InputError("asperity", choice.asperity, f"no asperity law, because {model.key} does not sum over asperities")
     if model.of_map is not None and choice.film:
-        raise InputError("film", choice.film, f"no film law: {model.key} solves the film itself")
+        raise InputError("film", choice.film, f"no film law, because {model.key} solves the elasticity of the film")
     if tangential is not None and not tangential.interfacial:
         why = "no single asperities" if model.of_map is None else "contact patches of any shape, not spheres"
-        raise InputError("tangential", tangential.key, f"a law of the interface: {model.key} has {why}")
+        raise InputError("tangential", tangential.key, f"a law of interface strength, because {model.key} has {why}")

@@ -113,7 +113,7 @@ def evaluate(
         shape = np.broadcast_shapes(*(column.shape for column in columns))
     except ValueError:
         shapes = ", ".join(str(column.shape) for column in columns)
-        raise InputError("h and groups", f"shapes {shapes}", "shapes that broadcast together") from None
+        raise InputError("h and groups", f"shapes {shapes}", "shapes that NumPy can broadcast together") from None
     columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
     separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
     if not missing:

@@ -65,7 +65,9 @@ class OnMap(Problem):
         Raises InputError if the contact has no map, or if one of its numbers is an array.
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
-            raise InputError("roughness", None, f"a map (a HeightMap, or a scan in a case): {self.record.key} solves a map")
+            raise InputError(
+                "roughness", None, f"a HeightMap, or a scan in a case file, because {self.record.key} solves a measured map"
+            )
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
 
@@ -83,7 +85,7 @@ class OnMap(Problem):
         contact, surface = self.contact, self.surface()
         unit = self.factors["N"]
         if not self.adheres and not (load > 0.0).all():
-            allowed = f"above 0: {self.record.key} has no adhesion by default; option adhesion adds it"
+            allowed = f"above 0, because {self.record.key} neglects adhesion unless the option adhesion adds it"
             raise InputError("load", contact.show(float(load.min() * unit), "load"), allowed)
         assert self.record.of_map is not None
         options = select_options(self.record, self.options)
@@ -126,9 +128,7 @@ class OnMap(Problem):
         contact, surface = self.contact, self.surface()
         points = fewest_points(surface.heights, surface.size, surface.periodic)
         if points > _MOST_POINTS:
-            allowed = (
-                f"at most {_MOST_POINTS} to solve beside other models; stiction run --model {self.record.key} solves any number"
-            )
+            allowed = f"at most {_MOST_POINTS} in a comparison; stiction run --model {self.record.key} solves any number"
             raise InputError("points", points, allowed)
         steep = waves(surface.heights, surface.size, surface.periodic).gradient
         stiff, strong = contact.contact_modulus, min(contact.first.hardness, contact.second.hardness)
@@ -149,7 +149,7 @@ class OnMap(Problem):
         whole = self.contact.nominal_area / one.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None and one.pressure is None:
-            raise InputError("shear", self.options["shear"], "law where surfaces adhere: their pressures include adhesion")
+            raise InputError("shear", self.options["shear"], "law, because the pressures of adhesive surfaces include adhesion")
         if of_points is not None:
             force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, one))
             return force * whole / self.factors["N"]
@@ -165,10 +165,10 @@ class OnMap(Problem):
         Raises InputError without a tangential law, and for adhesive contact, where point strengths are unknown.
         """
         if self.chosen.tangential is None:
-            raise InputError("tangential", "none", "a tangential law, which gives each point its strength")
+            raise InputError("tangential", "none", "a tangential law: it gives the shear strength of each point")
         if one.pressure is None:
             raise InputError(
-                "adhesion", self.options["adhesion"], "left_out: adhesive pressures cannot be separated from contact"
+                "adhesion", self.options["adhesion"], "left_out, because this law needs contact pressures without adhesion"
             )
         strength = np.zeros_like(one.pressure)
         hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf

@@ -52,7 +52,9 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
         raise InputError(
-            "pressure_coefficient", None, "a number: shear = lesser takes the lesser of coefficient times pressure and tau_0"
+            "pressure_coefficient",
+            None,
+            "a number: shear = lesser takes the smaller of tau_0 and pressure_coefficient times pressure",
         )
     for state, pressure, pixel, area in points_of(one):
         yield state, np.minimum(coefficient * pressure * pixel, strength * area)
@@ -64,14 +66,14 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
 
     strength = _strength(contact)
     if law != "bowden_tabor_1943":
-        raise InputError("tangential", law, "bowden_tabor_1943: junction growth needs a constant interface strength")
+        raise InputError("tangential", law, "bowden_tabor_1943, because junction growth needs a constant interface strength")
     if contact.coating is not None:
-        raise InputError("shear", "junction_growth", "law or lesser: junction growth is not available for films")
+        raise InputError("shear", "junction_growth", "law or lesser, because junction growth is not available for films")
     hardness = float(pair_of(contact.first, contact.second).hardness)
     if strength**2 * _TABOR >= hardness**2:
         raise InputError(
             "interfacial_shear_strength", contact.show(strength, "interfacial_shear_strength"),
-            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, where junctions grow without limit",
+            f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, or junctions grow without limit",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
     for state, pressure, pixel, area in points_of(one):
@@ -81,7 +83,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
 def _strength(contact: Contact) -> float:
     """Return the strength of the interface [Pa], at most the strength of the weaker body."""
     if contact.interface_strength is None:
-        raise InputError("interfacial_shear_strength", None, "the strength of the interface")
+        raise InputError("interfacial_shear_strength", None, "the interfacial shear strength, as text with a unit of pressure")
     return float(contact.interface_strength)
 
 

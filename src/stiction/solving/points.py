@@ -65,7 +65,9 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
     if (separation is None) == (load is None):
         raise InputError("separation or load", "both" if load is not None else None, "exactly one of the two")
     if problem.needs_load and load is None:
-        raise InputError("separation", separation, f"a load instead: {problem.record.key} has no separation")
+        raise InputError(
+            "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"
+        )
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
     return points_at(problem, name, points_asked(problem.subject, name, given))
 
@@ -164,7 +166,7 @@ def in_words(points: Points) -> Iterator[None]:
         elif error.high >= 0.0:
             bound = f"at most {text(error.high)}"
         else:
-            bound = f"none that is above {text(error.high)}, found within {FARTHEST:g} sigma,"
+            bound = f"at most {text(error.high)} (separations up to {FARTHEST:g} sigma were tried)"
         raise InputError("load", text(target), f"{bound} under this model, for this contact") from None
 
 
@@ -173,7 +175,7 @@ def _at_loads(points: Points) -> dict[str, np.ndarray]:
     problem = points.problem
     if (points.wanted < 0.0).any() and not problem.adheres:
         least = float(np.min(points.value))
-        allowed = f"0 or more: {problem.record.key} has no adhesion"
+        allowed = f"0 or more, because {problem.record.key} neglects adhesion"
         raise InputError("load", problem.subject.show(least, "load"), allowed)
     return problem.at_load(points.table)
 

@@ -232,8 +232,8 @@ class ClosedForm(Problem):
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
         if not (load >= 0.0).all():
-            unknown = "has no results under tension" if self.adheres else "has no adhesion"
-            raise InputError("load", float(load.min()), f">= 0: {self.record.key} {unknown}")
+            unknown = "has no results under tension" if self.adheres else "neglects adhesion"
+            raise InputError("load", float(load.min()), f"0 or more, because {self.record.key} {unknown}")
         return self._results(load, self._area(load))
 
     @property
@@ -332,14 +332,14 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     elif isinstance(heights, str):
         heights = height_distribution(heights)
     elif not isinstance(heights, Heights):
-        raise InputError("heights", type(heights).__name__, "a height distribution, or its name")
+        raise InputError("heights", type(heights).__name__, "a height distribution or its name, e.g. gaussian")
     groups, dims = Groups.of(subject.unlabelled.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
     if isinstance(problem, OnMap) and not own_heights:
-        raise InputError("heights", heights.key, f"no distribution: {problem.record.key} takes the heights of the map")
+        raise InputError("heights", heights.key, f"no distribution, because {problem.record.key} uses the heights of the map")
     if isinstance(problem, ClosedForm) and heights.key != "gaussian":
-        raise InputError("heights", heights.key, f"gaussian: {problem.record.key} supports no other distribution")
+        raise InputError("heights", heights.key, f"gaussian, because {problem.record.key} supports no other distribution")
     refuse_ignored_strength(problem, choice)
     return problem
 

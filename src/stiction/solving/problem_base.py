@@ -113,7 +113,7 @@ class Problem(ABC):
 
     def refuse_separation(self) -> NoReturn:
         """Raise the InputError of a model that has no separations."""
-        raise InputError("separation", None, f"a load: {self.record.key} has no separation")
+        raise InputError("separation", None, f"a load instead, because {self.record.key} does not compute a separation")
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:

@@ -161,7 +161,7 @@ def _checked(problem: Problem) -> Sum:
     """Return the problem if its asperities can slip; else raise InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
-        wanted = f"a tangential law, which gives each asperity its strength: {model.key} has none"
+        wanted = f"a tangential law: {model.key} has none, and each asperity needs a shear strength"
         raise InputError("tangential", "none", wanted)
     assert isinstance(problem, Sum)  # theories in closed form know no presliding
     for name, values in model.own_options.items() if model.regimes is not None else ():
@@ -178,7 +178,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
         if not farthest > 0.0:
-            raise InputError("displacement", None, "displacements: this contact has no friction, so no default exists")
+            raise InputError("displacement", None, "one or more displacements: without friction this contact has no default")
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
     moved = points_asked(subject, "displacement", given)
     if not np.size(moved):

@@ -28,7 +28,7 @@ _STEPS = 40  # of a path, where no displacements are given
 _MOST_SHOWN = 160  # points along a side of the map of points that stick and slide
 _STATES = {"long_name": "points of the map", "flag_values": [0, 1, 2], "flag_meanings": "apart sticks slides"}
 _NEARLY = 0.99  # of a force that is only tended to
-_KNOWN = "a length > 0: about 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
+_KNOWN = "a length > 0, e.g. 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,9 @@ def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset"
     loads = static["load"]
     contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
     if len(contacts) < loads.size:
-        raise InputError("load", f"{loads.size - len(contacts)} not solved", "loads at which the contact of the map was found")
+        raise InputError(
+            "load", f"{loads.size - len(contacts)} without a solution", "loads at which the contact of the map can be solved"
+        )
     strengths = [problem.strengths(one) for one in contacts]
     operator = _operator(problem)
     whole = contact.nominal_area / contacts[0].nominal_area
@@ -131,7 +133,9 @@ def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None"
             raise InputError("weakening_slip", None, _KNOWN)
         return None
     if residual == 1.0:
-        raise InputError("weakening_slip", slip, "nothing, where a point keeps all of its strength: residual_strength < 1")
+        raise InputError(
+            "weakening_slip", slip, "no value while residual_strength is 1, because the strength then stays constant"
+        )
     return Weakening(float(problem.subject.read(slip, "weakening_slip")), residual)
 
 

@@ -227,24 +227,24 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     """Return the unloading under these laws. Raises InputError if these laws do not define unloading."""
     if choice.options.get("branch") is not None:
-        raise InputError("branch", choice.options["branch"], "no value: unload() always takes the unloading branch")
+        raise InputError("branch", choice.options["branch"], "no value, because unload() always follows the unloading branch")
     for name, key in choice.laws().items():
         if key is not None and name not in ("model", "asperity", "tangential"):
             raise InputError(name, key, "not supported by unload()")
     tangential = choice.tangential or "none"
     if tangential != "none" and not find(tangential, TangentialLaw).interfacial:
-        reason = f"{tangential} holds for loading only"
-        raise InputError("tangential", tangential, f"none, or a law of the interface: {reason}")
+        reason = f"{tangential} is valid only for loading"
+        raise InputError("tangential", tangential, f"none, or a law of interface strength: {reason}")
     if as_subject(contact).indices().meniscus_index is not None:
         raise InputError("contact", "with a liquid", "a dry contact: unload() does not support menisci")
     if as_subject(contact).has_film:
         raise InputError("contact", "with a film", "a bare contact: unload() does not support films")
     model = find(choice.model_key, RoughSurface)
     if not model.asperity:
-        raise InputError("model", choice.model_key, "a sum over an asperity law: closed forms have no loading history")
+        raise InputError("model", choice.model_key, "a sum over asperities: theories in closed form keep no loading history")
     if model.regimes is not None:
         reason = f"the source of {choice.model_key} does not state how it unloads"
-        raise InputError("model", choice.model_key, f"a plain sum over an asperity law: {reason}")
+        raise InputError("model", choice.model_key, f"another sum over asperities: {reason}")
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, Sum)  # of a model with an asperity law
     released, how = _released(problem.law.asperity, problem)
@@ -254,17 +254,17 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
 def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     """Return a function for the segments of an asperity law during unloading, and the assumption in words."""
     if law.released is not None:
-        return law.released, f"as {law.key} has it"
+        return law.released, f"by the unloading law of {law.key}"
     if all(piece.state == "elastic" for piece in problem.law.pieces(problem.groups)):
-        how = "elastic: back on the curve of loading"
+        how = "elastic: the asperities follow their loading curve back"
         if "branch" in law.own_options:
-            how += ", and beyond, until what had touched is torn off"
+            how += ", then stay attached until they are pulled off"
         return partial(_held_on, law), how
     if "no adhesion" in law.traits:
-        how = "elastic spheres, flattened to what their load and area had been when they were pressed hardest"
+        how = "elastic spheres whose flattened shape gives the load and area of each asperity at its deepest compression"
         return (lambda groups, distance, **options: drawn_apart(law.pieces(groups, **options), distance)), how
     reason = f"the source of {law.key} does not state how it unloads"
-    raise InputError("asperity", law.key, f"an elastic law, one without adhesion, or one with an unloading law: {reason}")
+    raise InputError("asperity", law.key, f"a law that is elastic, without adhesion, or has an unloading law: {reason}")
 
 
 def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
@@ -300,7 +300,7 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
         given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))
         if is_increase:
             raise InputError("separation_increase", given, "0 or more")
-        raise InputError("separation", given, f"{pressed} or more, the smallest separation that was reached")
+        raise InputError("separation", given, f"{pressed} or more, the smallest separation during loading")
     return np.maximum(distance, 0.0)
 
 
@@ -359,7 +359,7 @@ def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
     reach, most = np.ones(rows.size), _LEFT * area(np.zeros(rows.size))
     while (left := area(reach) > most).any():
         if (reach > FARTHEST).any():
-            raise ArithmeticError("the surfaces do not come apart")
+            raise ArithmeticError("no separation was found at which the surfaces come apart")
         reach[left] *= 2.0
     while (lost := area(reach / 2.0) <= most).any() and (reach > 1e-6).all():
         reach[lost] /= 2.0

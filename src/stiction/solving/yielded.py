@@ -18,7 +18,7 @@ def require_states(problem: Problem, name: str) -> Sum:
         raise InputError(name, problem.record.key, allowed)
     film = problem.chosen.film
     if name != YIELDED[0] and film is not None and not any(one.body == "substrate" for one in problem.regimes):
-        raise InputError(name, film.key, "a film law that separates film and substrate: sequential, printed")
+        raise InputError(name, film.key, "sequential or printed, the film laws that treat film and substrate separately")
     return problem
 
 

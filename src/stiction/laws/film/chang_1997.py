@@ -92,7 +92,7 @@ def regimes(groups: Groups, law) -> list[Regime]:
     return plastic_film(groups, law, np.zeros(len(groups)))
 
 
-NO_ADHESION = {"no adhesion": "contact begins at zero load, without adhesion of the asperity law"}
+NO_ADHESION = {"no adhesion": "it needs an asperity law without adhesion"}
 
 # Where it is not what it has to be: as a film of no thickness, and where all of the film is not plastic.
 FLOWING = (

@@ -185,7 +185,7 @@ RECORD = FilmLaw(
     verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
     needs=("theta", "lam", "n_E", "n_H", "tau", "film_aspect"),
     takes=("hardness_to_yield",),
-    wants={"2015": "it is this asperity with properties that change with depth"},
+    wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
     own_asperity=True,
     one_body=True,
     tangential="soft_coating_2015",

@@ -118,7 +118,7 @@ RECORD = FilmLaw(
         Source("bhattacharya_nix_1988", "", "hardness against depth, unless another composite is chosen"),
     ),
     regimes=regimes,
-    wants={"Hertz's shape": "its elastic asperity is Hertz's, JKR's or DMT's, on layered bodies"},
+    wants={"Hertz's shape": "it needs an asperity that is a Hertz, JKR or DMT contact while elastic"},
     tangential="interface",
     solved_as_one=True,
     composites={"hardness": "bhattacharya_nix_1988"},

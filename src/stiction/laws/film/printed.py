@@ -119,7 +119,7 @@ RECORD = FilmLaw(
         Validity("load_share_substrate", 0.0, 0.1, "the printed substrate terms do not describe a substrate below a film"),
         Validity("n_E", 0.9, 1.1, "the printed equations add loads in different units"),
     ),
-    wants={"2015": "it is written only for this asperity"},
+    wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
     own_asperity=True,
     tangential="soft_coating_2015",
     interchangeable=False,

@@ -108,7 +108,7 @@ RECORD = Meniscus(
         Source("thomson_1871", "", "the radius of a meniscus over its vapour"),
     ),
     pull=pull,
-    wants={"Hertz's shape": "the gap that the liquid fills is that beside a Hertz contact"},
+    wants={"Hertz's shape": "it assumes the gap around a Hertz contact"},
     verified="the energy of a ring of liquid on Hertz's gap, differentiated numerically at 30 digits",
     needs=("meniscus_index", "meniscus_height"),
     validity=(

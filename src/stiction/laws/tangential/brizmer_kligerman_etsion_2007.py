@@ -79,7 +79,7 @@ RECORD = TangentialLaw(
     tangential_resistance=tangential_resistance,
     yielded="full stick",
     of_half_space="it is fitted to finite elements of a homogeneous sphere, and a film changes stick and yield",
-    wants={"no adhesion": "only the load presses the sphere"},
+    wants={"no adhesion": "it neglects adhesion"},
     verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are kept constant below nu = 0.2"),),

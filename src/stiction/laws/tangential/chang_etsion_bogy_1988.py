@@ -147,8 +147,8 @@ RECORD = TangentialLaw(
     of_half_space="it checks only two places, at which a half-space first yields",
     like="layered_first_yield",
     wants={
-        "Hertz": "the stresses are those of a Hertz contact",
-        "no adhesion": "adhesion of the 1988 papers is left out",
+        "Hertz": "it uses the stresses of a Hertz contact",
+        "no adhesion": "it neglects adhesion",
     },
     verified="friction of single asperities tabulated independently; evaluation at 30 digits",
     needs=("hardness_group", "nu"),

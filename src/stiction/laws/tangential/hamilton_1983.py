@@ -297,8 +297,8 @@ RECORD = TangentialLaw(
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-9,
     wants={
-        "Hertz": "Hamilton's stresses are those of Hertz's pressure and a traction proportional to it",
-        "no adhesion": "adhesion changes the pressure and its stresses",
+        "Hertz": "it uses the stresses of a Hertz contact",
+        "no adhesion": "it neglects adhesion",
     },
     notes="The largest shear force without yield anywhere in the asperity; one that yields under its load alone bears none.",
 )

@@ -85,8 +85,8 @@ RECORD = TangentialLaw(
     accuracy=1e-3,
     limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
     wants={
-        "Hertz": "the traction is proportional to Hertz's pressure",
-        "no adhesion": "adhesion changes the pressure and its stresses",
+        "Hertz": "it uses the pressure of a Hertz contact",
+        "no adhesion": "it neglects adhesion",
     },
     notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film "
     "and body as two half-spaces gets Hamilton's force for each. The counterbody is taken not to yield.",
