@@ -16,7 +16,7 @@ test: $(VENV)/.ready
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/run.py
 
-# Commands on generated cases, until one ends in a traceback: make fuzz FIRST=1000 MINUTES=30
+# Commands and other inputs at random, for so many minutes: make fuzz FIRST=1000 MINUTES=30
 FIRST := 0
 MINUTES := 5
 fuzz: $(VENV)/.ready

@@ -31,6 +31,7 @@ def script(name):
 
 
 contents = script("contents")
+licences = script("licences")
 shared = sys.modules["shared"]
 
 
@@ -50,6 +51,18 @@ def test_a_folder_of_this_machine_or_a_key_in_a_package_is_seen():
     assert contents.secrets_in("a.py", b"nothing") == []
     assert contents.secrets_in("a.py", b"x = '" + str(ROOT / "src").encode()) == [f"in a.py: {ROOT}"]
     assert len(contents.secrets_in("key", contents.SECRETS[1])) == 1
+
+
+def test_every_dependency_states_a_licence_that_is_not_the_gpl():
+    found = licences.needed("stiction", frozenset({"all"}), {})
+    assert {"stiction", "numpy", "numba", "nicegui", "zarr", "distributed", "openpyxl"} <= found.keys()
+    assert not licences.problems(found)
+
+
+@pytest.mark.parametrize("text", ["GPL-3.0-or-later", "AGPL-3.0", "GNU General Public License v3 (GPLv3)", "not stated"])
+def test_a_licence_that_would_bind_users_is_seen(text):
+    assert licences.problems({"one": text}) == [f"one: {text}"]
+    assert not licences.problems({"one": "GNU Lesser General Public License v3 or later (LGPLv3+)", "two": "LGPL-3.0"})
 
 
 def test_what_is_wrong_with_a_package_is_seen(built, tmp_path):
