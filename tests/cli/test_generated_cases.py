@@ -20,7 +20,7 @@ SEEDS = range(30)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_generated_case_is_answered_or_refused_in_one_line(seed):
     outcomes = Counter()
-    assert not list(run.failures_of(seed, 60, outcomes))
+    assert not list(run.failures_of(seed, 600, outcomes))
     assert sum(outcomes.values()) > 0
 
 

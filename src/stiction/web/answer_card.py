@@ -92,7 +92,7 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     card = card_of(prediction, named)
     if named:
         return card._replace(decides="", next_step="")
-    action, _, _ = card.next_step.replace(" (stiction interfaces)", "").partition(": stiction fit")
+    action, _, _ = card.next_step.replace(" (stiction interfaces)", "").replace(', e.g. kind = "ground"', "").partition(": stiction fit")
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
     return card._replace(next_step=action, warning="" if repeated else card.warning)
 
