@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES
 from stiction.solving.choice import LAWS
@@ -25,6 +27,7 @@ PREDICTION_HEADS = {
     "contact_area": "contact area",
 }
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
+_MUCH_WIDER = 1.5  # than at both ends of the loads: the widest interval is then printed, too
 _LEAST = 0.05  # share of the variance that is named
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
 _NAMES = {
@@ -114,6 +117,12 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
     return f"{show(low, quantity, 2)} to {show(high, quantity, 2)}"
 
 
+def confidence_in_words(mu: float, low: float, high: float) -> str:
+    """Return how sure mu is: a word, and how many times higher or lower it may be."""
+    word = confidence(mu, low, high)
+    return f"{word}, up to {number(high / mu)} times higher, {number(mu / low)} times lower" if low > 0.0 else word
+
+
 def headline(data: "xarray.Dataset") -> str:
     """Return one line with mu and its interval."""
     point = at_working_load(data)
@@ -174,7 +183,12 @@ def _along(data: "xarray.Dataset") -> str:
         return ""
     ordered = data.sortby("load")
     ends = (ordered.isel(load=place) for place in (0, -1))
-    texts = (f"mu = {number(float(end[_MU]))} ({span(end, _MU)}) at {show(float(end['load']), 'load', 3)}" for end in ends)
+    texts = [f"mu = {number(float(end[_MU]))} ({span(end, _MU)}) at {show(float(end['load']), 'load', 3)}" for end in ends]
+    ratios = (ordered[f"{_MU}_high"] / ordered[f"{_MU}_low"]).values
+    widest = ordered.isel(load=int(np.nanargmax(ratios))) if np.isfinite(ratios).any() else ordered.isel(load=0)
+    wide, others = (float(point[f"{_MU}_high"]) for point in (widest, ordered.isel(load=[0, -1]).max("load")))
+    if wide > _MUCH_WIDER * others:
+        texts.append(f"widest, {span(widest, _MU)}, at {show(float(widest['load']), 'load', 3)}")
     return "; ".join(texts)
 
 

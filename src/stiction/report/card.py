@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stiction.quantities import html
 from stiction.quantities.units import show
-from stiction.report.answer import answer_lines, at_working_load, confidence, number, part_name
+from stiction.report.answer import answer_lines, at_working_load, confidence, confidence_in_words, number, part_name
 
 if TYPE_CHECKING:
     import xarray
@@ -32,6 +32,7 @@ class Card(NamedTuple):
     next_step: str
     rows: list[tuple[str, str]]
     named: str = ""
+    worn_through: str = ""
 
     @property
     def interval(self) -> str:
@@ -41,16 +42,14 @@ class Card(NamedTuple):
     @property
     def confidence(self) -> str:
         """Return the confidence as a word, with the factors from mu to both ends of its interval."""
-        word = confidence(self.mu, self.low, self.high)
-        if self.named or not self.low > 0.0:  # two numbers are enough
-            return word
-        return f"{word}: up to {number(self.high / self.mu)} times higher, {number(self.mu / self.low)} times lower"
+        ends = self.mu, self.low, self.high
+        return confidence(*ends) if self.named else confidence_in_words(*ends)  # a named model has two numbers already
 
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
         rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly {self.decides}" if self.decides else "")]
-        rows += [("Warning", self.warning), ("Next step", self.next_step)]
+        rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:
@@ -101,7 +100,10 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     decides = f"{part_name(largest)} ({attrs['shares'][largest]:.0%})" if largest else ""
     warning = briefly(next(iter(attrs["warnings"]), ""))
     load = show(float(point["load"]), "load", 3)
-    return Card(mu, low, high, attrs["level"], load, decides, warning, attrs["next_step"], answer_lines(data), named)
+    bare = attrs["bare_metal"]
+    worn = f"mu = {number(bare[0])} to {number(bare[1])} where oxide or film is gone" if bare else ""
+    rows = answer_lines(data)
+    return Card(mu, low, high, attrs["level"], load, decides, warning, attrs["next_step"], rows, named, worn)
 
 
 def briefly(warning: str) -> str:

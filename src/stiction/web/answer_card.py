@@ -91,10 +91,15 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """
     card = card_of(prediction, named)
     if named:
-        return card._replace(decides="", next_step="")
-    action, _, _ = card.next_step.replace(" (stiction interfaces)", "").replace(', e.g. kind = "ground"', "").partition(": stiction fit")
+        return card._replace(decides="", next_step="", worn_through="")
+    action, _, _ = (
+        card.next_step.replace(" (stiction interfaces)", "")
+        .replace(', e.g. kind = "ground"', "")
+        .replace("stiction surface FILE", "tab Surface")
+        .partition(": stiction fit")
+    )
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
-    return card._replace(next_step=action, warning="" if repeated else card.warning)
+    return card._replace(next_step=action, warning="" if repeated else card.warning, worn_through="")
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

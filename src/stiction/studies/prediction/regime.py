@@ -64,9 +64,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
-        return (
-            f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu rises with the real contact area."
-        )
+        return f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu is tau_0 over that pressure."
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     softer = "film" if contact.softer_counterbody is None else "counterbody"
@@ -127,7 +125,7 @@ def _of_few_waves(mixture: Mixture) -> list[str]:
 _MUCH = 0.2  # share of the variance that is worth a word in the case
 _STEPS = {
     "interface": "measure mu once: stiction fit CASE.toml --data FILE",
-    "area model": "measure the surface: give a scan instead of numbers",
+    "area model": "measure the surface and give a scan (stiction surface FILE)",
     "adhesion": "measure the pull-off force, which gives the work of adhesion",
     "junctions": "measure mu once at this load: stiction fit CASE.toml --data FILE",
     "chance": "measure at several places, or use a larger load",
