@@ -120,7 +120,7 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 def confidence_in_words(mu: float, low: float, high: float) -> str:
     """Return how sure mu is: a word, and how many times higher or lower it may be."""
     word = confidence(mu, low, high)
-    return f"{word}, up to {number(high / mu)} times higher, {number(mu / low)} times lower" if low > 0.0 else word
+    return f"{word}: up to {number(high / mu)} times higher, {number(mu / low)} times lower" if low > 0.0 else word
 
 
 def headline(data: "xarray.Dataset") -> str:

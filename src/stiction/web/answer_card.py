@@ -83,6 +83,10 @@ class AnswerCard:
         self._load_moved.set_visibility(moved)
 
 
+# Words of a next step that need a case file or a command, and those of the page.
+_ON_PAGE = {" (stiction interfaces)": "", ', e.g. kind = "ground"': "", "stiction surface FILE": "tab Surface"}
+
+
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short answer card of the page, without commands, because a visitor has no case file.
 
@@ -92,12 +96,9 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     card = card_of(prediction, named)
     if named:
         return card._replace(decides="", next_step="", worn_through="")
-    action, _, _ = (
-        card.next_step.replace(" (stiction interfaces)", "")
-        .replace(', e.g. kind = "ground"', "")
-        .replace("stiction surface FILE", "tab Surface")
-        .partition(": stiction fit")
-    )
+    action = card.next_step.partition(": stiction fit")[0]
+    for words, on_page in _ON_PAGE.items():
+        action = action.replace(words, on_page)
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
     return card._replace(next_step=action, warning="" if repeated else card.warning, worn_through="")
 
