@@ -189,10 +189,10 @@ def test_what_is_no_roughness_is_one_line(roughness, said):
 
 def test_a_period_whose_ends_do_not_meet_is_told(scan):
     """A tilt does it, of rows or of columns; what is one period has no such step."""
-    assert "do not meet" not in prepared_period(scan).history[-1]
+    assert "do not match" not in prepared_period(scan).history[-1]
     row = np.linspace(0.0, 1.0, 128)
     for tilt in (row[:, None], row):
-        assert "do not meet" in prepared_period(scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")).history[-1]
+        assert "do not match" in prepared_period(scan.with_heights(scan.heights + 1e-6 * tilt, "tilted")).history[-1]
 
 
 def test_a_contact_reads_scans_without_the_package():

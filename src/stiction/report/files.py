@@ -162,7 +162,7 @@ def check_folder(folder: Path) -> None:
     """Raise InputError, before any computation, if no folder can be created at this path."""
     require_place(folder, "a folder, new or existing")
     if folder.exists() and not folder.is_dir():
-        raise InputError("--out", str(folder), "a folder, new or existing; this is a file")
+        raise InputError("--out", str(folder), "a new or existing folder, but this is a file")
 
 
 def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> None:

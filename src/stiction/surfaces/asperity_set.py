@@ -60,10 +60,18 @@ def of_samples(
     if len(heights) < 2:
         raise InputError(f"asperities by {method}", f"{len(heights)} found", f"2 or more: {remedy}")
     if not density > 0.0:
-        raise InputError(f"asperities by {method}", "none along one direction", "some along both: a surface, not grooves")
+        raise InputError(
+            f"asperities by {method}",
+            "no curvature in one direction",
+            "a surface that is rough in both directions; grooves have no asperities",
+        )
     mean_curvature = float(curvatures.mean())
     if not mean_curvature > 0.0:
-        raise InputError(f"asperities by {method}", f"mean curvature {mean_curvature:g} 1/m", "> 0: summits that curve down")
+        raise InputError(
+            f"asperities by {method}",
+            f"mean curvature {mean_curvature:g} 1/m",
+            "> 0, the sign for asperities with a rounded top",
+        )
     notes = [f"{len(heights)} {note}"]
     if len(heights) < FEW:
         notes.append(f"fewer than {FEW}: deviation and skewness are uncertain")

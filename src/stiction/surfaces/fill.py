@@ -48,7 +48,7 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, floa
     within = _RESIDUAL * float(np.linalg.norm(known))
     solved, left = cg(matrix, known, rtol=0.0, atol=within, M=_multigrid(matrix, *np.nonzero(missing)), maxiter=5000)
     if left:
-        raise InputError("scan", f"{len(known)} points missing", 'fewer, or filled the way "nearest"')
+        raise InputError("scan", f"{len(known)} points missing", 'fewer missing points, or fill = "nearest"')
     filled[missing] = solved
     filled += mean
     return filled

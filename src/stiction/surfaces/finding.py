@@ -110,7 +110,7 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
     for name in given:
         if name not in record.parameters:
             known = ", ".join(record.parameters) or "no option"
-            raise InputError(name, given[name], f"of method {record.key}: {known}")
+            raise InputError(name, given[name], f"the options of method {record.key}: {known}")
     return {
         name: option.default if given.get(name) is None else _checked(name, option, given[name])
         for name, option in record.parameters.items()

@@ -64,7 +64,9 @@ class Finished(Input):
     def _one_height(self):
         if self.rms_height is not None and self.mean_height is not None:
             raise InputError(
-                "mean_height", InWords(as_text(self.mean_height, "mean_height")), "nothing beside rms_height: leave out one"
+                "mean_height",
+                InWords(as_text(self.mean_height, "mean_height")),
+                "either mean_height or rms_height; leave out one of them",
             )
         if self.kind is not None:
             surface_kind_of(self.kind)
@@ -172,7 +174,9 @@ class FinishedBodies(Input):
         Raises InputError if there are two rough bodies or the first has no finish.
         """
         if len(self.bodies) > 1 or not isinstance(self.first, Finished):
-            raise InputError(next(iter(changes)), "one number", "first or second before it: each body has its own")
+            raise InputError(
+                next(iter(changes)), "one number", "the body before the name, first or second, because each has its own number"
+            )
         return self.replace(first=self.first.replace(**changes))
 
     def notes(self) -> list[str]:

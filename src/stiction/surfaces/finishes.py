@@ -40,7 +40,7 @@ class Finish(Input):
     def _has_its_numbers(self):
         for name in NUMBERS:
             if name not in self.range or self.range[name][0] <= 0.0:
-                raise InputError(f"range.{name}", self.range.get(name), "its low and its high end, above 0")
+                raise InputError(f"range.{name}", self.range.get(name), "two numbers above 0, the low end and the high end")
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:

@@ -19,7 +19,7 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
     """
     if not (moments.m2 > 0.0 and moments.m4 > 0.0):
         given = f"m2 = {moments.m2:g}, m4 = {moments.m4:g} 1/m^2"
-        raise InputError(f"asperities by {method}", given, "> 0: a surface that is not flat")
+        raise InputError(f"asperities by {method}", given, "> 0; a flat surface has no asperities")
     alpha = float(moments.alpha)
     if alpha <= SUMMIT_DEFICIT:
         allowed = f"> {SUMMIT_DEFICIT:.4g}; isotropic Gaussian surfaces have 1.5 or more"

@@ -96,7 +96,7 @@ class _Periodic:
             allowed = f"one of dimensions={1 if profile else 2}, for a map of shape {self.shape}"
             raise InputError("spectrum", str(spectrum), allowed)
         if profile and (self.stretch != 1.0 or self.angle != 0.0):
-            raise InputError("stretch", self.stretch, "1, with angle 0: a profile has one direction")
+            raise InputError("stretch", self.stretch, "1 with angle 0, because a profile has only one direction")
         if isinstance(spectrum, SelfAffine):
             pitches = [length / count for length, count in zip(self.size, self.shape, strict=True)]
             least = 2.0 * (pitches[1] if profile else max(pitches)) / min(self.stretch, 1.0)
@@ -121,13 +121,17 @@ class _Periodic:
                 q[0, 0] = smallest  # the mean: a power law has no value there
             density = np.asarray(spectrum(q), dtype=float)
             if density.shape != q.shape or not (density >= 0.0).all() or np.isinf(density).any():
-                raise InputError("spectrum", str(spectrum), "a function of an array q > 0 with finite values >= 0 of its shape")
+                raise InputError(
+                    "spectrum", str(spectrum), "a function of an array q > 0 that returns finite values >= 0 of the same shape"
+                )
             if not self.random_amplitudes:
                 waves[part] *= math.sqrt(rows * columns) / np.maximum(np.abs(waves[part]), 1e-300)
             waves[part] *= np.sqrt(density * (self.stretch / cell))
         waves[0, 0] = 0.0
         if not waves.any():
-            raise InputError("spectrum", str(spectrum), "one with waves between two pitches and the size of the map")
+            raise InputError(
+                "spectrum", str(spectrum), "a spectrum with waves between twice the point spacing and the size of the map"
+            )
 
 
 def gaussian_surface(

@@ -119,7 +119,9 @@ class HeightMap:
                 warnings.simplefilter("ignore")  # what the library says of its own libraries
                 from SurfaceTopography import Topography, UniformLineScan
         except ImportError:
-            raise InputError("topography", None, f"its library after: {how_to_install('SurfaceTopography')}") from None
+            raise InputError(
+                "topography", None, f"an installed library; install it with: {how_to_install('SurfaceTopography')}"
+            ) from None
         heights = self.heights if self.complete else np.ma.masked_invalid(self.heights)
         about = {"name": self.name, "history": list(self.history)}
         if self.is_profile:
@@ -155,7 +157,7 @@ def size_in_metres(size) -> tuple[float, float]:
     except (TypeError, ValueError):
         y = x = 0.0
     if not (_LEAST < y < _MOST and _LEAST < x < _MOST):
-        raise InputError("size", size, f"(y, x), both finite and > 0 m; {_LEAST:g} to {_MOST:g} m")
+        raise InputError("size", size, f"(y, x), two lengths from {_LEAST:g} to {_MOST:g} m")
     return y, x
 
 

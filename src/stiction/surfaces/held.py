@@ -81,7 +81,7 @@ def _of_topography(topography: Any) -> HeightMap:
     from stiction.surfaces.readers.shared.topography import on_grid
 
     if topography.unit is None or topography.physical_sizes is None:
-        raise InputError("scan", "a topography without unit or size", 'one that knows both, e.g. Topography(..., unit="um")')
+        raise InputError("scan", "a topography without unit or size", 'a topography with both, e.g. Topography(..., unit="um")')
     factor = metres_per(str(topography.unit), "unit")
     heights, size, notes = on_grid(topography)
     name = str(getattr(topography, "info", {}).get("name", "") or "")
@@ -109,15 +109,17 @@ def _of_labelled(array: Any) -> HeightMap:
 def _pitch(array: Any, dim: str) -> float:
     """Return the point spacing [m] along a dimension of an xarray array."""
     if dim not in array.coords:
-        raise InputError(dim, None, "a coordinate with the places of the points, in m, or in its attribute `units`")
+        raise InputError(
+            dim, None, "a coordinate with the positions of the points, in m or in the unit of its attribute `units`"
+        )
     coordinate = array.coords[dim]
     places = np.asarray(coordinate.values)
     if places.dtype.kind not in "iuf" or len(places) < 2:
-        raise InputError(dim, f"{len(places)} places of type {places.dtype}", "two or more lengths")
+        raise InputError(dim, f"{len(places)} positions of type {places.dtype}", "two or more positions as lengths")
     steps = np.diff(places.astype(float))
     pitch = float(steps.mean())
     if not (np.isfinite(pitch) and pitch != 0.0 and np.abs(steps - pitch).max() <= _ROUNDING * abs(pitch)):
-        raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced places")
+        raise InputError(dim, f"steps from {steps.min():.6g} to {steps.max():.6g}", "equally spaced positions")
     return abs(pitch) * metres_per(_unit_of(coordinate, dim), dim)
 
 

@@ -114,7 +114,11 @@ def _fitted(curve, skewness: float, kurtosis: float):
         if np.abs(found.fun).max() < _AGREED:
             delta = math.exp(found.x[0])
             return curve, delta, sign * found.x[1] * delta
-    raise InputError("kurtosis", kurtosis, f"further from its limit for the skewness {skewness:g}: no Johnson curve was found")
+    raise InputError(
+        "kurtosis",
+        kurtosis,
+        f"a larger kurtosis, because no Johnson distribution was found near the limit for skewness {skewness:g}",
+    )
 
 
 def _standardised(curve, delta, gamma):

@@ -62,9 +62,11 @@ def _body(value):
         return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
     numbers = Roughness(**value)
     if numbers.surface is not None:
-        raise InputError("surface", "a table", "nothing, of a body beside one that was measured")
+        raise InputError("surface", "a table", "no value for a body whose counterpart is a measured surface")
     if numbers.height_distribution != "gaussian":
-        raise InputError("height_distribution", numbers.height_distribution, "gaussian, of a body beside one that was measured")
+        raise InputError(
+            "height_distribution", numbers.height_distribution, "gaussian for a body whose counterpart is a measured surface"
+        )
     return numbers
 
 
@@ -243,7 +245,9 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
     if wanted.heights not in (None, *MODELS):
         raise InputError("roughness.heights", wanted.heights, ", ".join(MODELS))
     if wanted.heights not in (None, "gaussian") and not alone:
-        raise InputError("roughness.heights", wanted.heights, "gaussian: heights of two rough bodies are taken together")
+        raise InputError(
+            "roughness.heights", wanted.heights, "gaussian, because the heights of the two rough bodies are combined"
+        )
     found: dict[str, Asperities] = {}
     surfaces: dict[str, Roughness] = {}
     counts: dict[str, int] = {}
@@ -259,7 +263,11 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
         except InputError as error:
             failures[method] = str(error)
     if not found:
-        raise InputError("roughness", "no asperities by any method", "scans with asperities: see `stiction surface` of them")
+        raise InputError(
+            "roughness",
+            "no asperities by any method",
+            "scans with asperities; run `stiction surface` on each scan to see the asperities it has",
+        )
     of_moments = method_of_moments()
     solvable = SolvableMaps({name: _to_solve(scans[name], maps[name], wanted) for name in maps}, bool(known))
     if of_moments in surfaces:

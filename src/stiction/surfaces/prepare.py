@@ -111,7 +111,10 @@ def _seam(surface: HeightMap) -> str:
             far = max(far, math.sqrt(float(np.nanmean(across)) / within))
     if far < _APART:
         return ""
-    return f", as of one period; but its ends do not meet: steps between them are {far:.0f} times those between neighbours"
+    return (
+        " of one period, whose opposite edges do not match: "
+        f"height steps across them are {far:.0f} times those between neighbouring points"
+    )
 
 
 def _check_left(raw: HeightMap, surface: HeightMap) -> None:
@@ -121,7 +124,7 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
     offset = max(abs(float(np.nanmax(raw.heights))), abs(float(np.nanmin(raw.heights))))
     if after <= 1e-12 * before + 8.0 * np.finfo(float).eps * offset:
-        raise InputError("scan", f"{surface.name}: heights that are all form", "heights that differ without their form")
+        raise InputError("scan", f"{surface.name}, flat without its form", "a scan with roughness beside its form")
 
 
 # ---- form
@@ -139,7 +142,7 @@ def remove_form(surface: HeightMap, order: int) -> HeightMap:
     It is fitted to the points with heights. Raises InputError for another order.
     """
     if isinstance(order, bool) or order not in (1, 2, 3, 4):
-        raise InputError("order", order, "1, 2, 3 or 4: of the polynomial that is removed")
+        raise InputError("order", order, "1, 2, 3 or 4, the order of the polynomial to remove")
     step = f"form removed: least-squares polynomial of order {order}"
     return surface.with_heights(_without_polynomial(surface, order), step).alone()
 
@@ -157,7 +160,11 @@ def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
     along_x, along_y = legvander(_unit(columns), order), legvander(_unit(rows), order)
     terms = [(i, j) for i in range(order + 1) for j in range(order + 1 - i) if rows > 1 or j == 0]
     if heights.size - surface.missing < len(terms):
-        raise InputError("scan", f"{heights.size - surface.missing} points with heights", f"at least {len(terms)} to fit to")
+        raise InputError(
+            "scan",
+            f"{heights.size - surface.missing} points with heights",
+            f"at least {len(terms)} points with heights for this fit",
+        )
     left = heights - np.nanmean(heights)
     gram = _gram(there, along_x, along_y, terms)
     for _ in range(2):
@@ -250,7 +257,7 @@ def filter_period(surface: HeightMap, shortest=None, longest=None) -> HeightMap:
     """
     low, high, band = _band(surface, shortest, longest)
     if not surface.complete:
-        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points: fill them")
+        raise InputError("heights", f"{surface.missing} missing points", "a map without missing points; fill them first")
     along = [scipy.fft.fftfreq(surface.heights.shape[0], surface.pitch[0])]
     along.append(scipy.fft.rfftfreq(surface.heights.shape[1], surface.pitch[1]))
     squared = along[0][:, None] ** 2 + along[1] ** 2
@@ -278,7 +285,7 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
         if end is not None and not finest * (1.0 - 1e-9) <= end <= size * (1.0 + 1e-9):
             raise InputError(name, end, f"{finest:.6g} m (twice the pitch) to {size:.6g} m (the size)")
     if low is not None and high is not None and not low < high:
-        raise InputError("longest", high, f"> {low:.6g} m, the shortest")
+        raise InputError("longest", high, f"more than {low:.6g} m, the shortest wavelength")
     ends = " to ".join("all" if end is None else show(end, "scan_size") for end in (low, high))
     return low, high, f"filtered to wavelengths {ends}: Gaussian ISO 16610, 50 % at the cutoffs"
 

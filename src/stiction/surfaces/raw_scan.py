@@ -45,7 +45,7 @@ class Reader:
 def no_channel(channel) -> None:
     """Raise InputError if a channel is requested from a file without channels."""
     if channel is not None:
-        raise InputError("channel", channel, "none: the file holds one map")
+        raise InputError("channel", channel, "no value, because the file holds only one map")
 
 
 def ends_in_a_line(path: Path) -> tuple[str, ...]:

@@ -197,7 +197,7 @@ def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float
         raise InputError("unit", None, 'the length unit of the numbers in the file, e.g. "nm"')
     scale = 1.0 if height_scale is None else height_scale
     if isinstance(scale, bool) or not isinstance(scale, int | float) or not 0.0 < abs(scale) <= 1e300:
-        raise InputError("height_scale", height_scale, "a finite number that is not 0")
+        raise InputError("height_scale", height_scale, "a finite number other than 0")
     steps = []
     if unit and raw.unit:
         steps.append(f"unit overridden: {unit} for {raw.unit} of the file")
@@ -216,10 +216,10 @@ def _size(raw: RawScan, size, unit, factor: float) -> tuple[tuple[float, float],
     rows, columns = raw.heights.shape
     if size is None:
         if raw.size is None:
-            raise InputError("size", None, 'the length along x ("10 um") or (y, x), which the file does not say')
+            raise InputError("size", None, 'the length along x ("10 um") or (y, x), because the file does not state it')
         y, x = raw.size[0] * factor, raw.size[1] * factor
         if not (np.isfinite([y, x]).all() and y > 0.0 and x > 0.0):
-            raise InputError("size", f"{y:g} m x {x:g} m in the file", "finite and > 0 m, to be given if the file is wrong")
+            raise InputError("size", f"{y:g} m x {x:g} m in the file", "finite lengths > 0 m; state size if the file is wrong")
         return (y, x), ()
     lengths = [_given(entry, unit) for entry in (size if isinstance(size, tuple | list) else (size,))]
     if len(lengths) not in (1, 2):

@@ -46,15 +46,19 @@ class SolvableMaps:
         Raises InputError if a rough body has no map, a map is a profile or has missing points, or two maps differ in size.
         """
         if self.some_numbers or not self.maps:
-            raise InputError("roughness", "numbers of a rough body", "a map of every rough body, or the other smooth")
+            raise InputError("roughness", "numbers of a rough body", "a measured map of every rough body")
         for body, each in self.maps.items():
             if each.is_profile:
                 raise InputError(
-                    f"roughness.{body}", "a profile", "a map, of rows and columns: a profile has no contact to solve"
+                    f"roughness.{body}",
+                    "a profile",
+                    "a map with rows and columns, because the contact of a profile is not solved",
                 )
             if not each.complete:
                 missing = f"{each.missing} points without a height"
-                raise InputError("roughness.fill", missing, "harmonic or nearest: a contact is solved at every point")
+                raise InputError(
+                    "roughness.fill", missing, "harmonic or nearest, because the solver needs a height at every point"
+                )
         first, *others = self.maps.values()
         return _sum(first, others[0]) if others else first
 
@@ -63,8 +67,8 @@ def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
     """Return the sum of two surfaces, each measured from outside; the second is turned over."""
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
-        allowed = "as many points as the first, over the same size, both periodic or neither: then their sum stands for both"
-        raise InputError("roughness.second", _said(second), f"{allowed}; the first has {_said(first)}")
+        allowed = "the points, size and periodicity of the first map, because the two are added"
+        raise InputError("roughness.second", _said(second), f"{allowed} ({_said(first)})")
     heights = np.add(first.heights, second.heights[:, ::-1])
     return first.with_heights(heights, f"heights of {second.name or 'the second body'}, turned over, added")
 

@@ -310,7 +310,9 @@ def _complete(surface: HeightMap) -> np.ndarray:
     """Return the heights. Raises InputError if points are missing or a side is too short."""
     heights = surface.heights
     if surface.missing:
-        raise InputError("heights", f"{surface.missing} of {heights.size} points missing", "none missing: fill or crop first")
+        raise InputError(
+            "heights", f"{surface.missing} of {heights.size} points missing", "no missing points; fill or crop the map first"
+        )
     short = heights.shape[1] if surface.is_profile else min(heights.shape)
     if short < LEAST_POINTS:
         raise InputError("heights", f"{heights.shape[0]} x {heights.shape[1]} points", f"at least {LEAST_POINTS} along a side")

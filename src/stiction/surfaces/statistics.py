@@ -167,7 +167,9 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
     powers = _powers(spectrum, math.inf if cutoff == 0.0 else 2.0 * math.pi / cutoff * _ROUNDING)
     if not powers[0, 0] > 0.0:
         longest = 2.0 * math.pi / spectrum.lowest
-        raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, the longest wave, and heights that are not all alike")
+        raise InputError(
+            "cutoff", cutoff, f"at most {longest:.4g} m, the longest wavelength of the map, whose heights must differ"
+        )
     x = Moments(*map(float, powers[0, _EVEN]))
     if spectrum.is_profile:
         return ProfileMoments(x, None, x, x, cutoff, "power spectrum")
@@ -185,10 +187,10 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
     """Return the mean [m] and (Sq, Sa, Sz, Ssk, Sku)."""
     count = int(np.count_nonzero(~np.isnan(heights)))
     if not count:
-        raise InputError("heights", "all missing", "some points that have a height")
+        raise InputError("heights", "all missing", "a map with heights at some points")
     highest, lowest = float(np.nanmax(heights)), float(np.nanmin(heights))
     if not highest > lowest:
-        raise InputError("heights", highest, "heights that are not all alike")
+        raise InputError("heights", highest, "heights that differ")
     start = (highest + lowest) / 2.0  # near the mean, so that a large offset costs no digits
     mean = start + sum(float(np.nansum(block - start)) for block in _blocks(heights)) / count
     span = highest - lowest  # heights over it: their fourth powers do not underflow

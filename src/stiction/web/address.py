@@ -26,7 +26,7 @@ def packed(tables: Mapping[str, Any]) -> str:
 def unpacked(text: str) -> dict[str, Any]:
     """Return the tables in the text of an address. Raises InputError for damaged text, or more than the largest case."""
     if len(text) > _LONGEST:
-        raise InputError("address", f"{len(text)} characters", f"{_LONGEST} at most")
+        raise InputError("address", f"{len(text)} characters", f"at most {_LONGEST} characters")
     try:
         raw = base64.b64decode(text + "=" * (-len(text) % 4), altchars=b"-_", validate=True)
         unzipping = zlib.decompressobj()
@@ -72,4 +72,4 @@ def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> Non
     for name in files_named(tables):
         if name not in known:
             there = ", ".join(sorted(Path(name).name for name in known)) or "none"  # visitors need no folder of this machine
-            raise InputError("file", name, f"a file of the served case, or one that was uploaded here (now: {there})")
+            raise InputError("file", name, f"a file of the served case, or an uploaded file (now: {there})")

@@ -134,7 +134,7 @@ def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xar
     case = read_query(query)
     load = load if load is not None else working_load(case, None)
     if load is None:
-        raise InputError("load", None, "a case with a compressive load, at which models are compared")
+        raise InputError("load", None, "a case with a compressive load, because models are compared at that load")
     return case, compare_case(case, load, progress), prediction_of(case, load)
 
 

@@ -173,7 +173,7 @@ class StudiesTab:
 
         def work(query: Query, progress: Progress) -> View:
             if not uploads:
-                raise InputError("measured series", None, "a .csv file with loads and what was measured at them")
+                raise InputError("measured series", None, "a .csv file with loads and measured values")
             ((path, name),) = uploads
             try:
                 return calibrated(query, self._load(query), Path(path), free(), progress)

@@ -67,7 +67,9 @@ def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
     surface = read_scan(path, **stated)  # type: ignore[arg-type]  # texts
     if surface.heights.size > _MOST_POINTS:
         raise InputError(
-            "scan", f"{surface.heights.size} points", f"{_MOST_POINTS} at most on a page; `stiction surface` takes more"
+            "scan",
+            f"{surface.heights.size} points",
+            f"at most {_MOST_POINTS} points on this page; the command `stiction surface` accepts more",
         )
     return surface
 

@@ -100,7 +100,9 @@ def solve_adhesive(
             raise InputError(name, value, "> 0, finite")
     compliance = Compliance(modulus, film)
     if compliance.far == 0.0:
-        raise InputError("film.substrate_modulus", film and film.substrate_modulus, "finite, where the other body is rigid")
+        raise InputError(
+            "film.substrate_modulus", film and film.substrate_modulus, "a finite modulus, because the other body is rigid"
+        )
     edge = reach**2 / (compliance.near * work)
     heights = _between_points(heights, size, edge)
     require_memory(heights.shape, kept=len(loads) + _ARRAYS)

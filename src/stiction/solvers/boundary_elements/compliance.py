@@ -53,7 +53,7 @@ class Film:
             if not (0.0 < getattr(self, name) < math.inf):
                 raise InputError(f"film.{name}", getattr(self, name), "> 0, finite")
         if not self.substrate_modulus > 0.0:
-            raise InputError("film.substrate_modulus", self.substrate_modulus, "> 0 Pa, or infinite: rigid")
+            raise InputError("film.substrate_modulus", self.substrate_modulus, "> 0 Pa, or infinite for a rigid body")
         for name in ("poisson", "substrate_poisson"):
             if not (-1.0 < getattr(self, name) <= 0.5):
                 raise InputError(f"film.{name}", getattr(self, name), "> -1, <= 0.5")
@@ -136,7 +136,7 @@ class Compliance:
 
     def __post_init__(self) -> None:
         if not self.modulus > 0.0 or (not self.films and math.isinf(self.modulus)):
-            raise InputError("modulus", self.modulus, "> 0 Pa, finite unless there is a film")
+            raise InputError("modulus", self.modulus, "> 0 Pa; infinite only with a film")
 
     @property
     def films(self) -> tuple[Film, ...]:

@@ -36,21 +36,21 @@ def _warnings_of_waves(seen, pitch, side):
     points, periods = seen.shortest / pitch, side / seen.longest
     if points < LEAST_PIXELS:
         length = show(seen.shortest, "scan_size")
-        why = f"the shortest waves ({length}) have {points:.2g} points, at least {LEAST_PIXELS:g} make the area converge"
+        why = f"the shortest waves ({length}) have {points:.2g} points, but an accurate area needs {LEAST_PIXELS:g}"
         yield ValidityWarning(why, "points_in_shortest_wave", points, points, low=LEAST_PIXELS)
     if periods < LEAST_WAVES:
         length = show(seen.longest, "scan_size")
-        why = f"a side holds {periods:.2g} of the longest waves ({length}), with fewer than {LEAST_WAVES:g} it is no sample"
+        why = f"a side holds {periods:.2g} of the longest waves ({length}), but a sample needs at least {LEAST_WAVES:g}"
         yield ValidityWarning(why, "longest_waves_on_a_side", periods, periods, low=LEAST_WAVES)
     if seen.gradient > STEEPEST:
-        why = f"the rms gradient is {seen.gradient:.2g}; small slopes are assumed, up to about {STEEPEST:g}"
+        why = f"the rms gradient is {seen.gradient:.2g}, but the solver assumes slopes up to about {STEEPEST:g}"
         yield ValidityWarning(why, "rms_gradient", seen.gradient, seen.gradient, high=STEEPEST)
 
 
 def _warnings_of_film(film, pitch):
     if film.thickness < pitch:
         thickness, width = show(film.thickness, "thickness"), show(pitch, "scan_size")
-        why = f"the film ({thickness}) is thinner than a point of the map is wide ({width})"
+        why = f"the film ({thickness}) is thinner than the point spacing of the map ({width})"
         yield ValidityWarning(why, "film_thickness", film.thickness, film.thickness, low=pitch)
 
 
@@ -64,14 +64,14 @@ def warnings_of_load(solution: Found, load_error: float, ends: bool, tolerance: 
 
 def _warnings_of_solution(solution, load_error, tolerance):
     if not solution.converged:
-        why = f"not converged: residual {solution.residual:.2g} after {solution.steps} steps, {tolerance:g} asked for"
+        why = f"not converged: residual {solution.residual:.2g} after {solution.steps} steps, tolerance {tolerance:g}"
         yield ValidityWarning(why, "not_converged", solution.residual, solution.residual, high=tolerance)
     if not load_error <= LEAST_LOAD_ERROR:
-        why = f"the pressures carry the load but for {load_error:.2g} of it"
+        why = f"the computed pressures do not add up to the load; the relative error is {load_error:.2g}"
         yield ValidityWarning(why, "load_error", load_error, load_error, high=LEAST_LOAD_ERROR)
     points = int(np.count_nonzero(solution.pressure))
     if points < LEAST_CONTACT:
-        why = f"{points} points of the map are in contact, fewer than {LEAST_CONTACT} give a rough area only"
+        why = f"{points} points of the map are in contact, but an accurate area needs at least {LEAST_CONTACT}"
         yield ValidityWarning(why, "points_in_contact", float(points), float(points), low=float(LEAST_CONTACT))
 
 
@@ -89,5 +89,5 @@ def share_at_ends(pressure: np.ndarray) -> float:
 def _warnings_of_ends(pressure):
     share = share_at_ends(pressure)
     if share > MOST_AT_ENDS:
-        why = f"the outermost points of the map carry {100.0 * share:.2g} % of the load: the map ends within the contact"
+        why = f"the outermost points of the map carry {100.0 * share:.2g} % of the load, so the contact reaches beyond the map"
         yield ValidityWarning(why, "load_at_ends", share, share, high=MOST_AT_ENDS)

@@ -171,7 +171,7 @@ class _How:
         known = [entry.name for entry in fields(cls)]
         for name in how:
             if name not in known:
-                raise InputError(name, how[name], f"nothing: known are {nearest(name, known)}")
+                raise InputError(name, how[name], f"another option: {nearest(name, known)}")
         made = cls(**how)
         if not 0.0 < made.tolerance < 1.0:
             raise InputError("tolerance", made.tolerance, "> 0, < 1")
@@ -206,7 +206,7 @@ class _Asked:
         hardness = math.inf if hardness is None else float(hardness)
         pressures = loads / (size[0] * size[1])
         if not hardness > 0.0:
-            raise InputError("hardness", hardness, "> 0 Pa, or none: elastic")
+            raise InputError("hardness", hardness, "> 0 Pa, or none for elastic bodies")
         if pressures.max() >= hardness:
             allowed = f"< {hardness * size[0] * size[1]:.6g} N, the hardness times the area of the map"
             raise InputError("loads", float(loads.max()), allowed)
@@ -220,10 +220,10 @@ def usable_map(heights) -> np.ndarray:
     bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
     if bad:
         raise InputError(
-            "heights", f"{bad} of {heights.size} points not finite", "a height at every point: fill missing ones first"
+            "heights", f"{bad} of {heights.size} points not finite", "a height at every point; fill missing points first"
         )
     if float(heights.min()) == float(heights.max()):
-        raise InputError("heights", "all alike", "a rough map: a flat face touches everywhere")
+        raise InputError("heights", "all equal", "a rough map, because a flat surface touches everywhere")
     return heights
 
 

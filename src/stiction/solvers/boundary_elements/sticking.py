@@ -39,11 +39,11 @@ def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
     attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and for films on both bodies.
     """
     if not surface.periodic:
-        raise InputError("adhesion", "on a map that ends", "left_out, or one period of a surface (periodic = true)")
+        raise InputError("adhesion", "on a map that is not periodic", "left_out, or a map of one period with periodic = true")
     if bodies.hardness is not None:
-        raise InputError("yielding", "at_hardness", "none: adhesion is solved for elastic bodies")
+        raise InputError("yielding", "at_hardness", "none, because the adhesive solver assumes elastic bodies")
     if bodies.counter_film is not None:
-        raise InputError("coating.bodies", "both", "first or second, where a map adheres")
+        raise InputError("coating.bodies", "both", "first or second, because the adhesive solver supports one film")
     nominal = surface.size[0] * surface.size[1]
     adhesive = solve_adhesive(
         surface.heights, surface.size, modulus=bodies.modulus, film=bodies.film, work=work, reach=reach,

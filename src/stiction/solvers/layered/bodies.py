@@ -54,7 +54,7 @@ def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     share = np.where(single, 1.0 - (1.0 - first) * n_E, 1.0)
     if (share <= 0.0).any():
         at = int(np.argmax(share <= 0.0))
-        raise InputError("n_E", float(n_E[at]), f"less than 1/(1 - coated_share), {1.0 / (1.0 - first[at]):.6g} here")
+        raise InputError("n_E", float(n_E[at]), f"less than 1/(1 - coated_share) = {1.0 / (1.0 - first[at]):.6g}")
     return share, np.where(single, first * n_E / share, n_E)
 
 

@@ -39,7 +39,7 @@ class HalfSpace:
 
     def __post_init__(self) -> None:
         if not self.modulus > 0.0:
-            raise InputError("modulus", self.modulus, "> 0 Pa, or infinite: rigid")
+            raise InputError("modulus", self.modulus, "> 0 Pa, or infinite for a rigid body")
         if not -1.0 < self.poisson <= 0.5:
             raise InputError("poisson", self.poisson, "> -1, <= 0.5")
 
@@ -63,7 +63,7 @@ class ShearCompliance:
 
     def __post_init__(self) -> None:
         if all(isinstance(body, HalfSpace) and math.isinf(body.modulus) for body in self.bodies):
-            raise InputError("bodies", "both rigid", "at least one that is elastic")
+            raise InputError("bodies", "both rigid", "at least one elastic body")
 
     @property
     def layered(self) -> bool:

@@ -41,7 +41,9 @@ class Coupling:
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):
         if compliance.layered:
             raise InputError(
-                "film", "between bodies that are not alike", "none: how a film couples pressure and shear is not solved"
+                "film",
+                "between bodies of different elasticity",
+                "no film, because the solver does not couple pressure and shear in films",
             )
         self.shape, mismatch = shape, compliance.mismatch
         if periodic:

@@ -101,7 +101,7 @@ class FreeShear:
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float]):
         if compliance.layered:
-            raise InputError("film", "on a map that ends", "none, or a map that is periodic or mirrored")
+            raise InputError("film", "on a map that is not periodic", "no film, or a map that is periodic or mirrored")
         self.shape, self.near = shape, compliance.near
         pitch = size[0] / shape[0], size[1] / shape[1]
         self._doubled = tuple(next_fast_len(2 * count, real=True) for count in shape)

@@ -119,7 +119,7 @@ def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pix
     """
     most = float(strength.sum()) * pixel
     if not 0.0 <= force < most:
-        raise InputError("force", force, f"0 to less than the sum of strengths, {most:.6g} N")
+        raise InputError("force", force, f"from 0 to less than the largest friction force, {most:.6g} N")
 
     def state(shift: float) -> State:
         return slide_map(operator, strength, [shift], pixel=pixel, directions=directions).peak
@@ -172,7 +172,7 @@ def slide_map(
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
-        raise InputError("strength", "negative, not finite, or nowhere", ">= 0 Pa, finite, > 0 where points touch")
+        raise InputError("strength", "negative, infinite, NaN, or 0 everywhere", "finite, >= 0 Pa, and > 0 at some point")
     if directions not in (1, 2):
         raise InputError("directions", directions, "1 or 2")
 

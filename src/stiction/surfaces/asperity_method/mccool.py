@@ -33,7 +33,11 @@ def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:
-        raise InputError("asperities by mccool", "slopes along one line only", "a surface with summits, not grooves")
+        raise InputError(
+            "asperities by mccool",
+            "slopes along one direction only",
+            "a surface that is rough in both directions; grooves have no summits",
+        )
     return of_moments("mccool", moments, "from moments by finite differences")
 
 

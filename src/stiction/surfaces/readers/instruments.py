@@ -30,7 +30,9 @@ def read(path: Path, channel) -> RawScan | None:
             from SurfaceTopography.Exceptions import CannotDetectFileFormat
             from SurfaceTopography.IO import open_topography
         except ImportError:
-            raise InputError("scan", str(path), f"instrument files after: {how_to_install('SurfaceTopography')}") from None
+            raise InputError(
+                "scan", str(path), f"another format; to read instrument files: {how_to_install('SurfaceTopography')}"
+            ) from None
         try:
             with open_topography(str(path)) as reader:
                 return _library(reader, channel, path)
@@ -66,7 +68,9 @@ def _library(reader, channel, path: Path) -> RawScan | None:
     chosen = _channel(reader, channel)
     points = math.prod(chosen.nb_grid_pts or ())
     if points > _DENSEST * path.stat().st_size:
-        raise InputError("scan", str(path), f"an undamaged file (its header claims {points} points, more than it can hold)")
+        raise InputError(
+            "scan", str(path), f"an undamaged file (the header states {points} points, more than the file can hold)"
+        )
     unknown = chosen.physical_sizes is None or any(length is None for length in chosen.physical_sizes)
     topography = chosen.topography(physical_sizes=(1.0,) * chosen.dim) if unknown else chosen.topography()
     names = [each.name for each in reader.channels]
@@ -86,7 +90,7 @@ def _no_line_lost(path: Path, points: int) -> None:
     with path.open("rb") as file:
         lines = sum(line.lstrip()[:1] in b"+-.0123456789" and bool(line.strip()) for line in file)
     if lines > points:
-        raise InputError("scan", str(path), f"an undamaged file (of {lines} lines of numbers {points} could be read)")
+        raise InputError("scan", str(path), f"an undamaged file (only {points} of its {lines} lines of numbers could be read)")
 
 
 def _channel(reader, wanted):

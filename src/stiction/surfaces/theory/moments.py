@@ -153,5 +153,5 @@ def require_gaussian(density: np.ndarray) -> None:
         raise InputError(
             "roughness_parameter",
             float(density[small][0]),
-            f">= {LEAST_DENSITY:.4g}: an isotropic Gaussian surface has no fewer asperities N R sigma (bandwidth 3/2 or more)",
+            f">= {LEAST_DENSITY:.4g}, the least N R sigma of an isotropic Gaussian surface (bandwidth 3/2 or more)",
         )

@@ -247,8 +247,8 @@ def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
         raise InputError(
             "bandwidth",
             float(alpha[bad][0]),
-            f"{LEAST_BANDWIDTH:.4g} to {LARGEST_BANDWIDTH:.4g}: of surfaces that have a sampled profile with exponential "
-            "autocorrelation, up to where its asperities are tabulated",
+            f"{LEAST_BANDWIDTH:.4g} to {LARGEST_BANDWIDTH:.4g}: the range of the tabulated profiles with exponential "
+            "autocorrelation",
         )
     low, high = np.full(alpha.shape, _SMALLEST), np.ones(alpha.shape)  # of sqrt(1 - correlation)
     for _ in range(52):

@@ -25,7 +25,7 @@ def check_packed(path: Path) -> None:
         return
     if held > max(_HARMLESS, _DENSEST * path.stat().st_size):
         told = f"{path.name}: {path.stat().st_size} bytes that unpack to {held}"
-        raise InputError("scan", told, f"an archive that unpacks to {_DENSEST} times its size at most")
+        raise InputError("scan", told, f"an archive that unpacks to at most {_DENSEST} times its size")
 
 
 def _held(path: Path) -> int:

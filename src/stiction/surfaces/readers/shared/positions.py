@@ -21,7 +21,7 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
     if x[-1] < x[0]:
         x, z = x[::-1], z[::-1]
     if not (np.isfinite(x).all() and x[-1] > x[0]):
-        raise InputError("scan", "positions that are missing or all alike", "finite positions x that increase")
+        raise InputError("scan", "positions x that are missing or all equal", "finite positions x that increase")
     place = np.arange(count) - (count - 1) / 2.0
     pitch = float(place @ (x - x.mean()) / (place @ place))
     off = float(np.abs(x - x.mean() - pitch * place).max())
