@@ -1,5 +1,6 @@
 """A fixed share of the generated cases and other inputs of `make fuzz`: each ends in an answer or in one line."""
 
+import random
 import sys
 from collections import Counter
 from pathlib import Path
@@ -67,3 +68,8 @@ def test_several_heights_of_a_finish_are_predicted_one_by_one():
         alone = predicted(height)
         for name in ("friction_coefficient", "contact_area_low", "contact_area_high"):
             assert float(both[name][place].squeeze()) == pytest.approx(float(alone[name].squeeze()), rel=1e-12)
+
+
+@pytest.mark.parametrize("text", ["elastic", "e", "-", "boundary lubricant"])
+def test_text_without_a_number_is_exchanged_and_not_scaled(text):
+    assert isinstance(generate._scaled(random.Random(1), text), str)
