@@ -499,7 +499,7 @@ def test_what_is_all_form_is_refused(folder):
     for name, form in (("plane", 1), ("bowl", 2)):
         words = ("surface", folder / f"{name}.npy", "--size", "20 um", "--unit", "m", "--form", form)
         result = command(*words, code=2)
-        assert "plane.npy" in result.stderr and result.stderr.count("\n") == 1
+        assert f"{name}.npy" in result.stderr and result.stderr.count("\n") == 1
     assert command("surface", folder / "bowl.npy", "--size", "20 um", "--unit", "m", "--form", 1).exit_code == 0
 
 
