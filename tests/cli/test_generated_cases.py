@@ -15,7 +15,7 @@ import run
 
 import stiction as st
 
-SEEDS = range(30)
+SEEDS = range(12)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -133,8 +133,7 @@ class Contact(Subject):
     def indices(self) -> Indices:
         """Return the dimensionless groups of theory 1, and of theory 4 with a film.
 
-        Arrays broadcast by dimension. Raises InputError if a group is out of its bounds (a hardness below the yield stress,
-        say).
+        Arrays broadcast by dimension. Raises InputError if a group is out of its bounds.
         """
         return self._indices
 
@@ -233,10 +232,9 @@ class Contact(Subject):
             found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
         found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
         if self.interface is not None:
-            slope = self.interface.pressure_coefficient is not None
-            found |= {"interface": "shear_strength"} | (
-                {"interface.pressure_coefficient": "pressure_coefficient"} if slope else {}
-            )
+            found["interface"] = "shear_strength"
+            if self.interface.pressure_coefficient is not None:
+                found["interface.pressure_coefficient"] = "pressure_coefficient"
         if self.coating is None:
             return found
         film = self.coating.material
@@ -245,7 +243,9 @@ class Contact(Subject):
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
-        return [*size_notes(self._bodies, self._radius), *self._of_film(), *self.roughness.notes()]
+        softer = self.softer_counterbody
+        of_film = [] if softer is None else [softer_in_words(*softer, self._bare.hardness)]
+        return [*size_notes(self._bodies, self._radius), *of_film, *self.roughness.notes()]
 
     @property
     def _bodies(self) -> list[Material]:
@@ -259,13 +259,8 @@ class Contact(Subject):
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
         return (film, other) if (np.asarray(other.hardness) < np.asarray(film.hardness)).any() else None
 
-    def _of_film(self) -> list[str]:
-        softer = self.softer_counterbody
-        return [] if softer is None else [softer_in_words(*softer, self._bare.hardness)]
-
     def notes(self) -> list[str]:
-        found = [] if self.measured is None else [f"roughness measured, by {self.measured.method}"]
-        return [*found, *self.remarks()]
+        return [*([] if self.measured is None else [f"roughness measured, by {self.measured.method}"]), *self.remarks()]
 
     @property
     def surface_kind(self) -> str | None:
@@ -291,8 +286,8 @@ class Contact(Subject):
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
     def given_as(self, group: str) -> str:
-        names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus"}
-        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid") | {"waiting": "hold_time"}
+        names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus", "waiting": "hold_time"}
+        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid")
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:
@@ -341,9 +336,8 @@ class Contact(Subject):
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
         """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for an unknown one.
 
-        level: quantile levels of the state of the interface, 0.5 for its medians; stated numbers are the same at every
-        level. A strength over hardness or shear modulus is relative to the softer of the touching bodies, with the hardness
-        at the size of the asperities. Raises InputError for a level that is not between 0 and 1.
+        level: quantile levels of the state of the interface, between 0 and 1; stated numbers have one value. A strength over
+        hardness or shear modulus is relative to the softer touching body. Raises InputError for other levels.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -352,9 +346,8 @@ class Contact(Subject):
     @property
     def interface_strength(self):
         """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if not stated."""
-        if self.interface_at()[0] is None:
-            return None
-        return self.indices().interface_strength * self._bare.hardness
+        stated = self.interface_at()[0] is not None
+        return self.indices().interface_strength * self._bare.hardness if stated else None
 
     @property
     def kelvin_radius(self):
@@ -369,8 +362,7 @@ class Contact(Subject):
     @property
     def plasticity_index(self):
         """Return psi = (E*/H) (sigma/R)^(1/2) without film, H of the softer (GW 1966)."""
-        hardness = self._bare.hardness
-        return self.contact_modulus / hardness * (self._sigma / self._radius) ** 0.5
+        return self.contact_modulus / self._bare.hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
         """Return mu_T = (R gamma^2 / (E*^2 epsilon^3))^(1/3) without film (Tabor 1977).

@@ -207,10 +207,7 @@ class Indices(Subject):
 
     @property
     def film_stiffness(self) -> Any:
-        """Return n_E sqrt(R sigma)/t, infinite for a film of zero thickness.
-
-        None without a film, or if R is unknown.
-        """
+        """Return n_E sqrt(R sigma)/t, infinite for a film of zero thickness. None without a film, or if R is unknown."""
         if not self.has_film or self.film_aspect is None:
             return None
         with np.errstate(divide="ignore"):
@@ -260,10 +257,7 @@ class Indices(Subject):
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:
-        """Return whether a group that a law needs is known.
-
-        Without adhesion theta and lambda are unknown.
-        """
+        """Return whether a group that a law needs is known. Without adhesion theta and lambda are unknown."""
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
@@ -391,10 +385,7 @@ class Groups(Indices):
 
 
 def plain_number(entry: Any, where: str) -> float:
-    """Return a finite number without a unit; `where`: its place in a case file.
-
-    Raises InputError.
-    """
+    """Return a finite number without a unit; `where`: its place in a case file. Raises InputError."""
     try:
         number = float(entry)
     except OverflowError:  # TOML has whole numbers without end

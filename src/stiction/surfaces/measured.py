@@ -155,10 +155,7 @@ class Measured:
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy with only the asperities that have the spectral moments of the surface.
-
-        If these asperities were not found, the same object is returned.
-        """
+        """Return a copy with the asperities of the surface's spectral moments; the same object if these were not found."""
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
