@@ -90,7 +90,7 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
     try:
         return [float(word) for word in contact.replace(",", " ").split()]
     except ValueError:
-        raise InputError("--contact", contact, "numbers above 0 separated by spaces, e.g. 0.01 0.1") from None
+        raise InputError("--contact", contact, "pressures over E* h', above 0, separated by spaces, e.g. 0.01 0.1") from None
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":

@@ -267,7 +267,7 @@ class Indices(Subject):
         return Scales()
 
     def resolved(self) -> Self:
-        """Return the same groups with default values of K_beta, film_nu and film_K_beta."""
+        """Return the groups with defaults for unknown ones: K_beta and, with a film, those of film and bodies."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
             return self.with_changes(K_beta=K_beta)

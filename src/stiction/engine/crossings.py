@@ -39,7 +39,7 @@ def narrowing(excess: Callable) -> Any:
 
 @cache
 def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
-    """Return a kernel that finds the sign changes of excess(u, row).
+    """Return a kernel that finds the sign changes of excess(u, row) between its edges, the ends and kinks of the function.
 
     row: tuple of `parameters` numbers. samples: number of samples between two neighbouring edges.
     """

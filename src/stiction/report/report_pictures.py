@@ -150,7 +150,10 @@ def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return sentences that replace pictures in which one part makes up nearly all of the total."""
+    """Return sentences on pictures that are left out; none for a prediction.
+
+    Left out are curves of a case without a compressive load, and shares of which one part makes up nearly all.
+    """
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []

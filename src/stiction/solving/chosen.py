@@ -167,7 +167,7 @@ def _film(choice: Choice, model: RoughSurface) -> FilmLaw:
 def _refuse_parts(choice: Choice, model: RoughSurface, tangential: TangentialLaw | None, coated: bool) -> None:
     """Raise InputError for laws and options that cannot be combined with a theory in closed form."""
     if coated and not model.on_film:
-        raise InputError("model", model.key, "an asperity model, because this contact has a film")
+        raise InputError("model", model.key, "a model for coated contacts, because this contact has a film")
     if model.on_film and not coated:
         raise InputError("model", model.key, "a model for bare contacts, because this contact has no film")
     if coated and choice.film:

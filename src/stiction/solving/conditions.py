@@ -63,9 +63,9 @@ def _shears_the_interface(problem: Problem) -> bool:
 
 
 def _does_not_grow(problem: Problem) -> bool:
-    """Return whether friction is computed from the area under normal load alone, without junction growth.
+    """Return whether friction on a bare contact neglects junction growth.
 
-    False for contacts with a film: no law covers junction growth on films.
+    False for contacts with a film, because no law covers junction growth on films.
     """
     grows = problem.chosen.yielded != "interface" or problem.options.get("shear") == "junction_growth"
     return not grows and not problem.groups.has_film

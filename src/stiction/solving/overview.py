@@ -87,7 +87,7 @@ def _measured(record: FilmLaw) -> list[str]:
 
 
 def _parameters(record: Record) -> dict[str, list[str]]:
-    """Return the options of an asperity method in the form of those of laws: default first, then other allowed values."""
+    """Return the allowed values of each option of an asperity method as text, the default first; {} for other records."""
     said: dict[str, list[str]] = {}
     for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
         others = [str(value) for value in option.values if value != option.default] or [option.allowed]

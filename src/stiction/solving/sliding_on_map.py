@@ -109,7 +109,7 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
-    """Return the attributes that name unused inputs, without those that only sliding uses."""
+    """Return the attributes that list unused inputs; names: inputs that sliding uses, which are not listed."""
     return as_attributes(one for one in unused_inputs(problem) if one.input not in names)
 
 
@@ -195,7 +195,11 @@ def _path(operator, one: "MapContact", strength: np.ndarray, shifts: np.ndarray,
 def _ends(
     operator, paths: "list[SlidingPath]", whole: float, residual: float, factors: dict[str, Any]
 ) -> dict[str, np.ndarray]:
-    """Return stiffness at rest, largest force, its displacement and its share of the sum of strengths, normalised (m,)."""
+    """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency.
+
+    The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where
+    99 % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`.
+    """
     from stiction.solvers.shear.path import stuck_stiffness
 
     sums = np.array([path.strength.sum() * path.pixel for path in paths])

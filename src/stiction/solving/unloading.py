@@ -241,7 +241,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
         raise InputError("contact", "with a film", "a bare contact: unload() does not support films")
     model = find(choice.model_key, RoughSurface)
     if not model.asperity:
-        raise InputError("model", choice.model_key, "a sum over asperities: theories in closed form keep no loading history")
+        raise InputError("model", choice.model_key, "a sum over asperities, because unload() follows each asperity")
     if model.regimes is not None:
         reason = f"the source of {choice.model_key} does not state how it unloads"
         raise InputError("model", choice.model_key, f"another sum over asperities: {reason}")

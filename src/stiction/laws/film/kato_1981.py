@@ -146,9 +146,10 @@ def parameters(groups: Groups) -> tuple[np.ndarray, ...]:
 
 
 def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
-    """Return the angle u (n,) above which the substrate limits the pressure: u = m b(u).
+    """Return the angle u (n,) with u = bound sqrt(2 tau) cos u, above which the substrate limits the pressure.
 
-    Newton's method starts above the root, where the function is convex, so that no step passes it.
+    tau: film thickness over sigma. Newton's method starts above the root, where the function is convex, so that no step
+    passes it.
     """
     steep = bound * np.sqrt(2.0 * tau)
     u = np.minimum(steep, 0.5 * math.pi)

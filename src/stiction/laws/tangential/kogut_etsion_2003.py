@@ -9,8 +9,8 @@ $$
 $$
 
 *Reconstructed*: the texts were not available, but three quotations agree: $Q/P_c=0.52\,r^{0.982}$ is
-$\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03 is the two-digit print of 2004. *Trap*: that print is
-negative above $r=4.3$; three digits are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the authors' load $Q$
+$\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03, to two decimals, is the print of 2004. *Trap*: that print
+is negative above $r=4.3$; three decimals are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the authors' load $Q$
 rises by 1.2 %) and from 0.036 to 0 at 6. With another asperity law, the friction coefficient is kept and $Q$ is this
 coefficient times the load of that law. With `plastic_junctions`, asperities from $6\,\omega_c$ on resist according to another
 law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
@@ -37,8 +37,7 @@ def friction_coefficient(w_ratio):
     """Return the friction coefficient Q/P of one asperity; w_ratio: omega/omega_c.
 
     Up to 1 it follows from Q/P_c = 0.52 w^0.982 and P/P_c = w^1.5, from 1 to 6 it is a cubic, beyond it is 0. The cubic has
-    three-digit coefficients. The 2004 paper prints its product with the load 1.03 w^1.425 with two digits, which is negative
-    above 4.3.
+    three decimals. The 2004 paper prints its product with 1.03 with two decimals, which is negative above 4.3.
     """
     if w_ratio <= 1.0:
         return 0.52 * w_ratio**-0.518

@@ -82,9 +82,10 @@ def _of_waves(heights, size):
 
 
 def _of_differences(heights, size):
-    """Return rms gradient, alpha and lay ratio of a map that is not periodic, from finite differences.
+    """Return rms gradient, alpha and lay ratio of a map that is not periodic, from finite differences of fourth order.
 
-    Differences are of fourth order. The gradient is taken between points, the other two at points.
+    The mean square slopes are taken between points; heights, curvatures and the product of the two slopes are taken at
+    points. The lay ratio is the largest over the smallest rms slope of all directions.
     """
     pitch = size[0] / heights.shape[0], size[1] / heights.shape[1]
     yy, xx = (float(np.mean(np.square(_between(np.moveaxis(heights, axis, 0), pitch[axis])))) for axis in (0, 1))

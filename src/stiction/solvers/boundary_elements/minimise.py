@@ -349,9 +349,10 @@ def total(values: np.ndarray) -> float:
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return a pressure of 0 ... H shifted to the right mean, in place.
+    """Return the pressure shifted to the wanted mean and kept in 0 ... H.
 
-    Only free points are shifted; all points where these cannot carry the load.
+    Points strictly between 0 and H are shifted, in place. If that does not reach the mean, all points are shifted, in a new
+    array.
     """
     top, wanted = problem.hardness, problem.mean * pressure.size
     pressed = pressure > 0.0

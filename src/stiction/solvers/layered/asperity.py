@@ -65,7 +65,7 @@ def _curve(z, by_u, c):
 
 @formula
 def _hertzian(u, row):
-    """Return z, dz/d ln u, E_P, D, and the derivatives of their logarithms by ln u."""
+    """Return z, dz/d ln u, E_P, D, d ln E_P/d ln u and d ln D/d ln u (symbols: see the module)."""
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
     approach, approach_slope = _curve(z, by_u, row[_APPROACH:PLAIN])

@@ -7,7 +7,7 @@ stiffly (Odemark's equivalent thickness, from memory). Over the hardness of the 
 
     p/H_s = max_z s(z)/max_{z >= t_e/a} s(z),   s(z) = 3/(2 (1 + z^2)) - (1 + nu)(1 - z arctan(1/z))
 
-which is 1 for films thinner than about a/2. This project's own, grade C: plasticity is not solved.
+which is 1 where t_e is below about a/2. This project's own, grade C: plasticity is not solved.
 """
 
 import numpy as np

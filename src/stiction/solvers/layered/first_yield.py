@@ -111,9 +111,10 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
-    """Return ln N of all regions of one coated body: (PARTS, PLACES, ANGLES).
+    """Return ln N (PARTS, PLACES, ANGLES) in all regions of one coated body; N is the norm of `norms`.
 
-    In the last two regions (interface and body) N is multiplied by 1 + (t/a)^2.
+    In the last two regions (interface and body) N is multiplied by 1 + (t/a)^2, with t the film thickness and a the contact
+    radius.
     """
     from scipy.interpolate import Akima1DInterpolator  # slow to import
 

@@ -66,7 +66,7 @@ class Waves:
 
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
-    """Return the amplitudes of the waves x = k t (m,) > 0 in a coated body."""
+    """Return the stress functions of film and body for surface tractions of wavenumbers x = k t (m,) > 0."""
     m = body.shear_ratio
     equations, right = np.zeros((x.size, 6, 6)), np.zeros((x.size, 6, 2))
     top, bottom, under = _film(0.0, x), _film(x, x), _decaying(np.zeros_like(x))

@@ -207,10 +207,9 @@ def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference
 
 
 def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> tuple[Difference, float, float]:
-    """Return the difference in pressure, and the pressure and hardness at which the set is read.
+    """Return how far the pressure lies outside that of the solved set, and the pressure and hardness at which the set is read.
 
-    All are over E* h'. Below the least hardness of the set all spots flow, so only pressure over hardness matters
-    there.
+    All are over E* h'. Below the least hardness of the set all spots flow, so only pressure over hardness matters there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())

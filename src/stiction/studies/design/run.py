@@ -360,7 +360,10 @@ def _spread(search: Designing, tell: Tell) -> None:
 
 
 def _front(objectives: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Return the rows of the Pareto front within the tolerance, ordered by the first objective."""
+    """Return the rows of Pareto-optimal designs, ordered by the first objective.
+
+    Designs that break a limit by more than TOLERANCE are left out.
+    """
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(objectives).all(axis=1))
     order = kept[np.lexsort((objectives[kept, -1], objectives[kept, 0]))]
     lowest = np.minimum.accumulate(np.concatenate([[np.inf], objectives[order, -1]]))[:-1]

@@ -25,7 +25,8 @@ _FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were giv
 class Fitted:
     """Hold a model with its best free numbers.
 
-    scale: factor on the errors, where none were stated or the scatter is larger (`found`); threshold: rise of chi square at the
+    scale: factor on the errors, where none were stated or the scatter exceeds them; found: whether the size of the errors was
+    estimated from the values themselves; threshold: rise of chi square at the
     ends of an interval; freedom: number of values minus number of free numbers that the model uses. profiles: one for each
     number, none where they were not requested.
     """
@@ -153,7 +154,10 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: Forward) -> np.ndarray:
-    """Return shares of the numbers in the case, or 0.5 where the case states none between the ends."""
+    """Return where the search starts: the place of each free number between its ends, 0 to 1 on its scale.
+
+    It is the place of the value in the case; 0.5 if the case states no value between the ends.
+    """
     shares = []
     for one in forward.parameters:
         value = _given(forward.plan.content, one.free.path)

@@ -257,7 +257,7 @@ def _attributes(fitting: Fitting) -> dict[str, Any]:
 
 
 def _unsure(fitting: Fitting) -> list[str]:
-    """Where the numbers of the answer are not what they should be."""
+    """Return sentences on doubtful results: a search without a minimum, or bands from too few independent sets of numbers."""
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:

@@ -64,7 +64,10 @@ class Curves:
 
 @dataclass(frozen=True)
 class Surfaces:
-    """The uncoated surface (n, 1, 1, 1, H) and all films (n, n_E, n_H, tau, H) at n pairs of indices."""
+    """Hold curves over H separations at n pairs (theta, lambda): the uncoated surface and all films.
+
+    bare: arrays (n, 1, 1, 1, H); films: arrays (n, n_E, n_H, tau, H).
+    """
 
     bare: Curves
     films: Curves

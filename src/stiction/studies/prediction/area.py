@@ -179,10 +179,10 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 
 
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
-    """Return the area by one model.
+    """Return the area by one model; weight: its weight in the combination.
 
-    The weight is 0 for contacts that have fewer asperities than any Gaussian surface, if the model refuses these. Raises
-    InputError or ArithmeticError.
+    Contacts whose N R sigma is too small for any Gaussian surface get the weight 0, if the model refuses these but not all.
+    Raises InputError or ArithmeticError.
     """
     try:
         points, tables = _solved(sampled, choice)

@@ -236,7 +236,7 @@ def _given(
 ) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
     """Return samples weighted by measured values, the attributes of their prediction, and updated uncertain numbers.
 
-    at: index of the working load; stated: uncertain numbers that the case itself states.
+    working_index: index of the working load in `loads`; stated: uncertain numbers that the case itself states.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))

@@ -53,7 +53,7 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
-    """Return the share of the inputs divided among the uncertain numbers, by name."""
+    """Divide the share of all inputs among the uncertain numbers, by the squared slopes of a linear fit."""
     from scipy.special import ndtri
 
     middle = Levels(levels.inputs, {name: np.full(len(levels), 0.5) for name in levels.others})

@@ -53,7 +53,10 @@ class Strength:
 
     @property
     def over_body(self) -> float:
-        """Return the stated strength, after ageing, over the shear strength of the weaker body; 0 if none is stated."""
+        """Return the median of the stated strength, after ageing, over the shear strength of the weaker body.
+
+        0 if no strength is stated.
+        """
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):

@@ -85,7 +85,10 @@ def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[floa
 
 
 def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Every key, a point and a size, once, ascending; and how many there are of it in all parts."""
+    """Merge the counts of all parts: return each key once, ascending, and its total count.
+
+    A key is one integer for a point and a bin of values.
+    """
     keys, counts = [np.empty(0, dtype=np.uint64)], [np.empty(0, dtype=np.int64)]
     waiting = 0
     for sizes, many in parts:

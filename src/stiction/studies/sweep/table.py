@@ -35,7 +35,7 @@ class Sample(Input):
         if self.is_drawn and self.count is None:
             raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
         if not self.is_drawn and self.count is not None:
-            raise InputError("count", self.count, f"not supported: a {self.method} has as many points as values")
+            raise InputError("count", self.count, "no value: count is for sobol and latin_hypercube")
         if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:
             raise InputError("count", self.count, f"{_MOST_HYPERCUBE} at most, or sobol, which may have more")
         return self

@@ -34,7 +34,7 @@ _LEAST_SHARE = 1e-200
 
 @formula
 def _softness(u, root, curve):
-    """Return K beta and 1 - e at the coordinate u.
+    """Return K beta and 1 - e at the coordinate u, with e = d ln(K beta)/d ln a and a the contact radius.
 
     curve: logarithms of K beta for the film and for the bodies, and coefficients of the curve between them.
     """
