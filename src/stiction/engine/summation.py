@@ -106,7 +106,10 @@ def scattered(
 
 
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:
-    """Return the function fill(h, law, sums), which uses one loop compiled for the regime."""
+    """Return fill(h, law, sums), which writes the sums over heights at separations h of the laws with these indices into sums.
+
+    It uses one loop that is compiled for this regime.
+    """
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
     given = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
     return lambda h, law, sums: compiled(h, law, *given, sums)

@@ -293,7 +293,7 @@ def kinds_of_additions() -> dict[str, type[Addition]]:
 
 
 def kinds() -> tuple[type[Record], ...]:
-    """Return all kinds of records."""
+    """Return the classes of records, such as AsperityLaw and FilmLaw."""
     additions = kinds_of_additions().values()
     return RoughSurface, AsperityLaw, TangentialLaw, FilmLaw, Composite, *additions, Criterion, AsperityMethod
 

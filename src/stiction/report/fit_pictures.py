@@ -40,9 +40,9 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield name, style, loads and values of each sample of a quantity.
+    """Yield name, style, x values and rows of the dataset for each sample that has this quantity, in the order of x.
 
-    Point numbers replace loads that are not known.
+    x is the load; if any load is unknown, the number of the point for all.
     """
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))

@@ -106,7 +106,7 @@ class View:
     is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
-        """Return a function that writes each table, dataset and picture, by file name."""
+        """Return, by file name, the function that writes each table, dataset or picture to a path."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)

@@ -28,10 +28,10 @@ _RATIO, _MOST = 1.01, 7
 
 
 class Unreachable(Exception):
-    """Report a load that a contact carries at no separation.
+    """Report a load that a contact does not carry at any separation.
 
-    law, at: indices of contact and load; low, high: ends of the range of loads that can be carried, normalised. Without
-    adhesion low is 0, which is outside the range.
+    law: index of the contact; at: index of the load; low, high: range of the loads that it carries, normalised. Without
+    adhesion low is 0, and 0 itself is not carried.
     """
 
     def __init__(self, law: int, at: int, low: float, high: float):
@@ -353,10 +353,9 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of contacts that need a larger farthest separation.
+    """Return for which contacts (n,) the table of loads must begin at a larger separation.
 
-    There the load is not yet negligible or still exceeds the smallest target, or the largest tension may lie farther
-    out.
+    At its farthest separation the load is not yet negligible, or the largest tension may lie beyond.
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

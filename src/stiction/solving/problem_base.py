@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.heights import Heights
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.quotient import quotient
 from stiction.records.registry import Record, RoughSurface
 from stiction.solving.chosen import Chosen
@@ -113,7 +113,9 @@ class Problem(ABC):
 
     def refuse_separation(self) -> NoReturn:
         """Raise the InputError of a model that has no separations."""
-        raise InputError("separation", None, f"a load instead, because {self.record.key} does not compute a separation")
+        raise InputError(
+            "separation", InWords("given"), f"a load instead, because {self.record.key} does not compute a separation"
+        )
 
 
 def with_coefficient(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:

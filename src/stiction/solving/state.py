@@ -172,11 +172,10 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the number of touching asperities (n, m) that would pull as much as all menisci together.
+    """Return the share of asperities (n, m) that, if they touched, would pull as much as all menisci together.
 
-    An asperity that does not touch pulls in proportion to the height of the meniscus left above its gap, over sigma
-    (equilibrium_meniscus). The sum is the integral of the share of Gaussian heights above a height, over the height of
-    a meniscus. touching: share of asperities that would touch without liquid.
+    An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: share of
+    asperities that would touch without liquid; height: of a meniscus, over sigma. Heights are Gaussian.
     """
     from scipy.special import ndtr, ndtri  # which a dry contact does without
 

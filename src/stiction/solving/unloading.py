@@ -294,7 +294,10 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
     short = distance < (0.0 if is_increase else -_ROUNDING * np.maximum(np.abs(nearest), 1.0))
     if not np.abs(distance).max(initial=0.0) <= FARTHEST:
         name = "separation_increase" if is_increase else "separation"
-        raise InputError(name, float(np.abs(distance).max()), f"{FARTHEST:g} times sigma at most")
+        farthest = float((np.abs(wanted) * unit).max())
+        raise InputError(
+            name, subject.show(farthest, "mean_separation"), f"within {FARTHEST:g} sigma of the smallest separation"
+        )
     if short.any():
         at = tuple(np.argwhere(short)[0])
         given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))

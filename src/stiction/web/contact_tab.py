@@ -1,4 +1,4 @@
-"""The tab Contact: curves over the load, with the interval of a prediction or the shares of one model."""
+"""The tab Contact: curves over load or separation, with the interval of a prediction, or the shares of one model's parts."""
 
 from typing import Any
 

@@ -47,7 +47,7 @@ def friction_coefficient(w_ratio):
 
 @formula
 def resistance(u, w, load, area, w_c):
-    """Return 0 and the yield-limited force mu P; both are 0 before first touch."""
+    """Return the slip-limited force, which is 0 in this law, and the yield-limited force mu P."""
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
 

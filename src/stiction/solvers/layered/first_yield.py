@@ -44,8 +44,9 @@ Forms = tuple[np.ndarray, ...]
 class Yield(NamedTuple):
     """Store the first yield at a mean pressure of 1 with a proportional traction.
 
-    excess: von Mises stress divided by the film's yield stress. where: "film", "interface" (either side) or "body". x:
-    position ahead of the axis, and z: depth below the surface, both divided by the contact radius.
+    excess: von Mises stress there, over the yield stress of that place in units of the body's yield stress. where: "film",
+    "interface" (either side) or "body". x: position ahead of the axis, and z: depth below the surface, both over the contact
+    radius.
     """
 
     excess: float

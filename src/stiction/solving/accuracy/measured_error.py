@@ -261,11 +261,12 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
 
 
 def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors of area laws on films, from the Gaussian maps with films.
+    """Return the errors of an area law on a film, measured on Gaussian maps with films; None if it was not measured.
 
-    Source: truth/films.csv. For a contact given by numbers, the other kinds of surface widen the errors as much as they
-    do for the law without a film, and a stated kind shifts them. Both effects are read at the pressure that gives the
-    same elastic area (Persson 2001), and at the hardness that lets the same share of that area flow.
+    Source: truth/films.csv. They are zero for a closed form whose own map is solvable. For a contact of numbers, other kinds
+    of surface widen the errors as they widen those of `persson_widened` without a film, and a stated kind shifts them. Both
+    effects are read at the pressure with the same elastic area (Persson 2001), and at the hardness that lets the same share
+    of it flow.
     """
     from scipy.special import erfinv
 

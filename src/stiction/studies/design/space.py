@@ -220,7 +220,10 @@ class Space:
         return product
 
     def _contacts(self, shares: np.ndarray, some: np.ndarray) -> tuple[dict[Address, Any], dict[str, Any]]:
-        """Return entries of the case and loads of some designs, which take the same of what is no number."""
+        """Return the numbers of the case by address, and the loads, for the designs in rows `some`.
+
+        These designs must share every choice that is not a number, such as materials.
+        """
         from xarray import DataArray
 
         named: dict[Address, Any] = {}
@@ -239,9 +242,9 @@ class Space:
         return named | numbers, {"load": DataArray(self.case.load, dims=("load",)) if load is None else load}
 
     def _sampled(self, named: Mapping[Address, Any], chosen: list[Address]) -> dict[Address, np.ndarray]:
-        """Return samples of the uncertain numbers that are not chosen, (samples,) each.
+        """Return samples (samples,) of each uncertain number that the design does not choose; {} for a prediction.
 
-        Designs of the same materials share them. A chosen material brings its own ranges.
+        Designs of the same materials share the samples.
         """
         if self.is_predicted:  # which draws for itself
             return {}

@@ -236,7 +236,10 @@ def _not_told_apart(fit: Fitted) -> list[list[int]]:
 
 
 def _carries(fit: Fitted, at: int, other: int) -> bool:
-    """Whether the other number goes far with this one, all along the sets that fit as well."""
+    """Return whether the other number moves much farther along the profile of this one than it could alone.
+
+    The profile holds the sets of numbers that fit about as well as the best one.
+    """
     if at == other or not _is_traded(fit, at, other):
         return False
     alone = 2.0 * np.sqrt(fit.threshold / (fit.best.jacobian[:, other] @ fit.best.jacobian[:, other] + 12.0))

@@ -30,7 +30,7 @@ def choice(coated: bool) -> Choice:
 
 
 def film_groups(tau: Any) -> dict[str, Any]:
-    """Return the groups of the thickness of a film of tau, a number or an array."""
+    """Return the two groups that depend on film thickness: tau, and film_aspect = tau SHARPNESS."""
     return {"tau": tau, "film_aspect": tau * SHARPNESS}
 
 

@@ -117,7 +117,10 @@ class AreaLaw:
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor for `grown_to` that corrects the nominal contact by these errors (n, m) of ln(area)."""
+        """Return the factor of `grown_to` that divides the area of the nominal contact by exp(error).
+
+        error: of ln(area), (n, m).
+        """
         share = np.clip(self.share, 1e-12, _MOST)
         return np.log1p(-np.minimum(share * np.exp(-error), _MOST)) / np.log1p(-share)
 

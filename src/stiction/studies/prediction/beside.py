@@ -23,10 +23,10 @@ _WIDE = 1.5  # factor of the area from which on it is no percentage
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
-    """Return the interval of mu if two metals touch without their film or surface layer; [] if nothing separates two metals.
+    """Return the interval of mu if two metals touch without the film or surface layer between them.
 
-    The contact spots are plastic, have the shear strength of clean metal, and grow under shear. Then mu is tau_0/H times
-    the junction growth, which does not depend on the hardness H.
+    [] if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the shear strength of
+    clean metal, and grow under shear. Then mu is tau_0/H times the junction growth, and does not depend on the hardness H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)

@@ -108,7 +108,7 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
 def _needed(pressure: np.ndarray, columns: list[tuple[np.ndarray, float]], working_index: int) -> np.ndarray:
     """Return the indices of the rows that linear interpolation in pressure needs to keep each column within its error bound.
 
-    columns: (values, relative bound). kept: index of a row that is always included.
+    columns: (values, relative bound). working_index: index of a row that is always included, as the first and the last are.
     """
     rows, last = [0], len(pressure) - 1
     while rows[-1] < last:

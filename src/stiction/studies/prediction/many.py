@@ -165,9 +165,9 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
 def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
     """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
-    Variables are named as in `predict`. Refused contacts are NaN; the attribute `refused` counts them, and `draws` is the
-    number of samples per contact. Raises InputError if the case has separations instead of loads, or if all contacts are
-    refused.
+    Variables are named as in `predict`. Refused points, each a contact at a load, are NaN; the attribute `refused` counts
+    them. `draws` is the number of samples per contact. Raises InputError if the case has separations instead of loads, or if
+    all points are refused.
     """
     import xarray
 

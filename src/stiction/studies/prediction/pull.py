@@ -53,7 +53,7 @@ class Pull:
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
     def at_load(self, index: int) -> "Pull":
-        """Return the factors for a single contact at the load with this index."""
+        """Return the area factors of adhesion and menisci at one load, by its index; for a case with one contact."""
         *adhesion, menisci, most = (
             table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
         )
@@ -117,7 +117,10 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return the exponent m (n or 1, m or 1) by which merging spots raise the factor of an asperity sum."""
+    """Return the exponent of the adhesion factor of an asperity sum, 1 to 2: 2 where spots merge because adhesion is strong.
+
+    Its shape is (n or 1, m or 1), over samples and points.
+    """
     from xarray import DataArray
 
     groups, dims = Groups.of(sampled.drawn.indices())

@@ -66,9 +66,10 @@ class Realisations(Input):
 
 @dataclass(frozen=True)
 class MapOfPlace:
-    """One map: its entry of the list, and which patch or realisation of it.
+    """One map of a sweep: a patch of a scan file, or a random realisation of a spectrum.
 
-    folder: from which files are named; content: digest of the file, "" of a realisation.
+    entry: element of the sweep's list of surfaces. index: number of the patch or realisation. folder: file names are relative
+    to it. content: digest of the file, "" for a realisation.
     """
 
     entry: Any
@@ -108,7 +109,10 @@ class MapOfPlace:
 
 @lru_cache(maxsize=1)
 def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
-    """Return the map of a file, kept for its next patch."""
+    """Return the whole map of a file. The last one stays in memory, because its patches follow each other.
+
+    _content: digest of the file, which only makes a changed file be read again.
+    """
     return surface_of(Scan(**{name: getattr(entry, name) for name in Scan.model_fields}), folder, "first")
 
 

@@ -219,9 +219,9 @@ def _fill_curves(separations, spread, series, gauss, sums):
 
 @kernel
 def _add_series(x, first, last, coefficients, work, out):
-    """Add the Chebyshev series out[f, k] at x[k], k from first to last.
+    """Write out[f, k], the sum of Chebyshev series f at x[k], for first <= k < last.
 
-    For both rows of coefficients, by Clenshaw's recurrence.
+    Both rows of coefficients are summed by Clenshaw's recurrence; work: scratch.
     """
     for f in range(coefficients.shape[0]):
         one, two, series = work[f, 0], work[f, 1], coefficients[f]
@@ -238,9 +238,9 @@ def _add_series(x, first, last, coefficients, work, out):
 
 @kernel
 def _put_means(h, count, above, below, x, work, mean):
-    """Write mean[f, k]: F_3/2 and F_1 of h[k], which fall with k from 0 to count.
+    """Write mean[0, k] = F_3/2(h[k]) and mean[1, k] = F_1(h[k]) for k < count; h descends.
 
-    x, work: scratch.
+    above, below: Chebyshev coefficients for h >= 0 and h < 0. x, work: scratch.
     """
     high = 0
     while high < count and h[high] >= _FAR:

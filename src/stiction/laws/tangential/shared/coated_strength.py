@@ -110,11 +110,11 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the strength of an elastic piece as columns (n,), and coordinates (n, k) at which its curve bends.
+    """Return the squared mean traction at which film or body yields along an elastic piece, and where its curve bends.
 
-    The columns are: u where the load alone causes yield, factor and scale of the coordinate in `strength_at`, spline
-    coefficients. The piece belongs to a film law that solves film and body together. groups: complete groups of contacts with
-    a film.
+    The first is the arguments of `strength_at` as columns (n,): u where the load alone causes yield, factor and scale of the
+    coordinate, spline coefficients. The second is coordinates (n, k). The piece belongs to a film law that solves film and
+    body together. groups: complete groups of contacts with a film.
     """
     laws = len(groups)
     different, which = bodies_of(groups)

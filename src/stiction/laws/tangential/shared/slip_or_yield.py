@@ -79,9 +79,9 @@ def _turning_point(low, high, shape, printed):
 
 @formula
 def _dip(nu, shape, printed):
-    """Return the two turning points between which G falls, beyond the touching point; that point twice if G only rises.
+    """Return the two y between which the function G of the module falls; y of first touch twice if G only rises.
 
-    The slope of G falls from the touching point to a single lowest value and rises to 4/3 from there.
+    d ln G/d ln y falls from first touch to a single lowest value, then rises to 4/3.
     """
     lowest, least, ratio = _TOUCH, 0.1, 1.4
     y = _TOUCH
