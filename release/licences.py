@@ -37,8 +37,8 @@ def licence_of(package) -> str:
     """Return the licence that a package states: its expression, else its classifiers, else the first line of its text."""
     about = package.metadata
     classifiers = [line.rpartition(" :: ")[2] for line in about.get_all("Classifier") or () if line.startswith("License ::")]
-    text = (about["License"] or "").strip().splitlines()
-    return about["License-Expression"] or ", ".join(classifiers) or (text[0][:60] if text else "not stated")
+    text = (about.get("License") or "").strip().splitlines()
+    return about.get("License-Expression") or ", ".join(classifiers) or (text[0][:60] if text else "not stated")
 
 
 def problems(licences: dict[str, str]) -> list[str]:

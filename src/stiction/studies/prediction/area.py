@@ -55,8 +55,8 @@ _OF_FEW = 2.0
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
     """Return an area multiplied by a factor while it is small, and limited by the nominal area."""
     share = area / nominal
-    # log1p, because 1 - share has no digits of a share of 1e-16; a closed contact stays closed.
-    log_open = np.where(share < 1.0, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)), _LOG_CLOSED)
+    # log1p, because 1 - share has no digits of a share of 1e-16; a closed contact stays closed, and an unknown one unknown.
+    log_open = np.where(share >= 1.0, _LOG_CLOSED, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)))
     return nominal * -np.expm1(log_open * factor)
 
 
