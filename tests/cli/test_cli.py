@@ -256,7 +256,7 @@ def refused(*words, field):
     result = command(*words, code=2)
     assert result.stdout == ""
     assert result.stderr.startswith("stiction: ") and result.stderr.count("\n") == 1
-    assert field in result.stderr and "; allowed: " in result.stderr
+    assert field in result.stderr and ("; allowed: " in result.stderr or "; not supported" in result.stderr)
     return result.stderr
 
 

@@ -128,7 +128,7 @@ def test_what_cannot_be(case, tmp_path):
         (str(case), "--load", "much"): "--load: 'much'",
         (str(case), "--load", "-1 N"): "load: '-1 N'",
         (str(case), "--tangential", "hamilton_1983"): "take layered_first_yield",
-        (str(case), "--model", "persson_2001"): "an asperity model, because the contact has a film",
+        (str(case), "--model", "persson_2001"): "because this contact has a film",
     }
     for words, text in said.items():
         result = run(*words, code=2)

@@ -175,8 +175,8 @@ def test_groups_know_the_film_itself():
 @pytest.mark.parametrize(
     ("more", "line"),
     [({"films": 1.5}, "films: 1.5; allowed: 1 or 2"),
-     ({"films": 2, "coated_share": 1.0}, "coated_share: 1.0; allowed: below 1 where both bodies are coated"),
-     ({"coated_share": 0.5, "n_E": 2.5}, "n_E: 2.5; allowed: 1/(1 - coated_share) at most")],
+     ({"films": 2, "coated_share": 1.0}, "coated_share: 1.0; allowed: below 1"),
+     ({"coated_share": 0.5, "n_E": 2.5}, "n_E: 2.5; allowed: at most 1/(1 - coated_share)")],
 )  # fmt: skip
 def test_films_that_cannot_be(more, line):
     with pytest.raises(InputError) as caught:

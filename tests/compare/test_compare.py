@@ -120,7 +120,7 @@ def test_films():
         assert shown > 1 if film.key == "sequential" or film.solved_as_one else shown == film.interchangeable
     assert data.sel(model="jackson_green_2005 + layered")["outside_validity"].item() == ""
     assert "kogut_etsion_2004 + layered: " in data.attrs["not_applicable"]
-    assert "persson_2001: " in data.attrs["not_applicable"] and "the contact has a film" in data.attrs["not_applicable"]
+    assert "persson_2001: " in data.attrs["not_applicable"] and "this contact has a film" in data.attrs["not_applicable"]
 
 
 def test_a_film_solved_with_its_body_takes_the_friction_of_its_model_or_its_like():

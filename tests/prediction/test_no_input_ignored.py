@@ -20,7 +20,7 @@ BODY = {
     "tangent_modulus": "4 GPa", "characteristic_depth": "100 nm", "surface_energy": "1 J/m^2", "material_class": "metal",
 }  # fmt: skip
 SURFACE = {"asperity_height_deviation": "50 nm", "asperity_radius": "5 um", "asperity_density": "1.6e11 1/m^2"}
-SHAPE = {"kind": "worn", "skewness": -0.7, "kurtosis": 4.0, "texture_aspect_ratio": 0.8}
+SHAPE = {"kind": "worn", "skewness": -0.7, "kurtosis": 9.0, "texture_aspect_ratio": 0.8}
 ROUGH = {**SURFACE, **SHAPE, "height_distribution": "weibull", "height_parameters": {"exponent": 3.0}}
 LIQUID = {
     "relative_humidity": 0.6, "contact_angle_first": "10 deg", "contact_angle_second": "20 deg", "temperature": "290 K",

@@ -92,7 +92,7 @@ def test_friction_falls_with_a_shorter_slip_and_never_leaps():
 
 
 def test_a_slip_needs_a_residual_strength():
-    with refusal("residual_strength", "not given", "beside weakening_slip"):
+    with refusal("residual_strength", "not given", "weakening_slip"):
         st.Contact(**PAIR, weakening_slip="1 nm")
 
 

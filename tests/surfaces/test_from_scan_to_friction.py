@@ -344,7 +344,7 @@ def test_a_sweep_of_a_scan_is_of_the_method_that_stands_for_it(folder, tmp_path)
 def test_a_roughness_that_is_measured_is_one(folder, roughness, said):
     with pytest.raises(st.InputError) as refused:
         st.read_case(case(folder, roughness))
-    assert str(refused.value).startswith(said) and "one number, where scans say" in str(refused.value)
+    assert str(refused.value).startswith(said)
 
 
 def test_compare_gives_each_model_its_band(folder):

@@ -11,6 +11,7 @@ from stiction.quantities.errors import InputError
 from stiction.records.registry import kinds_of_additions
 from stiction.solving.choice import DEFAULT_MODEL
 from stiction.surfaces.finished import is_finished
+from stiction.surfaces.roughness import SHAPE
 from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import (
@@ -234,7 +235,7 @@ class Form:
                 self._material(one)
             elif isinstance(one, Choices):
                 self._menu(label_of(one.path), list(one.values), str(got(tables, one.path) or one.default), one.path)
-            elif one.required or got(tables, one.path) is not None or part.path == ROUGHNESS:
+            elif one.required or got(tables, one.path) is not None or (part.path == ROUGHNESS and one.path[-1] not in SHAPE):
                 self._number(one)
             else:
                 self._rare.append(one)

@@ -86,5 +86,5 @@ def test_the_operator_is_that_of_cerruti_and_its_own_transpose(periodic):
 
 def test_films_are_refused():
     coated = ShearCompliance((Film(1.0, 2.6, 0.3, 7.0, 0.2), RIGID))
-    with refusal("film", "not alike", "none"):
+    with refusal("film", "no film"):
         Coupling(coated, (8, 8), (1.0, 1.0), periodic=True)
