@@ -70,12 +70,12 @@ def test_without_a_model_the_prediction_answers(tmp_path):
     assert f"90% interval {low} to {high}" in text and letters(found.attrs["regime"]) in text
 
 
-@pytest.mark.parametrize(("ranges", "counted"), [("", "counted"), ("[uncertainty]\nranges = false\n", "not counted")])
+@pytest.mark.parametrize(("ranges", "counted"), [("", "in"), ("[uncertainty]\nranges = false\n", "not in")])
 def test_inputs_say_what_the_answer_counts_and_where_the_strength_comes_from(tmp_path, ranges, counted):
     """The ranges of materials are drawn unless the case says otherwise; the strength is that of the state that it names."""
     write_report(small(tmp_path, OXIDISED + ranges), tmp_path / "report.html")
     text = " ".join(Page((tmp_path / "report.html").read_text(encoding="utf-8")).text.split())
-    ranged = re.findall(r"known range .*?: (not counted|counted)", text)
+    ranged = re.findall(r", (not in|in) the interval of mu", text)
     assert ranged and set(ranged) == {counted}
     assert "state of the interface oxidised metal the case" in text
     assert "the state of the interface (stiction interfaces)" in text and "interface." not in text.split("Curves")[0]

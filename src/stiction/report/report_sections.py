@@ -108,7 +108,7 @@ def _range(material: Material | None, name: str, counted: bool) -> str:
     if material is None or name not in material.range:
         return ""
     known = range_in_words(*material.range[name], name)
-    return with_powers(f"known range {known}: {'counted' if counted else 'not counted'} in the interval of mu")
+    return with_powers(f"{known}, {'in' if counted else 'not in'} the interval of mu")
 
 
 def _source_of_material(material: Material, name: str, path: tuple[str, ...], places: frozenset) -> str:
