@@ -11,6 +11,7 @@ import argparse
 import json
 import math
 import random
+import shutil
 import signal
 import sys
 import tempfile
@@ -34,9 +35,8 @@ from stiction import cli
 from stiction.case.text import as_toml
 
 # Commands that every case may be asked, and those that read a section of it; each with the share of cases that run it.
-COMMANDS = {"run": 1.0, "compare": 0.15, "sensitivity": 0.05, "film": 0.1, "slide": 0.1, "unload": 0.1, "export": 0.1}
+COMMANDS = {"run": 1.0, "compare": 0.15, "sensitivity": 0.05, "film": 0.1, "slide": 0.1, "export": 0.1}
 SECTION_COMMANDS = {"sweep": "sweep", "design": "design"}
-_MAY_BE_NEGATIVE = ("load", "separation")
 
 
 class TooLong(BaseException):
@@ -104,8 +104,6 @@ def said_of(command: str, path: Path, seconds: int) -> tuple[int, str] | str:
         return f"more than {seconds} s"
     finally:
         if command == "sweep":
-            import shutil
-
             shutil.rmtree(out, ignore_errors=True)
     if isinstance(result.exception, TooLong):
         return f"more than {seconds} s"
