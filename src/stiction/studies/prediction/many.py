@@ -11,7 +11,7 @@ from stiction.case.read import Case
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.contact.contact import Contact
 from stiction.quantities.dimensions import arranged, coordinates, dimensions
-from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.errors import InputError
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.pointwise import REFUSED, BatchResult, Region, bisected, pieces
 from stiction.studies.evaluate_many import part_of
@@ -148,17 +148,15 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers with the height of a surface finish as one float; its asperities are sampled for one surface only.
+    """Return the numbers with a single height of a surface finish as a float.
 
-    Raises InputError for several heights, so that they are predicted one by one.
+    `with_finish` refuses several heights, because it samples one surface only; they are then predicted one by one.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     found = dict(numbers)
     for path, value in numbers.items():
-        if finished and path[:2] == ("contact", "roughness") and hasattr(value, "dims"):
-            if value.size > 1:
-                raise InputError(".".join(path), InWords(f"{value.size} heights"), "one height of a surface with a finish")
-            found[path] = float(value.squeeze())
+        if finished and path[:2] == ("contact", "roughness") and getattr(value, "size", 0) == 1:
+            found[path] = value.item()
     return found
 
 
