@@ -111,12 +111,17 @@ def solve_adhesive(
     gap = _without_adhesion(heights, size, compliance, max(loads[0], 0.0) / grid.nominal, work) / reach
     contacts = []
     for load in loads:
-        pressure = load / grid.nominal / grid.largest
-        descent = Downhill(faces, gap, pressure)
-        descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
+        descent = _descended(faces, gap, load / grid.nominal / grid.largest)
         gap = descent.gap
         contacts.append(_contact(faces, descent, load, grid))
     return contacts
+
+
+def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
+    """Return the descent from a gap to the next equilibrium under a pressure, over the largest attraction."""
+    descent = Downhill(faces, gap, pressure)
+    descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
+    return descent
 
 
 @dataclass(frozen=True)
@@ -144,14 +149,13 @@ class Adhering:
     @property
     def area(self) -> float:
         """Return the area of the points that touch, corrected for pixels [m2]."""
-        return self.grid.area(self.touching) * self.pixel
+        touching = self.touching
+        return self.grid.area(int(np.count_nonzero(touching)), edges(touching, True).count) * self.pixel
 
     def with_share(self, share: np.ndarray | None) -> "Adhering":
         """Return the contact where only a share (rows, columns) of the work of adhesion is left, downhill from this one."""
         faces = replace(self.faces, share=share)
-        descent = Downhill(faces, self.gap, self.pressure)
-        descent.run(min(_LEFT, -_OF_TENSION * self.pressure) if self.pressure < 0.0 else _LEFT)
-        return replace(self, faces=faces, gap=descent.gap)
+        return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
 
 
 def adhering(
@@ -191,9 +195,9 @@ class _Grid:
         """Return the coefficient c of (2), which corrects the area for pixel size."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
-    def area(self, touch: np.ndarray) -> float:
-        """Return the number of points that touch, less the excess of those at edges."""
-        return max(np.count_nonzero(touch) - self.excess * edges(touch, True).count, 0.0)
+    def area(self, points: int, sides: int) -> float:
+        """Return the number of points that touch, less their excess at so many sides between contact and none."""
+        return max(points - self.excess * sides, 0.0)
 
     @property
     def validity_warnings(self) -> tuple[ValidityWarning, ...]:
@@ -253,7 +257,7 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
         )
     return AdhesiveContact(
         load=load,
-        area=grid.area(touch) * pixel,
+        area=grid.area(points, sides.count) * pixel,
         area_pixels=points * pixel,
         points=points,
         perimeter=0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1]),
