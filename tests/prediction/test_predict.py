@@ -260,3 +260,8 @@ def test_the_kind_of_a_surface_narrows_the_answer_under_a_film_too():
 @pytest.mark.parametrize(("share", "grown"), [(1e-26, 2e-26), (1e-16, 2e-16), (0.5, 0.75), (1.0, 1.0)])
 def test_an_area_grows_also_where_it_is_a_tiny_share_of_the_nominal(share, grown):
     assert grown_to(np.array(share), np.array(2.0), np.array(1.0)) == pytest.approx(grown, rel=1e-12)
+
+
+def test_an_unknown_area_stays_unknown_and_a_closed_contact_closed():
+    grown = grown_to(np.array([np.nan, 1.0, 2.0, np.inf]), np.array(0.1), np.array(1.0))
+    assert np.isnan(grown[0]) and (grown[1:] == 1.0).all()

@@ -133,31 +133,35 @@ def test_the_corrected_area_hardly_depends_on_the_points(hardness):
     assert steady == pytest.approx(steady[0], rel=0.01)
 
 
+def wave_contact(along_y, along_x, share, draw):
+    """The contact of Westergaard's waves of a random phase on 96 points, its exact area, and its sides in points."""
+    step = np.arange(96) / 96
+    wave = 2.0 * math.pi * (along_y * step[:, None] + along_x * step) + draw.uniform(0.0, 6.0)
+    full = 0.5 * 2.0 * math.pi * math.hypot(along_y, along_x) * 1e-3
+    (found,) = solve_map(1e-3 * np.cos(wave), UNIT, modulus=1.0, loads=[share * full], periodic=True, stiffness=False)
+    return found, 2.0 * math.asin(math.sqrt(share)) / math.pi, found.perimeter * 4.0 / math.pi / 96
+
+
 def test_the_excess_of_pixels_at_edges_of_all_directions():
-    """Westergaard's waves at angles to the pixels, of phases that fall anywhere: A = 2 arcsin(sqrt(p/p*))/pi."""
-    count, excess, sides, draw = 96, [], [], np.random.default_rng(0)
+    """Westergaard's waves at angles to the pixels: A = 2 arcsin(sqrt(p/p*))/pi."""
+    excess, sides, draw = [], [], np.random.default_rng(0)
     for along_y, along_x in ((4, 0), (4, 1), (5, 1), (5, 2), (5, 3), (5, 4), (9, 1), (7, 2), (7, 4), (7, 6)):
-        step = np.arange(count) / count
         for share in draw.uniform(0.1, 0.8, 6):
-            wave = 2.0 * math.pi * (along_y * step[:, None] + along_x * step) + draw.uniform(0.0, 6.0)
-            full = 0.5 * 2.0 * math.pi * math.hypot(along_y, along_x) * 1e-3
-            (found,) = solve_map(1e-3 * np.cos(wave), UNIT, modulus=1.0, loads=[share * full], periodic=True, stiffness=False)
-            excess.append(found.area_pixels - 2.0 * math.asin(math.sqrt(share)) / math.pi)
-            sides.append(found.perimeter * 4.0 / math.pi / count)
+            found, exact, around = wave_contact(along_y, along_x, share, draw)
+            excess.append(found.area_pixels - exact)
+            sides.append(around)
     assert sum(excess) / sum(sides) == pytest.approx(0.1, abs=0.015)
 
 
 def test_the_area_of_waves_along_the_pixels():
     """Westergaard's waves along the pixels and at 14 degrees. With one coefficient .01 to .09 of a pixel would be left."""
-    count, draw = 96, np.random.default_rng(1)
+    draw = np.random.default_rng(1)
     for along_y, along_x in ((4, 0), (0, 5), (4, 1)):
-        step, left, sides = np.arange(count) / count, [], []
+        left, sides = [], []
         for share in draw.uniform(0.1, 0.8, 12):
-            wave = 2.0 * math.pi * (along_y * step[:, None] + along_x * step) + draw.uniform(0.0, 6.0)
-            full = 0.5 * 2.0 * math.pi * math.hypot(along_y, along_x) * 1e-3
-            (found,) = solve_map(1e-3 * np.cos(wave), UNIT, modulus=1.0, loads=[share * full], periodic=True, stiffness=False)
-            left.append(found.area - 2.0 * math.asin(math.sqrt(share)) / math.pi)
-            sides.append(found.perimeter * 4.0 / math.pi / count)
+            found, exact, around = wave_contact(along_y, along_x, share, draw)
+            left.append(found.area - exact)
+            sides.append(around)
         assert sum(left) / sum(sides) == pytest.approx(0.0, abs=0.035)
 
 
