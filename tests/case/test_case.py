@@ -148,7 +148,7 @@ def test_settings(read):
             '{ start = 4, stop = -4, count = 9, spacing = "log" }',
             "solve.separation.stop: -4; allowed: above 0 with spacing",
         ),
-        ("separation = [1]", "load = [1]", "solve.load: 1; allowed: text with a unit: net normal load"),
+        ("separation = [1]", "load = [1]", "solve.load: 1; allowed: text with a unit: normal load"),
         ("separation = [1]", 'load = ["1 m"]', "solve.load: '1 m'; allowed: any finite number in N"),
         (
             "separation = [1]",

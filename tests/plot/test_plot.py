@@ -53,9 +53,9 @@ def test_a_curve_has_labelled_axes_and_shows_the_numbers(silver):
     friction, area, load, force = figure.axes
     assert "a title" in figure.get_suptitle() and "soft_coating_2015" in figure.get_suptitle()
     for axes in (friction, area, force):
-        assert axes.get_xlabel() == "net normal load $P$ [N]" and axes.get_xscale() == "log"
+        assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_xscale() == "log"
     assert area.get_ylabel() == "real contact area $A$ [µm²]"
-    assert load.get_xlabel() == "mean separation $d$ [nm]" and load.get_ylabel() == "net normal load $P$ [N]"
+    assert load.get_xlabel() == "mean separation $d$ [nm]" and load.get_ylabel() == "normal load $P$ [N]"
     np.testing.assert_array_equal(friction.lines[0].get_ydata(), silver["friction_coefficient"])
     np.testing.assert_array_equal(lines(area)["plastic asperities"].get_ydata(), silver["contact_area_plastic"])
     np.testing.assert_array_equal(lines(load)["total"].get_xdata(), silver["mean_separation"])

@@ -151,11 +151,11 @@ async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_lar
 @in_a_loop
 async def test_at_given_separations_it_is_said_that_the_load_moved():
     async with _page(packed(of_one_model())) as user:
-        before = _input(user, "net normal load, adhesion included P").value
+        before = _input(user, "normal load, adhesion included P").value
         _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
         await _until(user, lambda: any(text.startswith("The load moved from 2.36 N to ") for text in _texts(user)))
-        assert _input(user, "net normal load, adhesion included P").value != before
-        _input(user, "net normal load, adhesion included P").set_value("3 N")  # from then on the load is given
+        assert _input(user, "normal load, adhesion included P").value != before
+        _input(user, "normal load, adhesion included P").set_value("3 N")  # from then on the load is given
         await _until(user, lambda: "at a load of 3 N" in " ".join(_texts(user)))
 
 

@@ -171,7 +171,7 @@ def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
     """Silver film on hardened steel: mu 0.0457 at 2.36 N, by the first screen; drawn by a browser from these options."""
     at = answer.middle()
     options = curve_chart(answer.curve, "friction_coefficient", "load", at, False)
-    assert options["xAxis"]["name"] == "net normal load P [N]" and options["yAxis"]["name"] == "friction coefficient mu"
+    assert options["xAxis"]["name"] == "normal load P [N]" and options["yAxis"]["name"] == "friction coefficient μ"
     separations = curve_chart(answer.curve, "contact_area", "mean_separation", at, False)
     assert separations["xAxis"]["name"] == "mean separation d [nm]"
     assert separations["yAxis"]["name"] == "real contact area A [m^2]"

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from stiction.report.answer import at_working_load, headline, part_name
-from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, scale_friction
+from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, label, scale_friction
 
 if TYPE_CHECKING:
     import xarray
@@ -59,7 +59,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.vlines(beside, data["measured_low"], data["measured_high"], color=RED, linewidth=5, label="measured")
     axes.plot(beside, data["measured"], "_", color=RED, markersize=9)
     axes.set(xscale="log", yscale="log", ylim=(None, 6.0 * quantiles.max()))  # room for the legend
-    finish(axes, xlabel="load $P$ [N]", ylabel=MU_LABEL, title=data.attrs["title"])
+    finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL, title=data.attrs["title"])
     axes.legend(fontsize=8, ncols=2, loc="upper center")
 
 

@@ -65,7 +65,7 @@ def slide(
     contact : Contact or Indices
         As in `solve`, without a film.
     separation, load : float, str with a unit, or array, optional
-        Exactly one of them, as in `solve`: mean separation [m] or net normal load [N].
+        Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     displacement : float [m], str with a unit, or array, optional
         Tangential displacements from rest, 0 or more; over sigma for Indices. By default 61 of them, up to 1.5 times the
         largest sliding displacement.

@@ -144,5 +144,5 @@ def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -
     validity_warnings = warnings_of_rounding(carried, points.wanted)
     if validity_warnings and "load" in data.coords:
         beside = as_variables(points.problem.subject, {"load": carried}, points.factors, points.dims)["load"]
-        data["load_carried"] = (*beside[:2], beside[2] | {"long_name": "net normal load that is carried"})
+        data["load_carried"] = (*beside[:2], beside[2] | {"long_name": "normal load that is carried"})
     return with_warnings(data, validity_warnings)

@@ -146,7 +146,7 @@ def unload(
 # What is in no table of quantities: like which quantity each is measured, and what it is.
 _DESCRIBED = {
     "min_separation": ("mean_separation", "nearest mean separation reached"),
-    "max_load": ("load", "net normal load at the nearest mean separation reached"),
+    "max_load": ("load", "normal load at the nearest mean separation reached"),
     "separation_increase": ("mean_separation", "distance by which the surfaces have been drawn apart"),
     "pull_off_separation": ("mean_separation", "mean separation at the largest tension, undefined where there is none"),
     "zero_load_separation": (

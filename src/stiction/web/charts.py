@@ -7,6 +7,7 @@ import xarray
 
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
+from stiction.report.html_words import letters
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
 from stiction.report.table import prefix
@@ -34,7 +35,7 @@ def numbers(values: Any) -> list[float | None]:
 def axis_name(variable: xarray.DataArray) -> str:
     """Return meaning, symbol and unit of a result, short enough for a telephone."""
     row, unit = QUANTITIES[str(variable.name)], unit_of(variable)
-    return f"{(row.short or row.meaning).partition(',')[0]} {row.symbol}".strip() + (f" [{unit}]" if unit else "")
+    return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:

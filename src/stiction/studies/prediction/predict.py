@@ -228,7 +228,7 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
     variables: dict[str, tuple] = {name: ("load", *result) for name, result in intervals(samples, loads, level).items()}
     mu = np.where(np.isfinite(samples.force), samples.force / loads, np.nan)
     variables["friction_coefficient_samples"] = (("sample", "load"), mu)
-    return xarray.Dataset(variables, coords={"load": ("load", loads, {"units": "N", "long_name": "load"})})
+    return xarray.Dataset(variables, coords={"load": ("load", loads, QUANTITIES["load"].attributes)})
 
 
 def _given(

@@ -51,7 +51,7 @@ def film_stresses(
     contact : Contact or Indices
         One contact with a film: numbers, no arrays.
     separation, load : float, str with a unit, or array, optional
-        Exactly one of them, as in `solve`: mean separation [m] or net normal load [N].
+        Exactly one of them, as in `solve`: mean separation [m] or normal load [N].
     model : str, optional
         As in `solve`.
     heights : Heights or str, optional
