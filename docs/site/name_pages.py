@@ -20,7 +20,7 @@ GROUPS = {
     "Case files": ("read_case", "solve_case", "compare_case", "slide_case", "write_report"),
     "Studies": ("compare", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
-                          "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
+                          "combined_spectrum", "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
     "What is known, and by whom": ("models", "interfaces", "cite", "show_config"),
     "What is wrong with an input": ("InputError", "InputWarning"),
 }  # fmt: skip

@@ -36,6 +36,7 @@ from .studies.sensitivity.run import sensitivity as sensitivity
 from .studies.stresses.film_stress import film_stresses as film_stresses
 from .studies.sweep.run import sweep as sweep
 from .studies.validation import validate as validate
+from .surfaces.combined_spectrum import combined_spectrum as combined_spectrum
 from .surfaces.finding import asperities as asperities
 from .surfaces.generate import gaussian_surface as gaussian_surface
 from .surfaces.generate import non_gaussian_surface as non_gaussian_surface

@@ -78,8 +78,7 @@ def test_every_page_is_in_a_table_of_contents():
 
 def test_every_public_name_has_its_page():
     listed = [name for names in name_pages.GROUPS.values() for name in names]
-    left_out = {"fan"}  # the old name of another
-    assert sorted(listed) == sorted(set(st.__all__) - left_out - {"__version__"})
+    assert sorted(listed) == sorted(set(st.__all__) - {"__version__"})
     assert len({name_pages.page_name(name).lower() for name in listed}) == len(listed)
 
 

@@ -169,6 +169,8 @@ def test_default_cutoffs_go_from_the_map_itself_to_a_tenth_of_its_size():
     np.testing.assert_allclose(cutoffs[[1, -1]], [80e-9, 200e-9], rtol=1e-12)
     np.testing.assert_allclose(np.diff(np.log(cutoffs[1:]), 2), 0.0, atol=1e-12)
     assert default_cutoffs(HeightMap(np.zeros((30, 30)), (1e-6, 1e-6))).tolist() == [0.0]
+    blunt = default_cutoffs(HeightMap(np.zeros((200, 200)), (4e-6, 2e-6)), shortest=120e-9)  # a tip that does not follow
+    np.testing.assert_allclose(blunt[[0, 1, -1]], [0.0, 120e-9, 200e-9], rtol=1e-12)
 
 
 def test_progress_wraps_the_cutoffs(surface):

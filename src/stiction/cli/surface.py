@@ -68,10 +68,11 @@ def surface(
 
             solved = contact_of_map(scan, pressures, hardness)
     if out is not None:
-        from stiction.studies.scans.resolution import resolution_study
+        from stiction.studies.scans.resolution import default_cutoffs, resolution_study
 
         contact_at = {"contact": chosen.subject, "load": chosen_load, "choice": chosen.choice} if chosen else {}
-        resolution = resolution_study(analysis.surface, progress=bar("Studying the resolution"), **contact_at)
+        cutoffs = default_cutoffs(analysis.surface, analysis.spectrum.shortest)  # not below what the tip could follow
+        resolution = resolution_study(analysis.surface, cutoffs, progress=bar("Studying the resolution"), **contact_at)
     from stiction.report.views.surface import surface_view
 
     steps = {"form": form, "spikes": spikes, "fill": fill, "shortest": shortest, "longest": longest}

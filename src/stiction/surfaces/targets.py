@@ -10,6 +10,7 @@ over all directions is 1/2 for cos^2 and 3/8 for cos^4 (Nayak 1971).
 """
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from numbers import Real
 
@@ -21,6 +22,7 @@ from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.theory.moments import Moments
 
 _SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # of M_k that a line sees, by dimensions
+_SOLID = {1: math.pi, 2: 2.0 * math.pi}  # of (2 pi)^d over the directions of q, by dimensions
 _EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whatever the rounding
 
 
@@ -29,6 +31,13 @@ def require_positive(**values: float) -> None:
     for name, value in values.items():
         if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
             raise InputError(name, value, "a finite number > 0")
+
+
+def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:
+    """Return the moments of a line from Int C q^(k + d) d ln q for k = 0, 2, 4, where d is `dimensions`."""
+    return Moments(
+        *(share * integral / _SOLID[dimensions] for share, integral in zip(_SHARES[dimensions], integrals, strict=True))
+    )
 
 
 def _to_metres(spectrum, *names: str) -> None:
@@ -116,19 +125,20 @@ class SelfAffine:
 
         The integrals assume a continuous spectrum, as on an infinite surface.
         """
-        zeroth, second, fourth = (self._shape(k) for k in (0, 2, 4))
-        m0 = self.deviation**2
-        _, two, four = _SHARES[self.dimensions]
-        return Moments(m0, two * m0 * second / zeroth, four * m0 * fourth / zeroth)
+        plateau = self._plateau
+        return line_moments(self.dimensions, (plateau * self._shape(k) for k in (0, 2, 4)))
 
     def __call__(self, q: np.ndarray) -> np.ndarray:
         """Return C at wave numbers q >= 0 [rad/m]: m^4 for a surface, m^3 for a profile."""
         lowest, corner, highest = self._edges()
-        solid = {1: math.pi, 2: 2.0 * math.pi}[self.dimensions]
-        plateau = self.deviation**2 * solid / self._shape(0)
         inside = (q >= lowest * (1.0 - _EDGE)) & (q <= highest * (1.0 + _EDGE))
         falling = np.maximum(q, corner) / corner
-        return np.where(inside, plateau * falling ** (-self.dimensions - 2.0 * self.hurst), 0.0)
+        return np.where(inside, self._plateau * falling ** (-self.dimensions - 2.0 * self.hurst), 0.0)
+
+    @property
+    def _plateau(self) -> float:
+        """Return C [m^4 or m^3] of waves longer than the roll-off."""
+        return self.deviation**2 * _SOLID[self.dimensions] / self._shape(0)
 
     def _edges(self) -> tuple[float, float, float]:
         """Return the wave numbers [rad/m] of the longest wave, the roll-off and the shortest wave."""

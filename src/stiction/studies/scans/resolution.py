@@ -49,13 +49,14 @@ _CUTOFFS = 7
 _WAVES_IN_SIZE = 10
 
 
-def default_cutoffs(surface: HeightMap) -> np.ndarray:
-    """0, for the map as it is, and wavelengths [m] in equal ratios from the shortest that is reliable to a tenth of the size.
+def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
+    """Return the cutoffs [m] of a resolution study: 0, which leaves the map unfiltered, and wavelengths in equal ratios.
 
-    The shortest: spectrum.POINTS_PER_WAVE of the larger pitch. On a map with fewer than ten of these along a side, 0 alone.
+    The wavelengths start at `shortest` [m], the end of the reliable band, but not below spectrum.POINTS_PER_WAVE of the
+    larger pitch. They end at a tenth of the size. A map with fewer than ten of the shortest along a side gets 0 alone.
     """
     sizes = surface.size[1:] if surface.is_profile else surface.size
-    shortest, longest = POINTS_PER_WAVE * surface.coarsest_pitch, min(sizes) / _WAVES_IN_SIZE
+    shortest, longest = max(POINTS_PER_WAVE * surface.coarsest_pitch, shortest), min(sizes) / _WAVES_IN_SIZE
     if shortest > longest:
         return np.zeros(1)
     return np.concatenate([[0.0], np.geomspace(shortest, longest, _CUTOFFS)])
