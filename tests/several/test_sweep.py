@@ -21,6 +21,7 @@ from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies import evaluate_many
 from stiction.studies.sweep import guards as sweep_guards
+from stiction.studies.sweep import opening as sweep_opening
 from stiction.studies.sweep import plan as sweep_plan
 from stiction.studies.sweep import store as sweep_store
 from stiction.studies.sweep import workers as sweep_workers
@@ -109,7 +110,8 @@ def test_only_what_is_asked_for_is_kept_in_the_precision_asked_for(tmp_path):
     case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "precision": "float32"})
     data = sweep(case, tmp_path / "store")
     whole = sweep(DRAWN, tmp_path / "whole")
-    assert set(data.data_vars) == {"friction_coefficient", "validity_warnings", "validity_warnings_by_block"}
+    of_blocks = {"validity_warnings_by_block", "checksum_by_block"}
+    assert set(data.data_vars) == {"friction_coefficient", "validity_warnings"} | of_blocks
     assert data["friction_coefficient"].dtype == np.float32
     np.testing.assert_allclose(data["friction_coefficient"], whole["friction_coefficient"], rtol=1e-6)
     with refusal("sweep.keep", "friction", "friction_force"):
@@ -143,7 +145,7 @@ def test_percentiles_are_those_of_all_points(tmp_path, count):
 def test_counts_of_many_sizes_are_in_several_files(tmp_path, monkeypatch, wide):
     case = changed(DRAWN, sweep={"keep": ["friction_coefficient"], "statistics": ["median", "percentile_95"]})
     whole = sweep(case, tmp_path / "whole")["friction_coefficient"].values
-    monkeypatch.setattr(sweep_store, "_SIZES", wide)
+    monkeypatch.setattr(sweep_opening, "_SIZES", wide)
     cut = sweep(case, tmp_path / "cut")["friction_coefficient"].values
     assert len(list((tmp_path / "cut" / "counts_by_block").rglob("c/0/0/0/*"))) == -(-8 // wide)
     np.testing.assert_array_equal(cut, whole)
@@ -366,6 +368,44 @@ def test_a_store_with_a_damaged_description_is_refused_in_one_line(tmp_path, fil
     path.unlink() if damage is None else path.write_bytes(damage)
     with refusal("--out"):
         sweep(DRAWN, tmp_path / "store")
+
+
+def _delete(chunks):
+    chunks[1].unlink()
+
+
+def _damage(chunks):
+    content = bytearray(chunks[1].read_bytes())
+    content[-3] ^= 0x10
+    chunks[1].write_bytes(content)
+
+
+def _exchange(chunks):
+    first, second = chunks[0].read_bytes(), chunks[1].read_bytes()
+    chunks[0].write_bytes(second)
+    chunks[1].write_bytes(first)
+
+
+@pytest.mark.parametrize("spoil", [_delete, _damage, _exchange])
+@pytest.mark.parametrize(
+    ("case", "array"),
+    [
+        (DRAWN, "friction_coefficient"),
+        (DRAWN, "validity_warnings"),
+        (DRAWN, "theta"),
+        (changed(DRAWN, sweep={"statistics": ["mean", "median"]}), "statistics_by_block/contact_area"),
+        (changed(DRAWN, sweep={"statistics": ["mean", "median"]}), "counts_by_block/contact_area"),
+    ],
+)
+def test_blocks_whose_files_were_spoilt_are_done_again(tmp_path, case, array, spoil):
+    """Also where a wrong chunk can be read, or a chunk that is absent would be read as its fill value."""
+    whole, spoilt = tmp_path / "whole", tmp_path / "spoilt"
+    sweep(case, whole)
+    sweep(case, spoilt)
+    assert same(whole, spoilt)
+    spoil(sorted(path for path in (spoilt / array / "c").rglob("*") if path.is_file()))
+    sweep(case, spoilt)
+    assert same(whole, spoilt)
 
 
 def test_a_list_of_blocks_that_cannot_be_read_is_refused_in_one_line(tmp_path):
@@ -591,7 +631,7 @@ def test_workers_may_die_as_often_as_they_do_something_between(monkeypatch):
 
 def test_a_store_of_another_version_is_left_alone(tmp_path, monkeypatch):
     interrupted(DRAWN, tmp_path / "store", after=2)
-    monkeypatch.setattr(sweep_store, "__version__", "0.0.other")
+    monkeypatch.setattr(sweep_opening, "__version__", "0.0.other")
     with refusal("--out", "0.1.0"):
         sweep(DRAWN, tmp_path / "store")
 

@@ -95,9 +95,7 @@ def solve_adhesive(
         raise InputError("loads", loads, "a list of finite loads, in N")
     require_memory(np.shape(heights), kept=len(loads) + _ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
-    for name, value in (("work", work), ("reach", reach)):
-        if not (0.0 < value < math.inf):
-            raise InputError(name, value, "> 0, finite")
+    _require_positive(work=work, reach=reach)
     compliance = Compliance(modulus, film)
     if compliance.far == 0.0:
         raise InputError(
@@ -115,6 +113,12 @@ def solve_adhesive(
         gap = descent.gap
         contacts.append(_contact(faces, descent, load, grid))
     return contacts
+
+
+def _require_positive(**numbers: float) -> None:
+    for name, value in numbers.items():
+        if not (0.0 < value < math.inf):
+            raise InputError(name, value, "> 0, finite")
 
 
 def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
@@ -165,8 +169,11 @@ def adhering(
 
     heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError.
     """
+    if not math.isfinite(load):
+        raise InputError("load", load, "finite, in N")
     require_memory(np.shape(heights), kept=_ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
+    _require_positive(work=work, reach=reach)
     compliance = Compliance(modulus)
     grid = _Grid(size, work / reach, reach, reach**2 / (compliance.near * work) / _pitch(heights.shape, size))
     gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal, work) / reach

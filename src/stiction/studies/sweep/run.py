@@ -93,11 +93,11 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
     text = json.dumps(case, default=str) if content is case else Path(case).read_text(encoding="utf-8-sig")
     plan = make_plan(content, folder)
     from stiction.studies.sweep.guards import locked
-    from stiction.studies.sweep.store import opened_store
+    from stiction.studies.sweep.opening import opened_store
 
     store = opened_store(Path(out), plan, str(content.get("title", "")), text)
     with locked(Path(out)):
-        left = store.left()
+        left = sorted([*store.left(), *store.damaged()])
         points = [plan.contacts(block) * plan.points for block in left]
         done = _done(store, left, workers, scheduler)
         for _ in (progress or (lambda done, size, steps: steps))(plan.size - sum(points), plan.size, done):
