@@ -62,6 +62,8 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)  # of the waves of a spec
 _RATIOS = np.concatenate([[1.0], 1.0 + np.geomspace(1e-4, 1.0, 60), np.geomspace(2.0, 1e12, 600)[1:]])
 _SOLVED_LOADS, _NEARLY_FLAT = 5, 0.98  # of a map with its film; area from which on it is not solved
 _TO_A_FACTOR_OF_E = 2  # pressures of the bare area of a map
+_LEAST_AREA = 1e-300  # whose logarithm is taken where nothing touches
+_SLOPES = -2.0, -0.5  # between which a secant is believed: near convergence it is the quotient of two rounding errors
 _STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
 STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
 
@@ -140,13 +142,20 @@ def area_of_waves(
     share = np.broadcast_to(waves.share, k[:, 0].shape)[:, None, :]
     with np.errstate(divide="ignore"):
         width = (_SIZE * n_E**_BY_MODULUS / thickness)[:, None, None] / k  # a/t of the whole area
-    area = bare(pressure)
-    for _ in range(_STEPS):  # the area changes a by its power .086: every step leaves a tenth of the error, and less
-        at = width * np.maximum(area, 1e-300)[..., None] ** _BY_AREA
+    guess = np.log(np.maximum(bare(pressure), _LEAST_AREA))
+    last_guess = last_change = np.full(guess.shape, np.nan)
+    for _ in range(_STEPS):
+        at = width * np.exp(_BY_AREA * guess)[..., None]
         modulus = np.sqrt(np.sum(share * sphere_modulus(curve, n_E, at) ** 2, axis=-1))
-        area, before = bare(pressure / modulus), area
-        if np.all(np.abs(area - before) <= 1e-14 * area):
+        area = bare(pressure / modulus)
+        change = np.log(np.maximum(area, _LEAST_AREA)) - guess
+        if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
+        # The area changes a by its power .086, so a step alone leaves a tenth of the error; secants leave far less.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            slope = (change - last_change) / (guess - last_guess)
+        last_guess, last_change = guess, change
+        guess = guess - change / np.clip(np.where(np.isnan(slope), -1.0, slope), *_SLOPES)
     return area
 
 
