@@ -12,7 +12,7 @@ from stiction.contact.indices import Indices, plain_number
 from stiction.contact.interfaces import OptionalState, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material
-from stiction.contact.pair import Pair, choose, compliance_of, more_compliant, pair_of
+from stiction.contact.pair import Pair, choose, compliance_of, more_compliant
 from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, labelled
@@ -189,7 +189,7 @@ class Contact(Subject):
         }
 
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
-        film = pair_of(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
+        film = Pair(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
         film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
         # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
@@ -377,7 +377,7 @@ class Contact(Subject):
     @cached_property
     def _bare(self) -> Pair:
         """Return both bodies without a film, with the hardness at the size of the asperities."""
-        return pair_of(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
+        return Pair(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
 
     @property
     def size_effect(self):

@@ -1,6 +1,7 @@
 """Two half-spaces in contact: the elastic properties of both, and the strength of the softer one."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,28 +12,50 @@ from stiction.contact.materials import Material
 
 @dataclass(frozen=True)
 class Pair:
-    """Represent two half-spaces in contact (theory 1): elastic properties of both, strength of the softer one."""
+    """Represent two half-spaces in contact (theory 1): elastic properties of both, strength of the softer one.
 
-    K: Any
-    beta: Any
-    hardness: Any
-    nu: Any
-    k: Any
-    hardening: Any
+    Every property is computed when it is first read.
+    """
 
+    first: Material
+    second: Material
 
-def pair_of(first: Material, second: Material) -> Pair:
-    bodies = (first, second)
-    compliance = sum(map(compliance_of, bodies))  # 1/E*, departure D1
-    softer = first_is_softer(first, second)
-    return Pair(
-        K=4 / (3 * compliance),
-        beta=sum((2 - body.poissons_ratio) / body.shear_modulus for body in bodies),  # paper, below eq (10)
-        hardness=choose(softer, first.hardness, second.hardness),
-        nu=choose(softer, first.poissons_ratio, second.poissons_ratio),
-        k=choose(softer, _hardness_to_yield(first), _hardness_to_yield(second)),
-        hardening=choose(softer, _hardening(first), _hardening(second)),
-    )
+    @cached_property
+    def K(self) -> Any:
+        """Return 4 E*/3 [Pa]."""
+        return 4 / (3 * sum(map(compliance_of, (self.first, self.second))))  # departure D1
+
+    @cached_property
+    def beta(self) -> Any:
+        """Return the tangential compliance [1/Pa] of the paper, below its eq. (10)."""
+        return sum((2 - body.poissons_ratio) / body.shear_modulus for body in (self.first, self.second))
+
+    @cached_property
+    def hardness(self) -> Any:
+        """Return the hardness [Pa] of the softer body."""
+        return self._of_softer(self.first.hardness, self.second.hardness)
+
+    @cached_property
+    def nu(self) -> Any:
+        """Return Poisson's ratio of the softer body."""
+        return self._of_softer(self.first.poissons_ratio, self.second.poissons_ratio)
+
+    @cached_property
+    def k(self) -> Any:
+        """Return hardness over yield stress of the softer body."""
+        return self._of_softer(_hardness_to_yield(self.first), _hardness_to_yield(self.second))
+
+    @cached_property
+    def hardening(self) -> Any:
+        """Return tangent modulus over Young's modulus of the softer body; None if unknown."""
+        return self._of_softer(_hardening(self.first), _hardening(self.second))
+
+    @cached_property
+    def _first_is_softer(self) -> Any:
+        return first_is_softer(self.first, self.second)
+
+    def _of_softer(self, of_first: Any, of_second: Any) -> Any:
+        return choose(self._first_is_softer, of_first, of_second)
 
 
 def compliance_of(body: Material):
@@ -95,6 +118,10 @@ def choose(condition, one, other):
         if one is None or other is None:
             known, chosen = (one, condition) if other is None else (other, ~condition)
             return known if chosen.all() else None
+        dims = {*condition.dims, *getattr(one, "dims", ()), *getattr(other, "dims", ())}
+        for chosen, value in ((condition, one), (~condition, other)):  # the same for all, mostly, and without a copy
+            if dims == {*getattr(value, "dims", ())} and chosen.all():
+                return value
         import xarray
 
         return xarray.where(condition, one, other)

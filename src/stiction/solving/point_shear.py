@@ -62,14 +62,14 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
 
 def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
     """Yield each state of points with the tangential force of each point [N], by equation (2)."""
-    from stiction.contact.pair import pair_of
+    from stiction.contact.pair import Pair
 
     strength = _strength(contact)
     if law != "bowden_tabor_1943":
         raise InputError("tangential", law, "bowden_tabor_1943, because junction growth needs a constant interface strength")
     if contact.coating is not None:
         raise InputError("shear", "junction_growth", "law or lesser, because junction growth is not available for films")
-    hardness = float(pair_of(contact.first, contact.second).hardness)
+    hardness = float(Pair(contact.first, contact.second).hardness)
     if strength**2 * _TABOR >= hardness**2:
         raise InputError(
             "interfacial_shear_strength", contact.show(strength, "interfacial_shear_strength"),

@@ -39,7 +39,7 @@ from typing import TYPE_CHECKING
 
 from stiction.contact.contact import EQUILIBRIUM_DISTANCE, Contact
 from stiction.contact.materials import Material
-from stiction.contact.pair import compliance_of, pair_of
+from stiction.contact.pair import Pair, compliance_of
 from stiction.quantities.errors import InputError
 from stiction.records.claims import Validity
 from stiction.records.registry import RoughSurface
@@ -60,13 +60,13 @@ def bodies_of(contact: Contact) -> Bodies:
     coating = contact.coating
     if coating is None:
         return Bodies(1.0 / (compliance_of(contact.first) + compliance_of(contact.second)),
-                      hardness=pair_of(contact.first, contact.second).hardness)  # fmt: skip
+                      hardness=Pair(contact.first, contact.second).hardness)  # fmt: skip
     if coating.bodies == "both":
         film, counter = (_film(coating.material, 0.5 * coating.thickness, body) for body in (contact.first, contact.second))
         return Bodies(inf, film, counter, coating.material.hardness)
     coated, other = (contact.first, contact.second) if coating.bodies == "first" else (contact.second, contact.first)
     film = _film(coating.material, coating.thickness, coated)
-    return Bodies(1.0 / compliance_of(other), film, hardness=pair_of(coating.material, other).hardness)
+    return Bodies(1.0 / compliance_of(other), film, hardness=Pair(coating.material, other).hardness)
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:

@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.contact.interfaces import interface
 from stiction.contact.materials import class_of
-from stiction.contact.pair import pair_of
+from stiction.contact.pair import Pair
 from stiction.studies.prediction.area import AreaLaw
 from stiction.studies.prediction.junctions import grown
 from stiction.studies.prediction.levels import draw_levels
@@ -33,7 +33,7 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
     parted = contact.has_film or (contact.interface is not None and contact.interface.name != _BARE)
     if not parted or any(class_of(body) not in _METALS for body in bodies):
         return []
-    ratio = pair_of(*bodies).k if contact.hardness_to_yield is None else contact.hardness_to_yield
+    ratio = Pair(*bodies).k if contact.hardness_to_yield is None else contact.hardness_to_yield
     shear_strength = np.full((_DRAWS, 1), 1.0 / (3.0**0.5 * float(np.mean(ratio))))  # over the hardness, as all below
     levels, ones = draw_levels(0, _DRAWS, 0), np.ones((_DRAWS, 1))
     strength = np.minimum(interface(_BARE).strength_at(levels["strength"], 1.0)[:, None], shear_strength)

@@ -13,7 +13,7 @@ from stiction.case.several import Address
 from stiction.case.uncertain import SAMPLE
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
-from stiction.contact.pair import pair_of
+from stiction.contact.pair import Pair
 from stiction.contact.size_effect import at_radius
 from stiction.quantities.dimensions import aligned, arranged, dimensions
 from stiction.solving.choice import Choice
@@ -177,8 +177,8 @@ class SampledCase:
         """Return the strengths of the touching surfaces."""
         contact = self.drawn
         radius = contact.roughness.asperity_radius
-        pair = pair_of(*(at_radius(body, radius) for body in contact.touching))
-        below = pair_of(*(at_radius(body, radius) for body in (contact.first, contact.second)))
+        pair = Pair(*(at_radius(body, radius) for body in contact.touching))
+        below = Pair(*(at_radius(body, radius) for body in (contact.first, contact.second)))
         ratio = pair.k if contact.hardness_to_yield is None else contact.hardness_to_yield
         hardness, body_below = self.column(pair.hardness), self.column(below.hardness)
         first, second = (self.column(body.shear_modulus) for body in contact.touching)

@@ -40,9 +40,9 @@ class Strength:
             self.coefficient = sampled.column(contact.pressure_coefficient)
         self.metallic = sampled.metallic
         self.takes_states = contact.pressure_coefficient is None
-        groups, dims = Groups.of(contact.indices())
         self.aged = sampled.column(1.0)
-        if groups.waiting is not None:
+        if contact.hold_time is not None:
+            groups, dims = Groups.of(contact.indices())
             self.aged = sampled.column(DataArray(factor(groups).reshape(tuple(dims.values())), dims=list(dims)))
 
     @property
