@@ -138,11 +138,8 @@ class Indices(Subject):
             return self
         missing = "lam" if self.lam is None and self.theta is not None else "theta"
         if self.hardness_group is not None:
-            raise InputError(
-                "hardness_group",
-                self.hardness_group,
-                "no value beside theta and lam, because it follows from them",
-            )
+            allowed = "no value beside theta and lam, because it follows from them"
+            raise InputError("hardness_group", self.hardness_group, allowed)
         raise InputError(
             missing, None, f"{QUANTITIES[missing].described}; without adhesion state hardness_group in place of theta and lam"
         )
@@ -270,7 +267,7 @@ class Indices(Subject):
         """Return the groups with defaults for unknown ones: K_beta and, with a film, those of film and bodies."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
-            return self.with_changes(K_beta=K_beta)
+            return self._unchecked(K_beta=K_beta)
         film_nu = self.nu if self.film_nu is None else self.film_nu
         film_K_beta = self.film_K_beta
         if film_K_beta is None:
@@ -281,7 +278,7 @@ class Indices(Subject):
             "counter_nu": self.nu,
         }  # fmt: skip
         given = {name: getattr(self, name) for name in alone if getattr(self, name) is not None}
-        return self.with_changes(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
+        return self._unchecked(K_beta=K_beta, film_nu=film_nu, film_K_beta=film_K_beta, **alone | given)
 
     def film(self) -> Self:
         """Return the groups of the film as a half-space.
@@ -311,25 +308,31 @@ class Indices(Subject):
 
     def with_changes(self, **changes: Any) -> Self:
         """Return the indices with these groups replaced."""
-        return type(self)(**{name: getattr(self, name) for name in type(self).model_fields} | changes)
+        return type(self)(**self._fields() | changes)
+
+    def _unchecked(self, **defaults: Any) -> Self:
+        """Return the indices with default groups added, which need no check and follow from checked ones."""
+        return type(self).model_construct(**self._fields() | defaults)
+
+    def _fields(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in type(self).model_fields}
 
     def read(self, value: Any, name: str) -> Any:
         value = as_sequence(value)
         if has_unit(value):
             raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
-        normalised, labelled = "numbers, normalised like the indices", hasattr(value, "dims")
-        array = floats(value.values if labelled else value, name, normalised)
+        normalised = "numbers, normalised like the indices"
+        array = floats(value.values if hasattr(value, "dims") else value, name, normalised)
         if not np.all(np.isfinite(array)):
             raise InputError(name, value, "finite numbers")
-        if labelled:
+        if hasattr(value, "dims"):
             check_names(value, name)
             if (unit := value.attrs.get("units", "1")) not in ("", "1"):
                 raise InputError(name, f"numbers in {unit}", f"{normalised}, without a unit")
             return value.copy(deep=False, data=array) if array.ndim else float(array)
         if array.ndim > 1:
-            raise InputError(
-                name, f"array of shape {array.shape}", "one number, one row of them, or an array with named dimensions"
-            )
+            allowed = "one number, one row of them, or an array with named dimensions"
+            raise InputError(name, f"array of shape {array.shape}", allowed)
         return array if array.ndim else float(array)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:
@@ -380,8 +383,8 @@ class Groups(Indices):
 
     def __getitem__(self, rows: slice | np.ndarray) -> "Groups":
         """Return the groups of selected contacts."""
-        columns = {name: getattr(self, name) for name in type(self).model_fields}
-        return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns.items()})
+        columns = self._fields().items()
+        return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns})
 
 
 def plain_number(entry: Any, where: str) -> float:
