@@ -168,7 +168,7 @@ def _squared(known: SolvedSet, seen: str) -> np.ndarray:
         stated = {"skewness": skewness, "kurtosis": kurtosis, "texture_aspect_ratio": 1.0 / lay}
         shape = (skewness, lay, top) if seen == "map" else None
         place = Place(one, one, alpha * one, shape, stated=stated if seen == "shape" else {})
-        rows.append(squared_distance(differences(known, place, 0)))
+        rows.append(squared_distance(differences(known, place))[0])
     return np.array(rows)
 
 

@@ -6,6 +6,7 @@ side of the pressure or hardness, or where the model has no result on one side, 
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -60,7 +61,20 @@ def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> 
     errors = known.errors(column)
     if errors is None:
         return None
-    return _together([_at_point(known, errors, place, at, anywhere) for at in range(place.pressure.size)])
+    positive = (place.pressure > 0.0) & (place.hardness > 0.0)
+    pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
+    of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
+    found, there = _between(known, errors, inside, solved_hardness)
+    times = np.maximum(of_pressure.theirs[:, 0] / of_pressure.ours, 1.0)
+    found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
+    softer = np.divide(hardness, solved_hardness, out=np.ones(hardness.shape), where=hardness < solved_hardness)
+    found = found * softer[:, None]  # than what was solved: areas tend to load over hardness
+    _, solved = _between(known, known.areas, inside, solved_hardness)
+    asked = np.where(np.isfinite(errors).any(axis=(1, 2)), solved, 0.0)  # of which the model says anything at all
+    of_kind = known.of_kind(None if anywhere else place.kind)
+    apart = [*([] if anywhere else differences(known, place)), of_pressure]
+    presumed = of_kind if place.kind_known or anywhere else known.gaussian
+    return _averaged(found, there * real * of_kind, asked * of_kind * positive[:, None], apart, presumed)
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
@@ -68,7 +82,20 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: n
 
     like: mask (k,) of the points whose film is of the kind that the benchmark set contains.
     """
-    return _together([_film_point(known, errors, place, at) if like[at] else _NONE for at in range(place.pressure.size)])
+    positive = place.pressure > 0.0
+    place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
+    loads = known["film_loads"]
+    found = np.empty((len(positive), *loads.shape[:2]))
+    for one in np.ndindex(*loads.shape[:2]):
+        found[:, *one] = np.interp(np.log(place.pressure), np.log(loads[one]), errors[one])
+    of_kind, gaussian = (
+        np.broadcast_to(mask[known["film_surfaces"], None], loads.shape[:2]).ravel()
+        for mask in (known.of_kind(place.kind), known.gaussian)
+    )
+    found = found.reshape(len(found), -1)
+    asked = (of_kind * (positive & like)[:, None]).astype(float)
+    presumed = of_kind if place.kind_known else gaussian
+    return _averaged(found, np.isfinite(found) * of_kind.astype(float), asked, film_differences(known, place), presumed)
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -78,114 +105,93 @@ def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
     return np.interp(LEVELS, middles / weights.sum(), values[order])
 
 
-def _together(rows: list[tuple]) -> ErrorsNear:
-    return ErrorsNear(*(np.array(values) for values in zip(*rows, strict=True)))
+def _at_lighter_load(
+    known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: np.ndarray, lightest: np.ndarray, hardness: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Extrapolate errors (k, s) below the lightest solved pressure; return them with the weight (k, s) of each surface.
 
-
-_NONE = (np.full(len(LEVELS), math.nan), math.nan, math.nan, math.inf, 0.0, 0, "")
-
-
-def _at_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int, anywhere: bool):
-    pressure, hardness = float(place.pressure[at]), float(place.hardness[at])
-    if not (pressure > 0.0 and hardness > 0.0):
-        return _NONE
-    of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
-    found, there = _between(known, errors, inside, solved_hardness)
-    if of_pressure.ours < of_pressure.theirs[0]:
-        times = float(of_pressure.theirs[0] / of_pressure.ours)
-        found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
-        there = there * real
-    found = found * min(hardness / solved_hardness, 1.0)  # softer than what was solved: areas tend to load over hardness
-    hardness = solved_hardness
-    _, solved = _between(known, known.areas, inside, hardness)
-    asked = np.where(np.isfinite(errors).any(axis=(1, 2)), solved, 0.0)  # of which the model says anything at all
-    of_kind = known.of_kind(None if anywhere else place.kind)
-    there, asked = there * of_kind, asked * of_kind
-    apart = [*([] if anywhere else differences(known, place, at)), of_pressure]
-    presumed = of_kind if place.kind_known or anywhere else known.gaussian
-    return _averaged(found, there, asked, apart, presumed)
-
-
-def _at_lighter_load(known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: float, lightest: float, hardness: float):
-    """Extrapolate errors (s,) below the lightest solved pressure; return them with the weight (s,) of each surface.
-
-    times: lightest solved pressure over the pressure of the contact. On elastic surfaces the error continues linearly
-    in ln of the pressure. On surfaces that flow it fades with the square root of the pressure, because the finest
+    times (k,): lightest solved pressure over the pressure of the contact, 1 or more. On elastic surfaces the error continues
+    linearly in ln of the pressure. On surfaces that flow it fades with the square root of the pressure, because the finest
     roughness of a plateau flows too. A surface whose error changes fast has smooth plateaus, while real plateaus are
     rough and carry light loads: such a surface loses weight as the load decreases. Both rules are judgements of the
     authors (grade C).
     """
-    elastic = 1.0 / (1.0 + (_FLOWS / min(hardness, ELASTIC)) ** 2)
+    if not (times > 1.0).any():
+        return found, np.ones(found.shape)
+    elastic = (1.0 / (1.0 + (_FLOWS / np.minimum(hardness, ELASTIC)) ** 2))[:, None]
     heavier, _ = _between(known, errors, _SLOPE * lightest, hardness)
     slope = np.nan_to_num(found - heavier) / math.log(_SLOPE)
-    farther = math.log(times) / math.log(_FARTHEST)
+    farther = (np.log(times) / math.log(_FARTHEST))[:, None]
     real = np.minimum(_STEEP / np.maximum(np.abs(slope), 1e-9), 1.0) ** (2.0 * elastic * farther)
-    going_on = found + elastic * slope * math.log(_FARTHEST) * min(farther, 1.0)
-    return going_on * times ** (-0.5 * (1.0 - elastic)), real
+    going_on = found + elastic * slope * math.log(_FARTHEST) * np.minimum(farther, 1.0)
+    return going_on * times[:, None] ** (-0.5 * (1.0 - elastic)), real
 
 
-def _film_point(known: SolvedSet, errors: np.ndarray, place: Place, at: int):
-    if not place.pressure[at] > 0.0:
-        return _NONE
-    apart, loads = film_differences(known, place, at), known["film_loads"]
-    found = np.empty(loads.shape[:2])
-    for one in np.ndindex(*found.shape):
-        found[one] = np.interp(math.log(place.pressure[at]), np.log(loads[one]), errors[one])
-    gaussian, of_kind = (
-        np.broadcast_to(one[known["film_surfaces"], None], found.shape) for one in (known.gaussian, known.of_kind(place.kind))
-    )
-    presumed = of_kind if place.kind_known else gaussian
-    there = np.isfinite(found) * of_kind.astype(float)
-    return _averaged(found.ravel(), there.ravel(), of_kind.astype(float).ravel(), apart, presumed.ravel())
+def _averaged(
+    found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray
+) -> ErrorsNear:
+    """Average errors (k, s) over surfaces.
 
-
-def _averaged(found: np.ndarray, there: np.ndarray, asked: np.ndarray, apart: list[Difference], presumed: np.ndarray):
-    """Return one row of ErrorsNear.
-
-    there, asked: weights (0 to 1) of the surfaces where the model has a result, and of all solved surfaces; apart:
-    differences that add up to the squared distances; presumed: mask of the surfaces over which `middle` is averaged.
+    there, asked: weights (k, s), 0 to 1, of the surfaces where the model has a result, and of all solved surfaces; asked is 0
+    everywhere for points without a result. apart: differences that add up to the squared distances. presumed: mask (s,) of
+    the surfaces over which `middle` is averaged.
     """
-    squared = np.where(asked > 0.0, squared_distance(apart).ravel(), np.inf)
-    if not np.isfinite(squared).any():
-        return _NONE
-    weights = np.exp(-0.5 * (squared - squared.min()))
-    told = float(np.sum(weights * there) / np.sum(weights * asked))
-    mine = there > 0.0
-    if not (mine & presumed).any():
-        return *_NONE[:3], math.sqrt(float(squared.min())), 0.0, 0, nearest_in_words(apart, int(np.argmin(squared)))
-    at = int(np.argmin(np.where(mine, squared, np.inf)))
-    count = int(np.count_nonzero(mine & (weights > _COUNTED)))
-    weights = weights * there
-    ends = quantiles(found[mine], weights[mine])
-    relative = math.sqrt(float(np.average(np.expm1(found[mine]) ** 2, weights=weights[mine])))
+    distances = squared_distance(apart)
+    squared = np.where(asked > 0.0, distances.reshape(len(distances), -1), np.inf)
+    known = np.atleast_1d(np.isfinite(squared).any(axis=1))
+    mine = (there > 0.0) & known[:, None]
     ranked = mine & presumed
-    of_ranked = np.exp(-0.5 * (squared[ranked] - squared[ranked].min())) * there[ranked]
-    middle = float(np.average(found[ranked], weights=of_ranked))
-    return ends, relative, middle, math.sqrt(float(squared[at])), told, count, nearest_in_words(apart, at)
+    answered = np.atleast_1d(ranked.any(axis=1))
+    weights, ranks = _weights(squared, np.ones_like(mine)), _weights(squared, ranked)
+    told = np.divide((weights * there).sum(axis=1), (weights * asked).sum(axis=1), out=np.zeros(len(known)), where=answered)
+    count = np.where(answered, np.count_nonzero(mine & (weights > _COUNTED), axis=1), 0)
+    weights, ranks = np.where(mine, weights * there, 0.0), ranks * there
+    values = np.where(mine, found, 0.0)
+    levels, relative, middle = np.full((len(known), len(LEVELS)), math.nan), *np.full((2, len(known)), math.nan)
+    relative[answered] = np.sqrt(np.average(np.expm1(values[answered]) ** 2, axis=1, weights=weights[answered]))
+    middle[answered] = np.average(values[answered], axis=1, weights=ranks[answered])
+    nearest = np.where(answered[:, None] & ~mine, np.inf, squared).argmin(axis=1)
+    least = np.take_along_axis(squared, nearest[:, None], axis=1)[:, 0]
+    for point in np.flatnonzero(answered).tolist():
+        levels[point] = quantiles(values[point][mine[point]], weights[point][mine[point]])
+    words = np.full(len(known), "", dtype=object)
+    for point in np.flatnonzero((least > 1.0) & np.isfinite(least)).tolist():
+        words[point] = nearest_in_words(apart, point, int(nearest[point]))
+    return ErrorsNear(levels, relative, middle, np.sqrt(least), told, count, words.astype(str))
 
 
-def _between(known: SolvedSet, table: np.ndarray, pressure: float, hardness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Interpolate a table (s, h, p) of the set at a pressure and a hardness; return values (s,) and weights (s,)."""
+def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """Return exp(-d^2/2) (k, s) of some surfaces over that of the nearest of them; 0 for the others."""
+    squared = np.where(some, squared, np.inf)
+    least = squared.min(axis=1, keepdims=True)
+    return np.exp(-0.5 * np.where(np.isfinite(squared), squared - np.where(np.isfinite(least), least, 0.0), np.inf))
+
+
+def _between(known: SolvedSet, table: np.ndarray, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Interpolate a table (s, h, p) of the set at k pressures and hardnesses; return values (k, s) and weights (k, s)."""
     hard = np.minimum(known["hardnesses"], ELASTIC)
     order = np.argsort(hard)
 
-    def at_pressure(place: int) -> tuple[np.ndarray, np.ndarray]:
-        column = table[:, order[place]]
-        return _read_off(known["loads"], pressure, lambda at: (column[:, at], 1.0 * np.isfinite(column[:, at])), 1.0)
+    def at_hardness(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        def at_pressure(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            column = table[:, order[place], at].T
+            return column, 1.0 * np.isfinite(column)
 
-    return _read_off(hard[order], min(hardness, ELASTIC), at_pressure, 2.0)
+        return _read_off(known["loads"], pressure, at_pressure, 1.0)
+
+    return _read_off(hard[order], np.minimum(hardness, ELASTIC), at_hardness, 2.0)
 
 
-def _read_off(grid: np.ndarray, place: float, column: Callable, fade: float) -> tuple[np.ndarray, np.ndarray]:
-    """Interpolate linearly in the logarithm of an ascending grid; return values (s,) and weights (s,).
+def _read_off(grid: np.ndarray, place: np.ndarray, column: Callable, fade: float) -> tuple[np.ndarray, np.ndarray]:
+    """Interpolate linearly in the logarithm of an ascending grid at k places; return values (k, s) and weights (k, s).
 
-    column(index): values and weights at a grid point. A value known at one end of the interval only is used for the
-    whole interval; its weight decreases with the distance from that end, by `fade` over the interval.
+    column(index): values and weights (k, s) at grid points, one for each place. A value known at one end of the interval only
+    is used for the whole interval; its weight decreases with the distance from that end, by `fade` over the interval.
     """
-    right = int(np.clip(np.searchsorted(grid, place), 1, len(grid) - 1))
-    part = math.log(place / grid[right - 1]) / math.log(grid[right] / grid[right - 1])
+    right = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
+    part = (np.log(place / grid[right - 1]) / np.log(grid[right] / grid[right - 1]))[:, None]
     (lower, of_lower), (upper, of_upper) = column(right - 1), column(right)
     both = lower + part * (upper - lower)
     values = np.where(of_lower == 0.0, upper, np.where(of_upper == 0.0, lower, both))
-    alone = np.maximum(of_lower * max(1.0 - fade * part, 0.0), of_upper * max(1.0 - fade * (1.0 - part), 0.0))
+    alone = np.maximum(of_lower * np.maximum(1.0 - fade * part, 0.0), of_upper * np.maximum(1.0 - fade * (1.0 - part), 0.0))
     return values, np.where(np.isfinite(values), np.maximum(np.minimum(of_lower, of_upper), alone), 0.0)

@@ -5,8 +5,8 @@ divided by a unit, for example half of a logarithm of alpha. The units are liste
 """
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -119,29 +119,34 @@ def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
 
 @dataclass(frozen=True)
 class Difference:
-    """Hold the difference between a contact and the solved surfaces in one named feature.
+    """Store how k points differ from the solved surfaces in one feature.
 
-    ours: value of the contact; theirs: value of each surface; squared: contribution to the squared distance of each
-    surface.
+    names: name of the feature (k or 1,). ours: value at each point (k or 1,). theirs: value of each surface, (k or 1, s).
+    squared: contribution to the squared distances (k or 1, s). Films add a last dimension.
     """
 
-    name: str
-    ours: float
+    names: np.ndarray
+    ours: np.ndarray
     theirs: np.ndarray
     squared: np.ndarray
 
 
-def differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
-    """Return the differences between one point and every surface (s,).
+def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
+    """Return a difference in one feature; values of the surfaces (s,) hold for every point."""
+    return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
+
+
+def differences(known: SolvedSet, place: Place) -> list[Difference]:
+    """Return the differences between k points and every surface.
 
     Without a map only Nayak's alpha and the stated statistics are compared, with surfaces of every kind.
     """
-    alpha = float(place.alpha[at])
-    apart = ((np.log(known.feature("alpha")) - math.log(alpha)) / _SCALES["alpha"]) ** 2
+    theirs = known.feature("alpha")
+    apart = ((np.log(theirs) - np.log(place.alpha)[:, None]) / _SCALES["alpha"]) ** 2
+    alpha = _difference(_NAMES["alpha"], place.alpha, theirs, apart)
     if place.shape is None:
-        stated = [_of_stated(known, name, value) for name, value in place.stated.items()]
-        return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart), *stated]
-    return [Difference(_NAMES["alpha"], alpha, known.feature("alpha"), apart), *_of_shape(known, place.shape)]
+        return [alpha, *(_of_stated(known, name, value) for name, value in place.stated.items())]
+    return [alpha, *_of_shape(known, place.shape)]
 
 
 def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
@@ -151,7 +156,7 @@ def _of_stated(known: SolvedSet, name: str, ours: float) -> Difference:
     """
     theirs = 1.0 / known.feature("lay") if name == "texture_aspect_ratio" else known.feature(name)
     apart = theirs - ours if name == "skewness" else np.log(theirs / ours)
-    return Difference(_NAMES[name], ours, theirs, (apart / _STATED[name]) ** 2)
+    return _difference(_NAMES[name], ours, theirs, (apart / _STATED[name]) ** 2)
 
 
 def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Difference]:
@@ -163,7 +168,7 @@ def _of_shape(known: SolvedSet, shape: tuple[float, float, float]) -> list[Diffe
         "lay": (lay, (np.log(known.feature("lay") / lay) / _SCALES["lay"]) ** 2),
         "top": (top, (np.log(tops / max(top, _LEAST_TOP)) / _SCALES["top"]) ** 2),
     }
-    return [Difference(_NAMES[name], ours, known.feature(name), square) for name, (ours, square) in each.items()]
+    return [_difference(_NAMES[name], ours, known.feature(name), square) for name, (ours, square) in each.items()]
 
 
 def kind_of_map(surface: "HeightMap") -> str | None:
@@ -176,69 +181,73 @@ def kind_of_map(surface: "HeightMap") -> str | None:
     if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
         return None
     slopes, known = map_slopes(surface.heights, surface.size, surface.periodic), solved_set()
-    squared = squared_distance(_of_shape(known, (_skewness(surface), slopes.lay, slopes.top(0.05))))
+    squared = squared_distance(_of_shape(known, (_skewness(surface), slopes.lay, slopes.top(0.05))))[0]
     if not squared.min() < _ALIKE**2:
         return None
     weights = np.exp(-0.5 * squared)
     return max(OF_KIND, key=lambda kind: float(weights[known.of_kind(kind)].sum()))
 
 
-def film_differences(known: SolvedSet, place: Place, at: int) -> list[Difference]:
-    """Return the differences between a point on a film and every film of every coated surface (s, f)."""
+def film_differences(known: SolvedSet, place: Place) -> list[Difference]:
+    """Return the differences between k points on films and every film of every coated surface, (k or 1, s, f)."""
     assert place.modulus is not None and place.thickness is not None
     some = known["film_surfaces"]
     moduli, thicknesses = known["films"].T
     waves = (known["gradient_over_shortest"][some] / known.feature("wave")[some])[:, None]
-    modulus, thickness, pressure = (float(one[at]) for one in (place.modulus, place.thickness, place.pressure))
-    by_film = ((np.log(moduli / modulus) / FILM_SCALES[0]) ** 2)[None, :]
-    by_thickness = (np.log(thicknesses[None, :] * waves / thickness) / FILM_SCALES[1]) ** 2
+    modulus, thickness, pressure = (one[:, None, None] for one in (place.modulus, place.thickness, place.pressure))
+    by_film = (np.log(moduli / modulus) / FILM_SCALES[0]) ** 2
+    by_thickness = (np.log(thicknesses * waves / thickness) / FILM_SCALES[1]) ** 2
     low, high = known["film_loads"][..., 0], known["film_loads"][..., -1]
     beyond = np.maximum(np.maximum(np.log(low / pressure) / _LIGHTER, np.log(pressure / high) / _PRESSURE), 0.0)
     bare = [
-        Difference(one.name, one.ours, one.theirs[some][:, None], one.squared[some][:, None])
-        for one in differences(known, place, at)
+        replace(one, theirs=one.theirs[:, some, None], squared=one.squared[:, some, None]) for one in differences(known, place)
     ]
     return [
         *bare,
-        Difference("film modulus over that of the body", modulus, moduli[None, :], by_film),
-        Difference("film thickness over sqrt(m2/m4)", thickness, thicknesses[None, :] * waves, by_thickness),
-        Difference(_OVER_STIFFNESS, pressure, np.clip(pressure, low, high), beyond**2),
+        _difference("film modulus over that of the body", place.modulus, moduli[None, None, :], by_film),
+        _difference("film thickness over sqrt(m2/m4)", place.thickness, (thicknesses * waves)[None], by_thickness),
+        _difference(_OVER_STIFFNESS, place.pressure, np.clip(pressure, low, high), beyond**2),
     ]
 
 
-def pressure_difference(known: SolvedSet, pressure: float, hardness: float) -> tuple[Difference, float, float]:
-    """Return how far the pressure lies outside that of the solved set, and the pressure and hardness at which the set is read.
+def pressure_difference(
+    known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
+) -> tuple[Difference, np.ndarray, np.ndarray]:
+    """Return how far pressures (k,) lie outside those of the solved set, and where the set is read: pressure and hardness.
 
     All are over E* h'. Below the least hardness of the set all spots flow, so only pressure over hardness matters there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())
-    name, unit = _OVER_STIFFNESS, 1.0
-    if hardness < softest:
-        name, unit = _OVER_HARDNESS, softest
-        pressure, hardness = pressure * softest / hardness, softest
-    heavier = _LIGHTER if hardness <= _FLOWING else _PRESSURE
-    beyond = max(math.log(low / pressure) / _LIGHTER, math.log(pressure / high) / heavier, 0.0)
-    inside = min(max(pressure, low), high)
-    every = np.ones(len(known["surfaces"]))
-    return Difference(name, pressure / unit, inside / unit * every, beyond**2 * every), inside, hardness
+    flows = hardness < softest
+    pressure, hardness = np.where(flows, pressure * softest / hardness, pressure), np.maximum(hardness, softest)
+    names, unit = np.where(flows, _OVER_HARDNESS, _OVER_STIFFNESS), np.where(flows, softest, 1.0)
+    heavier = np.where(hardness <= _FLOWING, _LIGHTER, _PRESSURE)
+    beyond = np.maximum(np.maximum(np.log(low / pressure) / _LIGHTER, np.log(pressure / high) / heavier), 0.0)
+    inside = np.clip(pressure, low, high)
+    theirs, squared = (np.repeat(one[:, None], len(known["surfaces"]), axis=1) for one in (inside / unit, beyond**2))
+    return Difference(names, pressure / unit, theirs, squared), inside, hardness
 
 
 def squared_distance(found: Iterable[Difference]) -> np.ndarray:
-    """Return the squared distance of the contact from each solved surface."""
+    """Return the squared distance of each point from each solved surface, (k or 1, s), or (k or 1, s, f) for films."""
     return np.asarray(sum(one.squared for one in found))
 
 
-def nearest_in_words(found: Iterable[Difference], at: int) -> str:
-    """Describe the largest difference between the contact and the solved surface at this flat index.
+def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
+    """Describe the largest differences between a point and the solved surface at this flat index.
 
-    For example "the nearest has Nayak's alpha 5 where this has 24"; "" if the distance is below 1.
+    For example "the nearest has Nayak's alpha 5 where this has 24".
     """
-    found = list(found)
-    squared = [float(table.flat[at]) for table in np.broadcast_arrays(*(one.squared for one in found))]
-    theirs = [table.flat[at] for table in np.broadcast_arrays(*(one.theirs for one in found))]
-    if not 1.0 < sum(squared) < math.inf:
-        return ""
-    said = sorted(zip(squared, theirs, found, strict=True), key=lambda row: -row[0])
-    large = [(their, one) for part, their, one in said if part >= _SAID * sum(squared)]
-    return "the nearest has " + " and ".join(f"{one.name} {their:.2g} where this has {one.ours:.2g}" for their, one in large)
+    shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in found))
+
+    def of_point(table: np.ndarray) -> np.ndarray:
+        return table[point % len(table)]
+
+    squared = [float(np.broadcast_to(of_point(one.squared), shape).flat[at]) for one in found]
+    said = []
+    for part, one in sorted(zip(squared, found, strict=True), key=lambda row: -row[0]):
+        if part >= _SAID * sum(squared):
+            their = np.broadcast_to(of_point(one.theirs), shape).flat[at]
+            said.append(f"{of_point(one.names)} {their:.2g} where this has {of_point(one.ours):.2g}")
+    return "the nearest has " + " and ".join(said)
