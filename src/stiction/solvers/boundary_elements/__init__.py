@@ -1,1 +1,4 @@
-"""Contact of a height map, solved point by point by boundary elements; the reference for asperity models."""
+"""Solve the contact of a height map point by point with the boundary element method.
+
+It is the reference for asperity models.
+"""

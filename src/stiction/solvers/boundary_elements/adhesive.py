@@ -122,7 +122,10 @@ def _require_positive(**numbers: float) -> None:
 
 
 def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
-    """Return the descent from a gap to the next equilibrium under a pressure, over the largest attraction."""
+    """Return the descent from a starting gap to the next equilibrium under a mean pressure.
+
+    gap: divided by the range of attraction. pressure: divided by the largest attraction.
+    """
     descent = Downhill(faces, gap, pressure)
     descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
     return descent
@@ -130,9 +133,10 @@ def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
 
 @dataclass(frozen=True)
 class Adhering:
-    """Adhesive contact of a map at one load, to go on from with less adhesion.
+    """Store the adhesive contact of a map at one load, as a start for less adhesion.
 
-    faces, gap: over the range of attraction; grid; pressure: over the largest attraction.
+    faces: heights and stiffness. gap: (rows, columns), divided by the range of attraction. grid: quantities that do not
+    depend on load. pressure: mean pressure, divided by the largest attraction.
     """
 
     faces: Faces
@@ -142,22 +146,26 @@ class Adhering:
 
     @property
     def touching(self) -> np.ndarray:
-        """Return whether points touch (rows, columns)."""
+        """Return a mask (rows, columns) of the points in contact."""
         return self.gap <= 0.0
 
     @property
     def pixel(self) -> float:
-        """Return the area of a point [m2]."""
+        """Return the area of one grid point [m2]."""
         return self.grid.nominal / self.gap.size
 
     @property
     def area(self) -> float:
-        """Return the area of the points that touch, corrected for pixels [m2]."""
+        """Return the contact area [m2], corrected for pixel size."""
         touching = self.touching
         return self.grid.area(int(np.count_nonzero(touching)), edges(touching, True).count) * self.pixel
 
     def with_share(self, share: np.ndarray | None) -> "Adhering":
-        """Return the contact where only a share (rows, columns) of the work of adhesion is left, downhill from this one."""
+        """Return the contact after the work of adhesion is reduced.
+
+        share: fraction of the work of adhesion that remains at every point (rows, columns); None for all of it. The energy is
+        minimised from the present gap.
+        """
         faces = replace(self.faces, share=share)
         return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
 
@@ -165,9 +173,9 @@ class Adhering:
 def adhering(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float
 ) -> Adhering:
-    """Return the adhesive contact of a periodic map at a load [N], on the points of the map.
+    """Return the adhesive contact of a periodic map at a load [N], without refining its grid.
 
-    heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError.
+    heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError for an unusable map.
     """
     if not math.isfinite(load):
         raise InputError("load", load, "finite, in N")
@@ -183,9 +191,10 @@ def adhering(
 
 @dataclass(frozen=True)
 class _Grid:
-    """Store the quantities that are the same at all loads.
+    """Store the quantities of an adhesive map that are the same at all loads.
 
-    size: (y, x) [m]. largest: largest attraction w/rho [Pa]. reach: rho [m]. points: number of points at the contact edge.
+    size: (y, x) [m]. largest: largest attraction w/rho [Pa]. reach: range of attraction rho [m]. points: number of points
+    along the length over which the contact edge is pulled.
     """
 
     size: tuple[float, float]
@@ -199,11 +208,14 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """Return the coefficient c of (2), which corrects the area for pixel size."""
+        """Return the coefficient c, by which the area is corrected for pixel size; see (2)."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     def area(self, points: int, sides: int) -> float:
-        """Return the number of points that touch, less their excess at so many sides between contact and none."""
+        """Return the contact area in pixels, corrected for pixel size.
+
+        points: number of touching points. sides: number of pixel sides between contact and no contact.
+        """
         return max(points - self.excess * sides, 0.0)
 
     @property
@@ -241,7 +253,7 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
 
 
 def _without_adhesion(heights, size, compliance, mean, work) -> np.ndarray:
-    """Return the gap [m] of the contact without adhesion, pressed at least lightly."""
+    """Return the gap [m] of the same contact without adhesion, under at least a small pressure."""
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near
     displacement = PeriodicBoundary(compliance, heights.shape, size)

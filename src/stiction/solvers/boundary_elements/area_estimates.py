@@ -40,10 +40,11 @@ _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0, np.array([-1.0, 
 
 @dataclass(frozen=True)
 class MapSlopes:
-    """Slopes of a map that the formulas take.
+    """Store the slopes of a map that the area formulas need.
 
-    gradient: rms, of all waves [1]; alpha: Nayak's; lay: R, >= 1; ranks: upper ends of bins of points from the highest, as
-    shares; squares: mean square gradient of the points of each bin, over the mean of all.
+    gradient: rms gradient of the map [1]. alpha: Nayak's parameter. lay: ratio R of the largest to the smallest rms slope, >=
+    1. Points are sorted from highest to lowest and divided into bins. ranks: fraction of all points down to the end of each
+    bin. squares: mean square gradient in each bin, divided by that of the map.
     """
 
     gradient: float
@@ -53,7 +54,10 @@ class MapSlopes:
     squares: np.ndarray
 
     def top(self, share: float) -> float:
-        """Return the rms gradient of this share of highest points, over the mean of all."""
+        """Return the rms gradient of the highest points, divided by that of the map.
+
+        share: fraction of all points that counts, from the highest down.
+        """
         counts = np.diff(self.ranks, prepend=0.0)
         return math.sqrt(float(np.interp(share, self.ranks, np.cumsum(self.squares * counts) / self.ranks)))
 
@@ -61,8 +65,8 @@ class MapSlopes:
 def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = True) -> MapSlopes:
     """Measure the slopes of a map.
 
-    heights: (rows, columns) [m], finite; size: (y, x) [m]; periodic: take them from its waves, else from differences of its
-    points.
+    heights: (rows, columns) [m], finite. size: (y, x) [m]. periodic: True takes the slopes from the spectrum, False from
+    finite differences.
     """
     gradient, alpha, lay = _of_waves(heights, size) if periodic else _of_differences(heights, size)
     ranks, squares = _by_rank(heights, size, periodic)
@@ -100,7 +104,7 @@ def _of_differences(heights, size):
 
 
 def _between(rows, pitch):
-    """Return the derivative along the first axis, midway between points."""
+    """Return the derivative along the first axis, midway between neighbouring points."""
     return (27.0 * (rows[2:-1] - rows[1:-2]) - (rows[3:] - rows[:-3])) / (24.0 * pitch)
 
 
@@ -128,7 +132,10 @@ def _mixed(waves, along_y, along_x, columns, points):
 
 
 def _by_rank(heights, size, periodic):
-    """Return upper ends of the bins and their mean square gradients over the mean of all."""
+    """Return the rank at the end of each bin, and the relative mean square gradient in it.
+
+    Points are sorted from highest to lowest. A rank is a fraction of all points. Gradients are divided by that of the map.
+    """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):
         step = np.square((np.roll(heights, -1, axis) - heights) * (heights.shape[axis] / length))
@@ -144,9 +151,9 @@ def _by_rank(heights, size, periodic):
 
 
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area by (3), for Gaussian isotropic maps.
+    """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3).
 
-    As `widened_area.of_moments`, with the slopes where contact is.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: of the map; the highest points count.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
@@ -155,9 +162,9 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction in contact by (4), also for skewed, worn or lay maps.
+    """Return the area fraction A/A0 by formula (4), also for skewed, worn or lay maps.
 
-    pressure: mean, over E* h', > 0.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient.
     """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)
@@ -168,7 +175,10 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 
 
 def first_crossing(area, wanted, beyond):
-    """Return where the area first reaches the wanted value, interpolated linearly, or `beyond` if it never does."""
+    """Return the area at which `area` first reaches `wanted`, or `beyond` if it never does.
+
+    area, wanted: arrays (n,). The crossing is interpolated linearly.
+    """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):
         return beyond

@@ -28,12 +28,13 @@ _MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What is left of an exact solution.
+    """Store how far a computed pressure is from the exact solution on its grid.
 
-    overlap: deepest negative gap where nothing presses [m]; opening: largest gap, of either sign, at points that press and do
-    not flow [m]; lift: largest positive gap at points that flow [m]; pressure_error: bound on the error of the pressure over
-    the pressure, both as root of the elastic energy; area_error: points that may be on the wrong side of contact, over those
-    in contact (a judgement: those nearer to it than three of the largest missed gaps).
+    overlap: deepest overlap of the faces at points without pressure [m]. opening: largest gap, of either sign, at points in
+    elastic contact [m]. lift: largest positive gap at points whose pressure is the hardness [m]. pressure_error: bound on the
+    relative error of the pressure, as square root of elastic energy. area_error: number of points that may wrongly count as
+    in or out of contact, divided by the points in contact. This is an estimate: it counts points closer to the change than
+    three times the largest gap error.
     """
 
     overlap: float
@@ -44,7 +45,10 @@ class Certificate:
 
 
 def certify(problem: Problem, found: Found) -> Certificate:
-    """Return the certificate of a pressure that minimises the problem, or nearly."""
+    """Return the error bounds of a computed pressure.
+
+    problem: the minimisation problem. found: its numerical solution.
+    """
     missed = missed_gap(problem, found.pressure, found.gap)
     pressure, gap = found.pressure, found.gap
     flows = pressure >= problem.hardness

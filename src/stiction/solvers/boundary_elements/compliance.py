@@ -73,17 +73,17 @@ class Film:
 
     @property
     def at_zero(self) -> float:
-        """Return (2) at k = 0 for a film on a rigid base.
+        """Return the compliance under uniform pressure [m/Pa] of a film on a rigid base.
 
-        Thickness over the oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu)).
+        It is the thickness divided by the oedometric modulus (1 - nu) E/((1 + nu)(1 - 2 nu)), the limit of (2) at k = 0.
         """
         nu = self.poisson
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
-        """Return (2) divided by 2/(E1* k), the compliance of a half-space of film material.
+        """Return the compliance of the film and its substrate, divided by that of a half-space.
 
-        k: wavenumbers > 0 [1/m], any shape.
+        The half-space consists of film material: (2) divided by 2/(E1* k). k: wavenumbers > 0 [1/m], any shape.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
@@ -94,9 +94,9 @@ class Film:
         return ratio
 
     def _parts(self) -> tuple[float, float, float, float, float]:
-        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K).
+        """Return L, K, 1 - LK, 1 + LK + 2K and (1 - L)(1 - K), with L and K of equation (2).
 
-        The last three avoid differences of nearly equal numbers.
+        The last three are computed without differences of nearly equal numbers.
         """
         nu1, nu2 = self.poisson, self.substrate_poisson
         shear = self.modulus / self.substrate_modulus * (1.0 + nu2) / (1.0 + nu1)
@@ -108,7 +108,7 @@ class Film:
 
 
 def _near(y, _, k, one_less_lk, linear, constant):
-    """Return (2) in the form (3), which is accurate for y < 1."""
+    """Return the relative compliance of a film by (3), accurate for y = 2 k t < 1."""
     sine = y**3 * np.polynomial.polynomial.polyval(y * y, _SERIES)
     rest = 2.0 - one_less_lk
     above = one_less_lk * np.cosh(y) + rest * sine + linear * y
@@ -117,7 +117,7 @@ def _near(y, _, k, one_less_lk, linear, constant):
 
 
 def _away(y, el, k, *_):
-    """Return (2) in its published form, for y >= 1."""
+    """Return the relative compliance of a film by (2), for y = 2 k t >= 1."""
     once = np.exp(-y)
     return (1.0 + 2.0 * y * k * once - el * k * once**2) / (1.0 - (el + k + k * y * y) * once + el * k * once**2)
 
@@ -165,16 +165,20 @@ class Compliance:
         return max((film.thickness for film in self.films), default=0.0)
 
     def times_half_k(self, k: np.ndarray) -> np.ndarray:
-        """Return C(k) k/2 [1/Pa] at wavenumbers k > 0 [1/m], any shape."""
+        """Return the compliance C(k) of both bodies times k/2 [1/Pa].
+
+        k: wavenumbers > 0 [1/m], any shape.
+        """
         total = np.full(np.shape(k), 1.0 / self.modulus)
         for film in self.films:
             total += film.over_half_space(k) / film.plane_strain
         return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """Return C(k) [m/Pa] at wavevectors k >= 0 [1/m].
+        """Return the compliance C(k) of both bodies [m/Pa] at wavenumbers k >= 0 [1/m].
 
-        At k = 0 it is the limit if finite, else 0: the mean displacement of half-spaces is not defined.
+        At k = 0 the result is the limit where it is finite. Otherwise it is 0, because the mean displacement of half-spaces
+        is not defined.
         """
         k = np.asarray(k, dtype=float)
         positive = k > 0.0

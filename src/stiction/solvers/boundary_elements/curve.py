@@ -20,9 +20,9 @@ from stiction.surfaces.heightmap import HeightMap
 class MapCurve:
     """Store the contacts of one map at several nominal pressures.
 
-    contacts: in the order of the pressures, None for a load that was left unsolved by an interruption. every: step of point
-    sampling; 2 means every second point was solved. of_map: quantities of the map that do not depend on load, by name. more:
-    further quantities of every contact, by name.
+    contacts: in the order of the pressures; None for a load that an interruption left unsolved. every: sampling step; 2 means
+    that every second point was solved. of_map: quantities of the map that do not depend on load, by name. more: further
+    quantities of every contact, by name.
     """
 
     contacts: tuple[MapContact | None, ...]
@@ -31,7 +31,7 @@ class MapCurve:
     more: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def array(self, name: str) -> np.ndarray:
-        """Return one number of every contact, NaN where the load was not solved."""
+        """Return one attribute of all contacts as an array, NaN for a load not solved."""
         return np.array([np.nan if contact is None else getattr(contact, name) for contact in self.contacts], dtype=float)
 
     @cached_property
@@ -43,13 +43,13 @@ class MapCurve:
 def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float], *, sampled: bool = False) -> MapCurve:
     """Solve the contact of a map at nominal pressures [Pa].
 
-    sampled: solve only as many points as are enough (see `sampled`). Solutions are cached. Raises InputError as `solve_map`
-    does.
+    sampled: whether to solve only as many points as are accurate enough (see `sampled`). Solutions are cached. Raises
+    InputError as `solve_map` does.
     """
     nominal = surface.size[0] * surface.size[1]
 
     def at_pressures(heights, size, *, loads, **how) -> MapContacts:
-        """Solve at loads of the whole map, scaled to the area that sampled points cover."""
+        """Solve at loads given for the whole map, scaled to the area of the sampled points."""
         covered = size[0] * size[1] / nominal
         return solve_kept(heights, size, loads=[load * covered for load in loads], **how)
 

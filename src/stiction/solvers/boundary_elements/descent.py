@@ -33,10 +33,10 @@ _LARGEST = 700.0  # exponent, of a floating point number
 
 @dataclass(frozen=True)
 class Faces:
-    """Heights and stiffness of the faces in (1).
+    """Store the heights and the stiffness of two faces that attract each other.
 
-    heights: h; stiffness: K of every wave of `rfft2`, 0 for the mean; share: of the work of adhesion that is left at every
-    point, None: all of it.
+    heights: h, divided by the range of attraction. stiffness: dimensionless K of every entry of `rfft2`, 0 for the mean.
+    share: fraction of the work of adhesion that remains at every point; None for all of it.
     """
 
     heights: np.ndarray
@@ -50,18 +50,21 @@ class Faces:
         object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
 
     def elastic(self, shape: np.ndarray) -> np.ndarray:
-        """Return K times a shape, such as g + h."""
+        """Return the elastic restoring pressure of a displacement map: K applied to it.
+
+        shape: displacement, for instance gap plus heights.
+        """
         return self._through(shape, self.stiffness)
 
     def attraction(self, gap: np.ndarray) -> np.ndarray:
-        """Return the attraction e^(-g), less where the work of adhesion is."""
+        """Return the attraction e^(-g) at the gaps g, times the remaining share of the work of adhesion."""
         whole = np.exp(-gap)
         return whole if self.share is None else self.share * whole
 
     def smoothed(self, force: np.ndarray) -> np.ndarray:
-        """Return the force divided by K, the mean divided by half of the least K.
+        """Return the force divided by the stiffness K of each wave, in single precision.
 
-        In single precision: a search direction needs no more.
+        The mean, whose stiffness is 0, is divided by half of the smallest K. Search directions need no higher precision.
         """
         return self._through(force.astype(np.float32), self._smooth).astype(float)
 
@@ -72,10 +75,10 @@ class Faces:
 
 
 class Downhill:
-    """Descent of the energy (1) under the pressure P.
+    """Minimise the energy (1) of attracting faces under a mean pressure P.
 
-    gap: current gap over the range of attraction; residual: largest gradient left at points apart, or tension at points that
-    touch; apart: whether the faces have separated for good.
+    gap: current gap, divided by the range of attraction. residual: largest remaining gradient at open points, or tension at
+    touching points. apart: whether the faces have separated completely.
     """
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
@@ -87,7 +90,7 @@ class Downhill:
         self._arrive()
 
     def run(self, tolerance: float) -> None:
-        """Descend until the residual is below the tolerance."""
+        """Minimise until the residual is below the tolerance or no step lowers the energy."""
         for _ in range(_MOST):
             if self.residual <= tolerance:
                 return
@@ -109,9 +112,9 @@ class Downhill:
         self.residual = float(np.max(np.abs(self._slope * self._free)))
 
     def _direction(self) -> np.ndarray:
-        """Return the next search direction.
+        """Return the next search direction, preconditioned and conjugate to the last one.
 
-        Smoothed and conjugate to the last by the rule of Polak & Ribiere; after a failed step it follows the gradient alone.
+        The factor is that of Polak & Ribiere. After a failed step the direction is the preconditioned gradient.
         """
         force = np.where(self._free, -self._slope, 0.0)
         smooth = self._faces.smoothed(force)
@@ -128,7 +131,10 @@ class Downhill:
         return way
 
     def _step(self, way: np.ndarray) -> bool:
-        """Move along a direction as far as the energy falls; return False if it does not fall at all."""
+        """Take a step along a direction; return False if no step length lowers the energy.
+
+        The step is halved until the energy falls.
+        """
         answer = self._faces.elastic(way)
         down, elastic = dot(way, self._force), dot(way, answer)
         curvature = max(elastic - float(np.einsum("ij,ij,ij->", way, way, self._near)), _FLAT * elastic)
@@ -150,16 +156,20 @@ class Downhill:
         return False
 
     def _room(self, way: np.ndarray) -> float:
-        """Return the longest step that causes no overlap and stays within the range of attraction."""
+        """Return the longest allowed step along a direction.
+
+        It closes no gap by more than the gap plus twice the range of attraction, and opens attracted points by at most twice
+        the range.
+        """
         closes = max(-float(np.min(way / (self.gap + _RANGE))), 0.0)
         opens = max(float(np.max(way * (self._near > _ACTS))), 0.0) / _RANGE
         fastest = max(closes, opens)
         return 1.0 / fastest if fastest > 0.0 else 1.0
 
     def _change(self, gap: np.ndarray, elastic: np.ndarray) -> float:
-        """Return the change of (1) times the number of points.
+        """Return the change of the energy (1) from the current gap to another, times the number of points.
 
-        Formed without the difference of large numbers, which rounding would swamp near the minimum.
+        The formula avoids differences of large numbers, which round-off would spoil near the minimum.
         """
         closed = self.gap - gap
         smooth = dot(closed, self._slope) + 0.5 * dot(closed, elastic - self._elastic)

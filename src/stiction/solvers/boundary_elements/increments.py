@@ -21,10 +21,11 @@ _MOST = 300
 
 
 def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarray) -> float:
-    """Return the change of mean pressure with approach [Pa/m] at fixed contact.
+    """Return the contact stiffness per nominal area [Pa/m] at fixed contact area.
 
-    NaN where no point is free, infinite in full contact of unbounded half-spaces. free: points that respond, bool, of the
-    map's shape; start: any positive increment, for instance the pressure.
+    It is the change of mean pressure per approach: NaN without elastic contact points, infinite in full contact of
+    half-spaces. displacement: compliance operator. free: mask of the points in elastic contact. start: first guess of the
+    pressure change, > 0, for instance the pressure.
     """
     count = int(np.count_nonzero(free))
     if not count:

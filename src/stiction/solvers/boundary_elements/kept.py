@@ -1,6 +1,6 @@
-"""Cache of map solutions on disk: a contact solved before, with the same inputs and solver, is read from its file.
+"""Store solutions of map contacts in a cache on disk, and read them again.
 
-There is one file for each load. Its name is a hash of everything that determines the solution, so an interrupted curve
+There is one file for each load. Its name is a hash of the inputs and of the solver's source, so an interrupted curve
 continues where it stopped. When the cache is full, the files not used for longest are deleted.
 """
 
@@ -50,7 +50,7 @@ def solve_kept(
     report = how.pop("done", None)
 
     def asked(contact: MapContact) -> float:
-        """Return the requested load, which the mean pressure of the contact only rounds."""
+        """Return the requested load of a contact, whose own load may differ by rounding."""
         return min(missing, key=lambda load: abs(load - contact.load))
 
     def done(contact: MapContact) -> None:
@@ -65,7 +65,7 @@ def solve_kept(
 
 
 def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
-    """Return the cache key of everything that decides a solution but its load."""
+    """Return the cache key: a hash of everything but the load that determines a solution."""
     digest = hashlib.sha256(_solver())
     digest.update(np.ascontiguousarray(heights, dtype=np.float64).tobytes())
     digest.update(repr((np.shape(heights), tuple(map(float, size)), sorted(inputs.items(), key=lambda item: item[0]))).encode())
@@ -74,7 +74,7 @@ def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
 
 @cache
 def _solver() -> bytes:
-    """Return the source text of this solver, as a changed solver finds other digits."""
+    """Return the source text of the solver, because a changed solver needs a new cache key."""
     folder = files("stiction.solvers.boundary_elements")
     sources = sorted((file for file in folder.iterdir() if file.name.endswith(".py")), key=lambda file: file.name)
     return b"".join(file.read_bytes() for file in sources)
@@ -103,9 +103,9 @@ def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
 
 
 def _keep(path: Path, contact: MapContact) -> None:
-    """Write the contact to a file atomically, so that a reader never finds part of it.
+    """Write a contact to a cache file atomically.
 
-    Contacts that did not converge, or are too large, are not written.
+    Contacts that did not converge, have no pressure map, or are too large are not written.
     """
     pressure = contact.pressure
     if (

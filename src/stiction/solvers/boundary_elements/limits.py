@@ -1,4 +1,4 @@
-"""Limits beyond which the solution of a map has a validity warning; its record reads them, too."""
+"""Set the limits beyond which a map solution has a validity warning."""
 
 TOLERANCE = 1e-5  # of the residual: gaps where there is contact, over the rms height difference of neighbouring points
 LEAST_PIXELS = 8.0  # in the shortest wave

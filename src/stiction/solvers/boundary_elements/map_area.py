@@ -100,7 +100,7 @@ class MapArea:
 
     @cached_property
     def solvable(self) -> list[int]:
-        """Return the usable sampling steps, coarsest first; empty if the map cannot be solved.
+        """Return the sampling steps that can be solved, coarsest first; empty if there are none.
 
         Each step leaves few enough points to solve, and enough points in the shortest wave.
         """
@@ -139,9 +139,9 @@ class MapArea:
         return by_top_slopes if self.gaussian else by_ranks
 
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """Return A/A0 at mean pressures divided by E* (any shape, >= 0).
+        """Return the area fraction A/A0 at mean pressures divided by E* (any shape, >= 0).
 
-        hardness: H/E*, may be infinite.
+        hardness: divided by E*; may be infinite.
         """
         h = self.slopes.gradient
         if hardness not in self._curves:
@@ -150,7 +150,7 @@ class MapArea:
         return self._curves[hardness](flat).reshape(np.shape(pressure))
 
     def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
-        """Return the solved elastic A/A0 (n,) for bodies with films.
+        """Return the area fraction A/A0 (n,) of elastic bodies with films, by solving the map.
 
         compliance: bodies and films. pressure: mean pressures (n,), ascending, in the unit of the compliance. expected:
         approximate A/A0 (n,). The result is NaN where too few points touch or the map is too large.
@@ -166,14 +166,17 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest sampling step with enough points in contact at this A/A0."""
+        """Return the coarsest sampling step that leaves enough points in contact.
+
+        area: area fraction A/A0.
+        """
         expected = area * self.heights.size
         return next((step for step in self.solvable if expected / step**2 >= LEAST_CONTACT), self.solvable[-1])
 
     def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
-        """Return A/A0 (n,) at mean pressures (n,), solved with every `every`-th point.
+        """Return the area fraction A/A0 (n,) at mean pressures (n,), solved with sampled points.
 
-        how: keywords of `solve_map` for the bodies. The result is NaN where too few points touch.
+        every: sampling step. how: keywords of `solve_map` for the bodies. The result is NaN where too few points touch.
         """
         heights = np.ascontiguousarray(self.heights[::every, ::every])
         covered = zip(self.size, self.heights.shape, heights.shape, strict=True)
@@ -186,14 +189,18 @@ class MapArea:
         return np.where(touching, np.minimum(contacts.array("area") / (high * wide), 1.0), np.nan)
 
     def by_formula(self, pressure: float, hardness: float) -> float:
-        """Return A/A0 by the formula, with pressure and hardness divided by E* h'."""
+        """Return the area fraction A/A0 of the map by a formula, without solving it.
+
+        pressure, hardness: divided by E* h', with h' the rms gradient.
+        """
         return float(with_hardness(self.formula(pressure, self.slopes), pressure, hardness))
 
 
 class _Curve:
-    """The curve of A/A0 against p/(E* h') at one hardness H/(E* h').
+    """Compute the area fraction A/A0 of a map against mean pressure at one hardness.
 
-    Solved nodes are stored as ln A against p. For many pressures the nodes are at p = 10^(k/4).
+    Pressure and hardness are divided by E* h', with h' the rms gradient. Solutions are stored as ln A at each pressure. For
+    many pressures the map is solved at 10^(k/4) only, and ln A is interpolated.
     """
 
     def __init__(self, area: MapArea, hardness: float):
@@ -215,7 +222,7 @@ class _Curve:
         return areas
 
     def _solve(self, pressure: np.ndarray) -> None:
-        """Solve the given pressures if they are few, else the nodes around them."""
+        """Solve the map at the given pressures if they are few, else at the nearest 10^(k/4)."""
         inside = np.minimum(pressure, self._heaviest)
         if len(pressure) > _FEW:
             steps = np.floor(_STEPS * np.log10(inside)).astype(int)

@@ -1,23 +1,25 @@
-"""Measures of pressure maps and height maps: edges of contact, waves.
+"""Measure contact edges of pressure maps and wavelengths of height maps.
 
-Contact counted in pixels is too large, by a part of the pixels at its edge:
+A contact area counted in pixels is too large by part of the pixels at its edge. The corrected area is
 
     A = A_pixels - c S d                                                                                                  (1)
 
-S: length of the sides of pixels between contact and none; d: the pixel's side (S d is the number of such sides times a pixel's
-area, and is taken so where pixels are not square). Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
-c = (pi - 1 + ln 2)/24 = .118 from a straight edge at any angle across a pixel. What this solver counts was measured on
+S: total length of the pixel sides between contact and no contact. d: side of a pixel. S d is the number of these sides times
+the area of a pixel, also where pixels are not square. Yastrebov, Anciaux & Molinari (2017, Tribology Int. 114, 161) find
+c = (pi - 1 + ln 2)/24 = .118 from a straight edge that crosses a pixel at any angle. For this solver, c was measured on
 Westergaard's waves, whose area is known, at 23 angles (a test repeats it with fewer): c = .19 along the pixels, .11 at 14
-degrees, .08 from 30 to 45, and .100 on average over all. So where most edges run along one side of the pixels, as with a lay,
+degrees, .08 from 30 to 45 degrees, and .100 on average. If most edges run along one side of the pixels, as with a lay, c is
+larger:
 
     c = .100 + .090 r^4,  r = |S_x - S_y|/(S_x + S_y)                                                                     (2)
 
-with S_x, S_y of the sides along x and along y: this is right along the pixels and at 14 degrees, and .100 where edges run in
-all directions. Areas of maps with a lay along the pixels are up to 4 % smaller with it, and as near to those of finer points as
-others (validation/maps). The mean area of rough maps at 8 points in the shortest wave is within 1 % of that at 32; with .118
+S_x and S_y are the lengths of sides along x and along y. (2) agrees with the measured c along the pixels and at 14 degrees.
+It makes areas of maps with a lay along the pixels up to 4 % smaller, and as accurate as those of other maps
+(validation/maps). The mean area of rough maps with 8 points in the shortest wave is within 1 % of the area with 32; with .118
 it is 1 to 2 % low.
-Where the pressure at most of the edge is the hardness, c is smaller; the area is never less than the load over the hardness,
-and that is close where it is reached. The length of the edge itself is pi/4 S, on average over its directions.
+
+c is smaller where the pressure at most of the edge is the hardness. The area is never less than the load over the hardness,
+and is close to this limit where points yield. The length of the contact edge is pi/4 S, averaged over its directions.
 """
 
 import math
@@ -36,7 +38,7 @@ _WORKERS = 2
 
 @dataclass(frozen=True)
 class Edges:
-    """The numbers of pixel sides between contact and no contact.
+    """Count the pixel sides between contact and no contact.
 
     along_y: sides between neighbours in x. along_x: sides between neighbours in y.
     """
@@ -46,26 +48,26 @@ class Edges:
 
     @property
     def count(self) -> int:
-        """Return the number of all pixel sides between contact and no contact."""
+        """Return the total number of pixel sides between contact and no contact."""
         return self.along_y + self.along_x
 
     @property
     def excess(self) -> float:
-        """Return the number of pixels that are counted too many, c S/d of (2)."""
+        """Return by how many pixels the counted contact area is too large: c S/d by (2)."""
         one_way = abs(self.along_y - self.along_x) / max(self.count, 1)
         return (PIXEL_EXCESS + _ALONG_PIXELS * one_way**4) * self.count
 
 
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
-    """Count the pixel sides at the edge of contact.
+    """Count the pixel sides between contact and no contact.
 
-    contact: bool (rows, columns). periodic: whether the last point is a neighbour of the first.
+    contact: mask (rows, columns) of points in contact. periodic: whether the last point is a neighbour of the first.
     """
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
 def _changes(contact, periodic):
-    """Count the changes between neighbouring values along the rows."""
+    """Count how often neighbouring points along the rows differ in contact."""
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
     return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
@@ -113,8 +115,5 @@ def _where_sum_reaches(edge, part, share):
 
 
 def rms_step(heights: np.ndarray) -> float:
-    """Return the rms height difference of neighbouring points along x and y [m].
-
-    Solvers measure gaps in units of it.
-    """
+    """Return the rms height difference of neighbouring points [m], which is the solvers' unit of gaps."""
     return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))

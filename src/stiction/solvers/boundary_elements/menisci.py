@@ -26,10 +26,10 @@ _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reache
 
 @dataclass(frozen=True)
 class Menisci:
-    """The liquid menisci between two faces.
+    """Describe the liquid between two faces.
 
-    pressure: suction gamma/r of the liquid [Pa]. height: largest gap that it fills, 2 r c [m]. Raises InputError unless both
-    are > 0.
+    pressure: suction of the liquid [Pa], surface tension over Kelvin radius. height: largest gap that the liquid fills [m].
+    Raises InputError unless both are > 0.
     """
 
     pressure: float
@@ -43,10 +43,10 @@ class Menisci:
 
 @dataclass(frozen=True)
 class Condensed:
-    """The solution of a contact with condensed liquid.
+    """Store the solution of a contact with condensed liquid.
 
-    found: solution of problem (1): contact pressure plus suction q [Pa], and the gap. wet: bool map of the points with
-    liquid. problem: problem (1).
+    found: solution of problem (1): contact pressure plus suction [Pa], and the gap. wet: mask of the points with liquid.
+    problem: problem (1).
     """
 
     found: Found
@@ -77,7 +77,7 @@ def condense(
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
-    """Return problem (1), with suction at the wet points."""
+    """Return the contact problem (1), in which suction acts at the wet points."""
     suction = np.where(wet, menisci.pressure, 0.0)
     return replace(
         problem,

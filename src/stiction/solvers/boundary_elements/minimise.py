@@ -1,32 +1,29 @@
-"""The pressure under a given load: the minimum of a convex energy between bounds.
+"""Compute the contact pressure of a map under a given load, by minimising elastic energy.
 
-With u = C p the displacement of the pressure p and h the heights, among all p of the given mean with 0 <= p <= H
+Let h be the heights, p the pressure and u = C p its displacement, with C the compliance operator. Among all pressures of the
+given mean with 0 <= p <= H, the solution is the one that minimises
 
-    minimise  1/2 <p u> - <p h>                                                                                            (1)
+    1/2 <p u> - <p h>                                                                                                      (1)
 
-which is a contact without friction (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic
-until the pressure is H, and then flow under it (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). C has
-only positive eigenvalues, the bounds are convex: there is one minimum, known by its conditions (Karush, Kuhn & Tucker), with
-one length a, and the gap g = u - h - a:
+This is contact without friction (Kalker & van Randen 1972; Polonsky & Keer 1999, Wear 231, 206) of bodies that are elastic
+below the hardness H and flow at p = H (Almqvist, Sahlin, Larsson & Glavatskih 2007, Tribology Int. 40, 574). The minimum is
+unique. It meets the conditions of Karush, Kuhn & Tucker with an offset a and the gap g = u - h - a:
 
-    p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth to which the point has flowed                   (2)
+    p = 0: g >= 0        0 < p < H: g = 0        p = H: g <= 0, the depth of plastic flow                                 (2)
 
-so how it was found needs no belief: `residual` says how far (2) is from being met.
+`residual` measures how far (2) is from being met, so any solution can be checked by itself.
 
-The way there is that of Polonsky & Keer, conjugate gradients over the points of 0 < p < H, with five changes, so that it
-converges also where points flow, and in a number of steps that hardly grows with the map:
+The method is that of Polonsky & Keer: conjugate gradients over the points with 0 < p < H. Five changes make it converge also
+where points flow, in a number of steps that hardly grows with the map. Equation numbers were not compared with print.
 
-- the gradient is turned into a pressure by one over C(k) before it is followed, on the free points and with zero sum, which
-  near full contact is the solution itself;
-- the pressure is brought back to its mean by a shift of the free points instead of a factor, which would lift it over H;
-- directions are combined by the rule of Polak & Ribiere and go on where points come and go, instead of beginning anew (as
-  Bugnicourt et al. 2018, Tribology Lett. 66, 29);
-- the energy must fall in each step. Where it does not, the step is one along the gradient, projected, and shortened until it
-  does (Bertsekas 1999, Nonlinear Programming, section 2.3: converges from anywhere);
-- steps change the gap in single precision. From time to time it is computed from the pressure in double precision, and steps
-  go on from there (iterative refinement: Moler 1967, J. ACM 14, 316). `residual` is always that of a gap in double.
-
-Equation numbers of Polonsky & Keer could not be compared with print.
+- The gradient is divided by C(k) on these points and shifted to zero sum. Near full contact this is the solution.
+- The pressure gets its mean back by a shift of these points. A factor would raise it above H.
+- Directions are combined by the rule of Polak & Ribiere, also after points enter or leave contact (as in Bugnicourt et al.
+  2018, Tribology Lett. 66, 29).
+- The energy must fall in each step. If not, a projected gradient step is taken, and shortened until the energy falls
+  (Bertsekas 1999, Nonlinear Programming, section 2.3; it converges from any start).
+- Steps are in single precision. At times the gap is computed anew in double precision (iterative refinement: Moler 1967,
+  J. ACM 14, 316). The reported `residual` is always in double precision.
 """
 
 import math
@@ -39,9 +36,9 @@ import numpy as np
 
 
 class Boundary(Protocol):
-    """The interface of a map's compliance operator: displacement from pressure.
+    """Define the compliance operator of a map: displacement from pressure.
 
-    It computes in the precision of its argument. inverts: whether `inverse` is exact.
+    Results have the precision of the argument. inverts: whether `inverse` is exact.
     """
 
     inverts: bool
@@ -50,7 +47,7 @@ class Boundary(Protocol):
         """Return the displacement map [m] caused by a pressure map [Pa]."""
 
     def inverse(self, displacement: np.ndarray, /) -> np.ndarray:
-        """Return a pressure map [Pa] that causes about this displacement map [m]."""
+        """Return a pressure map [Pa] that causes this displacement map [m], at least nearly."""
 
 
 _ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
@@ -64,10 +61,10 @@ _BLOCK = 2**16  # points that are worked on together: their numbers stay in the 
 
 @dataclass(frozen=True)
 class Problem:
-    """The quadratic minimisation problem (1).
+    """Describe the contact of a map under a mean pressure, as minimisation problem (1).
 
-    displacement: C, from pressure [Pa] to displacement [m]. heights: map [m]. mean: mean pressure [Pa]. hardness: H [Pa];
-    infinite for elastic bodies. length: unit of gaps [m].
+    displacement: compliance operator C, from pressure [Pa] to displacement [m]. heights: (rows, columns) [m]. mean: mean
+    pressure [Pa]. hardness: largest pressure H [Pa]; infinite for elastic bodies. length: unit of gaps [m].
     """
 
     displacement: Boundary
@@ -78,7 +75,7 @@ class Problem:
 
     @cached_property
     def point_stiffness(self) -> float:
-        """Return the pressure on one point that would move it alone, over its displacement [Pa/m]."""
+        """Return the pressure on a point, divided by its displacement, while all others stay [Pa/m]."""
         point = np.zeros(self.heights.shape, dtype=np.float32)
         point[0, 0] = 1.0
         return float(self.displacement.inverse(point)[0, 0])
@@ -86,10 +83,11 @@ class Problem:
 
 @dataclass(frozen=True)
 class Found:
-    """Solution of (1).
+    """Store the numerical solution of the minimisation problem (1).
 
-    pressure [Pa], gap [m] as in (2), with a = `offset` [m]; residual: rms violation of (2) over the length, per point in
-    contact; steps: number taken; converged: whether the residual is below the tolerance.
+    pressure [Pa] and gap [m]: (rows, columns). offset: the length a in the gap of (2) [m]. residual: rms violation of (2) per
+    point in contact, divided by the problem's length. steps: number of steps taken. converged: whether the residual is below
+    the tolerance.
     """
 
     pressure: np.ndarray
@@ -105,8 +103,8 @@ def minimise(
 ) -> Found:
     """Return the solution of the minimisation problem (1).
 
-    start: any pressure map [Pa]. tolerance: of the residual. most: largest number of steps. seen: called before each step
-    with its number and the residual. Without convergence, the state with the smallest residual is returned.
+    start: any pressure map [Pa]. tolerance: largest residual. most: largest number of steps. seen: called before each step
+    with its number and the residual. Without convergence, the pressure with the smallest residual is returned.
     """
     best = last = _in_double(problem, on_level(np.clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)
@@ -123,7 +121,7 @@ def minimise(
 
 @dataclass(frozen=True)
 class _State:
-    """Pressure [Pa] with its gap [m], offset [m] and residual, in double precision."""
+    """Store a pressure map [Pa] with its gap [m], offset [m] and residual, in double precision."""
 
     pressure: np.ndarray
     gap: np.ndarray
@@ -139,10 +137,11 @@ def _in_double(problem: Problem, pressure: np.ndarray) -> _State:
 
 
 def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: float) -> tuple[float, float, bool]:
-    """Take the offset from the gap; return it with the residual and whether (2) is missed where points are not free.
+    """Subtract the offset from the gap, in place; return offset, residual and a flag.
 
-    length: unit of gaps, in the unit of this gap. The offset is the mean over the free points; where no point is free, it
-    lies midway between the flowing and the untouched ones.
+    The flag tells whether the gap has a forbidden sign at points with p = 0 or p = H. length: unit of gaps, in the unit of
+    `gap`. The offset is the mean gap over points with 0 < p < H. If there are none, it lies midway between touching and open
+    points.
     """
     total, count, pressed = 0.0, 0, 0
     for rows in blocks(gap.shape):
@@ -164,14 +163,17 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
 
 
 def _between(touches: np.ndarray, gap: np.ndarray) -> float:
-    """Return the middle between the highest gap that touches and the lowest that does not."""
+    """Return the offset midway between the highest touching and the lowest open point."""
     highest = float(np.max(gap, where=touches, initial=-math.inf))
     lowest = float(np.min(gap, where=~touches, initial=math.inf))
     return 0.5 * (highest + lowest) if math.isfinite(lowest) else highest
 
 
 def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return the gap where (2) forbids its sign: negative without pressure, positive at the hardness."""
+    """Return the gap where its sign is forbidden by (2), and 0 elsewhere.
+
+    Forbidden is a negative gap at points without pressure, and a positive one where the pressure is the hardness.
+    """
     wrong = np.minimum(gap, 0.0)
     wrong *= pressure <= 0.0
     if math.isfinite(problem.hardness):
@@ -180,24 +182,24 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return the part of the gap [m] by which (2) is missed."""
+    """Return the error of the gap [m] at every point: by how much condition (2) is violated."""
     missed = _wrong(problem, pressure, gap)
     missed += gap * ((pressure > 0.0) & (pressure < problem.hardness))
     return missed
 
 
 class _Search:
-    """Steps in single precision, gaps in units of the problem's length.
-
-    steps: how many were taken.
-    """
+    """Take steps in single precision, with gaps divided by the problem's length."""
 
     def __init__(self, problem: Problem, seen: Callable[[int, float], None] | None):
         self.steps = 0
         self._problem, self._seen = problem, seen
 
     def run(self, start: _State, aim: float, most: int) -> np.ndarray:
-        """Return the pressure at which the residual is below this aim, or after which no step lowers the energy."""
+        """Take steps from a start; return the pressure [Pa] reached.
+
+        Steps end when the residual is at most `aim`, when `steps` reaches `most`, or when no step lowers the energy.
+        """
         self._pressure = start.pressure.copy()
         self._gap = np.multiply(start.gap, 1.0 / self._problem.length, dtype=np.float32, casting="same_kind")
         self._other = np.empty_like(self._pressure)
@@ -217,14 +219,14 @@ class _Search:
         return self._pressure
 
     def _restart(self) -> None:
-        """Forget the last direction."""
+        """Discard the last search direction."""
         self._square = math.inf
 
     def _settle(self) -> None:
         _, self._residual, self._any_wrong = _settle(self._problem, self._pressure, self._gap, 1.0)
 
     def _conjugate_step(self) -> bool:
-        """Go along the next direction; return False if energy rises."""
+        """Take a conjugate gradient step; return False, without a step, if the energy would rise."""
         slope = self._turn()
         if not slope < 0.0:
             return False
@@ -240,7 +242,10 @@ class _Search:
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
-        """Return the pressure so far along the direction, mended where (2) is missed and cut, and whether nothing was cut."""
+        """Return the pressure after a step of this length, and whether all of it was in 0 to H.
+
+        Points whose gap has a forbidden sign are corrected. The pressure is then clipped to 0 to H.
+        """
         problem, pressure, inside = self._problem, self._other, True
         mend = _WRONG * problem.point_stiffness * problem.length
         for rows in blocks(pressure.shape):
@@ -252,7 +257,10 @@ class _Search:
         return pressure, inside
 
     def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
-        """Go to this pressure if energy falls; least: [1/(Pa m)] decrease over the square of the change."""
+        """Adopt a pressure if it lowers the energy; return whether it did.
+
+        least: smallest decrease of the energy, divided by the squared change of pressure.
+        """
         change = self._change
         for rows in blocks(change.shape):
             np.subtract(pressure[rows], self._pressure[rows], out=change[rows], casting="same_kind")
@@ -267,22 +275,25 @@ class _Search:
         return falls
 
     def _arrive(self, pressure: np.ndarray, response: np.ndarray, part: np.float32 | None = None) -> None:
-        """Take this pressure, and the gap with this response or part of it."""
+        """Adopt a pressure and update the gap.
+
+        response: change of the gap. part: factor of the response; None for 1.
+        """
         self._pressure, self._other = pressure, self._pressure
         for rows in blocks(response.shape):
             self._gap[rows] += response[rows] if part is None else part * response[rows]
         self._settle()
 
     def _respond(self, change: np.ndarray) -> np.ndarray:
-        """Return the displacement of a change of the pressure, in lengths."""
+        """Return the displacement due to a change of pressure, divided by the problem's length."""
         response = self._problem.displacement(change)
         response *= np.float32(1.0 / self._problem.length)
         return response
 
     def _turn(self) -> float:
-        """Find the next direction, with zero sum over the free points; return the slope of the energy along it.
+        """Compute the next search direction; return the slope of the energy along it.
 
-        By the rule of Polak & Ribiere, never negative: it restarts by itself where conjugacy is lost.
+        The direction has zero sum over the points with 0 < p < H. The factor of Polak & Ribiere is kept >= 0.
         """
         gradient, before, last = self._spare, self._gradient, self._direction
         for rows in blocks(gradient.shape):
@@ -314,12 +325,12 @@ class _Search:
         return slope
 
     def _free(self, rows: slice) -> np.ndarray:
-        """Return 1 at the free points of these rows, 0 at others."""
+        """Return 1 at points of these rows with 0 < pressure < hardness, 0 elsewhere."""
         here = self._pressure[rows]
         return ((here > 0.0) & (here < self._problem.hardness)).astype(np.float32)
 
     def _projected_step(self) -> bool:
-        """Step along the gradient, projected on the bounds and halved until energy falls enough."""
+        """Take a projected gradient step, halved until energy falls enough; return whether it fell."""
         length = self._problem.point_stiffness * self._problem.length
         for _ in range(60):
             if self._accept(_nearest(self._pressure - length * self._gap, self._problem), _ENOUGH / length):
@@ -329,17 +340,14 @@ class _Search:
 
 
 def blocks(shape: tuple[int, ...]) -> Iterator[slice]:
-    """Yield the rows of a map in blocks that fit into the processor's cache."""
+    """Yield slices of rows that are small enough for the processor's cache."""
     step = max(1, _BLOCK // shape[1])
     for first in range(0, shape[0], step):
         yield slice(first, first + step)
 
 
 def dot(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the dot product of two arrays, added up by rows, without the threads of a BLAS library.
-
-    Those are slow to wake next to the threads of the transforms.
-    """
+    """Return the dot product of two maps, without BLAS threads, which start slowly."""
     return float(np.einsum("ij,ij->i", first, second).sum(dtype=np.float64))
 
 
@@ -349,10 +357,9 @@ def total(values: np.ndarray) -> float:
 
 
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the pressure shifted to the wanted mean and kept in 0 ... H.
+    """Return the pressure, shifted to the mean of the problem and clipped to 0 to H.
 
-    Points strictly between 0 and H are shifted, in place. If that does not reach the mean, all points are shifted, in a new
-    array.
+    Only points with 0 < p < H are shifted, in place. If this does not reach the mean, all points are shifted, in a new array.
     """
     top, wanted = problem.hardness, problem.mean * pressure.size
     pressed = pressure > 0.0
@@ -372,10 +379,9 @@ def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
 
 def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
-    """Return the admissible pressure of (1) nearest to this one.
+    """Return the pressure nearest to the given one that has the problem's mean and bounds.
 
-    All points are shifted and cut to 0 ... H; the shift is found by Newton's rule, with bisection where it leaves the
-    bracket.
+    All points are shifted and clipped. The shift is found by Newton's method, safeguarded by bisection.
     """
     top, wanted = problem.hardness, problem.mean
     low = -float(pressure.max())

@@ -1,31 +1,31 @@
-"""From the pressure on every point of a map to the displacement of every point, by fast Fourier transforms.
+"""Compute the normal displacement of a map from its pressure, by fast Fourier transforms.
 
-Periodic: the transform of the pressure times C(k) (Stanley & Kato 1997, J. Tribology 119, 481). Where the bodies are
-half-spaces, the mean displacement of one period is infinite; it is left out, and displacements are about their mean.
+Periodic map: the transform of the pressure is multiplied by the compliance C(k) (Stanley & Kato 1997, J. Tribology 119, 481).
+The mean displacement of half-spaces under a periodic pressure is infinite. It is left out, so displacements have zero mean.
 
-Mirrored: the map is a window of a larger surface, continued by its mirror images along both axes, to a period of twice its
-sides. Pressure and displacement are even about every side, so that cosine transforms of the window alone do what Fourier
-transforms of the period would.
+Mirrored map: a window of a larger surface, continued by mirror images along both axes. The period is twice the sides of the
+window. Pressure and displacement are even about every side, so cosine transforms of the window suffice.
 
-Free: the map ends, and nothing presses outside of it. Pressure is uniform on each pixel; convolution on a grid twice as large
-along both axes, so that no copy of the map is seen (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). The influence of one
-pixel of sides 2a, 2b on a half-space is (Love 1929; Johnson 1985, Contact Mechanics, eq. 3.25)
+Free map: nothing presses outside the map. The pressure is uniform on each pixel. The convolution uses a grid that is twice as
+large along both axes, so that copies of the map have no effect (Hockney; Liu, Wang & Liu 2000, Wear 243, 101: DC-FFT). One
+pixel with sides 2a, 2b displaces a half-space by (Love 1929; Johnson 1985, Contact Mechanics, eq. 3.25)
 
     u(x, y) = p/(pi E*) [f(x+a, y+b) - f(x+a, y-b) - f(x-a, y+b) + f(x-a, y-b)],   f = x arsinh(y/|x|) + y arsinh(x/|y|)   (1)
 
-and with a film three parts, far = 1/E* of long, near = 1/E* of short waves:
+With a film the compliance has three parts. `far` is 1/E* for long waves, `near` is 1/E* for short waves:
 
     C(k) = near (2/k) + (far - near) (2/k) e^(-k c) + D(k)                                                                (2)
 
-The first is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) of a point force; over a pixel, in place of f of (1),
+The first part is (1). The second is 1/(pi (r^2 + c^2)^(1/2)) for a point force. For a pixel, f in (1) becomes
 
     f = x arsinh(y/(x^2 + c^2)^(1/2)) + y arsinh(x/(y^2 + c^2)^(1/2)) - c arctan(x y/(c (x^2 + y^2 + c^2)^(1/2)))         (3)
 
-D is finite at k = 0, falls off as e^(-2 k t), and is transformed on the doubled grid; c = 1.5 t. (2) and (3) derived here.
-The copies of D that this leaves shift displacements by about (t/L)^3 of the largest, L the side of the map: 1e-3 at L = 10 t.
+The rest D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t, and is transformed on the doubled grid; c =
+1.5 t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest one, with L the
+side of the map: 1e-3 at L = 10 t.
 
-Every boundary computes in the precision of the pressure it is given, single or double. Its `inverse` divides each wave by C(k):
-exact on a periodic or mirrored map, and only near to it on a map that ends.
+Every operator computes in the precision of its argument, single or double. `inverse` divides each wave by C(k). This is exact
+on a periodic or mirrored map, and approximate on a free map.
 """
 
 import math
@@ -41,7 +41,7 @@ _DEPTH = 1.5  # c over t
 
 
 def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.ndarray, np.ndarray]:
-    """Return k_y as a column and k_x as a row [1/m] of the entries of `rfft2`.
+    """Return the wavevector components k_y (rows, 1) and k_x (1, columns) of `rfft2` [1/m].
 
     size: (y, x) [m] of the grid.
     """
@@ -51,12 +51,15 @@ def components(shape: tuple[int, int], size: tuple[float, float]) -> tuple[np.nd
 
 
 def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray:
-    """Return |k| of the entries of `rfft2` [1/m]; size: (y, x) [m] of the grid."""
+    """Return the wavenumbers |k| of the entries of `rfft2` [1/m].
+
+    size: (y, x) [m] of the grid.
+    """
     return np.hypot(*components(shape, size))
 
 
 class _Kernel:
-    """The factors of all waves in single and double precision."""
+    """Store the factor of every wave in single and double precision."""
 
     def __init__(self, factors: np.ndarray):
         self._double = factors
@@ -66,12 +69,12 @@ class _Kernel:
         return self._double.astype(np.float32)
 
     def like(self, values: np.ndarray) -> np.ndarray:
-        """Return the factors in the precision of these values."""
+        """Return the factors of all waves in the precision of `values`."""
         return self._single if values.dtype == np.float32 else self._double
 
 
 class PeriodicBoundary:
-    """The compliance operator of a periodic map.
+    """Compute displacements of a periodic map from its pressure.
 
     shape: (rows, columns). size: (y, x) [m]. knows_approach: whether displacements are absolute; if not, their mean is zero.
     """
@@ -92,14 +95,17 @@ class PeriodicBoundary:
         return _Kernel(_inverted(self._kernel.like(np.empty(0))))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] whose displacement [m] this is, of zero mean where C(0) is not defined."""
+        """Return the pressure [Pa] that causes a displacement [m].
+
+        Its mean is zero where the mean displacement is not defined.
+        """
         return _through(displacement, self.shape, self._stiffness)
 
 
 class MirroredBoundary:
-    """The compliance operator of a window that is continued by its mirror images.
+    """Compute displacements of a window that its mirror images continue on all sides.
 
-    shape: (rows, columns). size: (y, x) [m]. knows_approach: as in PeriodicBoundary.
+    shape: (rows, columns). size: (y, x) [m]. knows_approach: whether displacements are absolute; if not, their mean is zero.
     """
 
     inverts = True
@@ -118,12 +124,15 @@ class MirroredBoundary:
         return _Kernel(_inverted(self._kernel.like(np.empty(0))))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] whose displacement [m] this is, of zero mean where C(0) is not defined."""
+        """Return the pressure [Pa] that causes a displacement [m].
+
+        Its mean is zero where the mean displacement is not defined.
+        """
         return _through_cosines(displacement, self._stiffness)
 
 
 class FreeBoundary:
-    """The compliance operator of a map with no pressure outside of it.
+    """Compute displacements of a map with no pressure outside it.
 
     shape: (rows, columns). size: (y, x) [m].
     """
@@ -149,15 +158,15 @@ class FreeBoundary:
         return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return an approximate pressure [Pa] for this displacement [m].
+        """Return a pressure [Pa] that nearly causes this displacement [m].
 
-        It is exact for a periodic map, but not for a map that ends.
+        The pressure is exact for a periodic map, but not for a map with free edges.
         """
         return self._periodic.inverse(displacement)
 
 
 def _through(pressure, grid, kernel):
-    """Return the pressure, zero-padded to the grid, convolved with the kernel."""
+    """Return the convolution of a pressure map, zero-padded to the grid, with a kernel."""
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel.like(pressure)
@@ -166,7 +175,10 @@ def _through(pressure, grid, kernel):
 
 
 def _through_cosines(pressure, kernel):
-    """Multiply the pressure with the kernel in the cosines of a window."""
+    """Return the convolution of a pressure map with a kernel, by cosine transforms.
+
+    The map is a window continued by mirror images.
+    """
     workers = _workers(pressure.size)
     waves = dctn(pressure, workers=workers)
     waves *= kernel.like(pressure)
@@ -174,7 +186,7 @@ def _through_cosines(pressure, kernel):
 
 
 def _inverted(factors):
-    """Return 1/C(k), and 0 where C(k) is 0."""
+    """Return the reciprocal of each wave's factor, and 0 where the factor is 0."""
     return np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0)
 
 
@@ -183,13 +195,19 @@ def _workers(points):
 
 
 def _distances(shape, pitch):
-    """Return (y, x) [m] from the first point of a periodic grid to nearest copies."""
+    """Return the signed distances (y, x) [m] of all points from the first, on a periodic grid.
+
+    Each distance is to the nearest periodic copy.
+    """
     rows, columns = shape
     return fftfreq(rows, 1.0 / (rows * pitch[0]))[:, None], fftfreq(columns, 1.0 / (columns * pitch[1]))
 
 
 def _of_pixels(shape, pitch, depth=0.0):
-    """Return (1), or its replacement (3), times E*/p [m]."""
+    """Return the displacement u E*/p [m] of every point due to pressure p on one pixel, by (1).
+
+    depth: the length c of (3), which replaces f of (1) if c > 0 [m].
+    """
     y, x = _distances(shape, pitch)
     b, a = 0.5 * pitch[0], 0.5 * pitch[1]
     total = _corner(x + a, y + b, depth)
@@ -200,7 +218,10 @@ def _of_pixels(shape, pitch, depth=0.0):
 
 
 def _corner(x, y, depth):
-    """Return f of (1) and (3); no corner of a pixel lies on an axis."""
+    """Return the function f of (1), or of (3) if depth > 0, at one corner of each pixel.
+
+    No corner lies on an axis, where f would be singular.
+    """
     if depth == 0.0:
         return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
     corner = x * np.arcsinh(y / np.hypot(x, depth))
@@ -210,7 +231,7 @@ def _corner(x, y, depth):
 
 
 def _rest(compliance, shape, pitch):
-    """Return D(k) of (2) [m/Pa] on a grid, for a pixel of uniform pressure."""
+    """Return the part D(k) [m/Pa] of a film's compliance (2), on a grid."""
     k = wavevectors(shape, (shape[0] * pitch[0], shape[1] * pitch[1]))
     depth = _DEPTH * compliance.depth
     k[0, 0] = 1e-3 / depth  # D is finite at 0, and this near to it

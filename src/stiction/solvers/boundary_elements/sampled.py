@@ -23,7 +23,7 @@ LEAST_CONTACT = 1000  # points in contact, at the lightest load
 
 @dataclass(frozen=True)
 class SampledContacts:
-    """The contacts of a map, solved at every r-th point.
+    """Store the contacts of a map, solved at every r-th point.
 
     every: r; 1 if all points were solved.
     """

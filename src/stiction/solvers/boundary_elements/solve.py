@@ -102,7 +102,7 @@ class MapContacts:
 
 @dataclass(frozen=True)
 class Progress:
-    """The progress of a solution.
+    """Report the progress of a map solution.
 
     load: index of the current load, from 0. loads: number of loads. step: number of the step. residual: current residual; the
     solution ends when it is below the tolerance.
@@ -151,7 +151,10 @@ def solve_map(
 
 
 def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[float], periodic: bool, how: dict) -> None:
-    """Raise InputError if `solve_map` does not accept this map, these loads or keywords."""
+    """Raise InputError if `solve_map` would reject the map, the loads or the keywords.
+
+    how: further keywords of `solve_map`.
+    """
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
     _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
 
@@ -180,7 +183,7 @@ class _How:
 
 @dataclass(frozen=True)
 class _Asked:
-    """The checked arguments of `solve_map`."""
+    """Store the checked arguments of `solve_map`."""
 
     heights: np.ndarray
     size: tuple[float, float]
@@ -269,7 +272,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
-    """Return a map with twice the rows; new rows are means of their neighbours."""
+    """Return a map with twice the rows; each new row is the mean of its neighbours."""
     fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
     fine[::2] = coarse
     fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])
@@ -325,9 +328,9 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
 
 
 def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
-    """Return the pressure between the solids, from that over the suction.
+    """Return the pressure between the solids: the solved pressure minus the suction [Pa].
 
-    It is next to nothing where points touch and are drawn together.
+    Touching points keep at least the smallest positive number, so that they still count as contact.
     """
     return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
 

@@ -1,4 +1,4 @@
-"""Contacts of one adhesive periodic map, as the same objects as contacts without adhesion.
+"""Solve one adhesive periodic map, with results of the same type as without adhesion.
 
 The faces attract each other over a range rho (see `adhesive`). "atomic_range" is the range of atomic forces, which few maps
 resolve. "shortest_range" is the shortest range that the points of the map resolve: two points along the length E* rho^2/w

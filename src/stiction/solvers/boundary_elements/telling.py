@@ -1,6 +1,6 @@
-"""Report the progress of a solution to listeners registered by distant callers.
+"""Report the progress of map solutions to registered listeners.
 
-A caller that displays progress does not call the solver directly, so it registers a listener here.
+A caller that displays progress, but does not call the solver itself, registers a listener here.
 """
 
 from collections.abc import Callable, Iterator
@@ -13,9 +13,9 @@ _listeners: list[Callable[[Progress], None]] = []
 
 @contextmanager
 def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
-    """Register a progress listener for all solutions inside a `with` block.
+    """Register a progress listener for all map solutions inside a `with` block.
 
-    listener: called with a Progress for each step that is reported.
+    listener: called with each reported Progress.
     """
     _listeners.append(listener)
     try:
