@@ -50,3 +50,13 @@ def test_a_contact_as_small_as_solved_surfaces_has_their_scatter_alone():
         load = number * 4.0 / 3.0 * MODULUS * RADIUS**0.5 * SIGMA**1.5 * gaussian_sum(1.5)
         shares.append(st.predict(contact, load=load).shares.get("chance", 0.0))
     assert shares[0] > 0.2 and shares[1] == 0.0
+
+
+def test_a_contact_smaller_than_an_atom_is_told():
+    """An area of a tenth of a square nanometre: the plastic load over the hardness of copper, some 1 GPa."""
+    rough = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
+    contact = st.Contact(first="copper", second="copper", roughness=rough, nominal_area="1 cm^2", interface="oxidised metal")
+    told = [
+        "smaller than an atom" in " ".join(st.predict(contact, load=load).warnings) for load in ("1e-29 N", "1e-11 N", "1e-9 N")
+    ]
+    assert told == [True, True, False]

@@ -19,6 +19,7 @@ _GROWN = 1.5  # area after shear over that before
 _FEW = 10.0
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
 _DECIDES = 0.05  # share of the variance from which on a part is worth a warning
+_ATOM = 1e-19  # m^2, some 0.3 nm squared
 _MANY = 0.05  # share of draws that cannot be, from which on it is said
 
 
@@ -105,6 +106,8 @@ def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[
         warnings.insert(0 if first else len(warnings), text)
     if decides and is_open and max(float(law.far[index] * law.weight[index]) * law.far_error for law in mixture.laws) > 0.2:
         warnings.append("No benchmark surface is near this contact: its real area is uncertain by a factor of 2.")
+    if area < _ATOM:
+        warnings.insert(0, "The contact area is smaller than an atom: models of solids do not hold at this load.")
     return warnings
 
 
