@@ -194,7 +194,7 @@ def _check_heads(columns: list[_Column], heads: list[str]) -> None:
 def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) -> list[tuple]:
     """Return one row per measured value of a line.
 
-    at: line number; cells: text by column name. A row is (quantity, sample, load, value, error, known, line number), in SI
+    cells: text by column name. A row is (quantity, sample, load, value, error, known, line number), in SI
     units.
     """
     sample, load, known = "", float("nan"), {}

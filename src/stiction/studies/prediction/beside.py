@@ -44,7 +44,7 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
 def checked_against(mixture: Mixture, index: int) -> str:
     """Return a text about the benchmark surfaces and measured friction values near this contact.
 
-    at: index of the load.
+    index: position of the load in `loads`.
     """
     near = [law for law in mixture.laws if law.far[index] < 1.0]
     share = sum(float(law.weight[index]) for law in near)
@@ -67,7 +67,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
     """Return half the width of the 90 % interval of ln(area) due to the error of one area model.
 
-    The plastic area and the nominal area limit it. at: index of the load.
+    The plastic area and the nominal area limit it. index: position of the load in `loads`.
     """
     sampled, rows = mixture.sampled, np.arange(len(law.log_area))
     nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))

@@ -26,7 +26,7 @@ _MANY = 0.05  # share of draws that cannot be, from which on it is said
 def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
     """Return the contact regime in one or two sentences.
 
-    at: index of the load.
+    index: position of the load in `loads`.
     """
     sampled = mixture.sampled
     area, pull, growth, pressure = (
@@ -60,7 +60,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
 def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
     """Return a sentence on the mean pressure of contact spots, and on yielding of the body below a film.
 
-    pressure: mean pressure over the hardness of the softer surface; at: index of the load.
+    pressure: mean pressure over the hardness of the softer surface; index: position of the load in `loads`.
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
@@ -79,7 +79,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
 def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float]) -> list[str]:
     """Return the warnings about a prediction, the most serious first.
 
-    at: index of the load; shares: fraction of the variance by part, empty if unknown.
+    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     warnings = []

@@ -20,8 +20,9 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     """Return the fraction of the variance of ln mu due to each part, the largest first; {} if nothing varies.
 
     The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum
-    of all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores. at: index of
-    the load.
+    of all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores.
+
+    index: position of the load in `loads`.
     """
     mixture = mixture.at_load(index)
 
@@ -43,7 +44,7 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
 def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -> float:
     """Return half the mean square change of ln mu if one part is exchanged between samples.
 
-    whole: ln mu of all samples (n,).
+    reference: ln mu (n,) of all samples before the exchange.
     """
     every = range(len(levels))
     rows = np.tile(every, len(_EXCHANGES))
