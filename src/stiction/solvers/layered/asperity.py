@@ -1,17 +1,18 @@
-r"""One elastic asperity on a film, as formulas: without adhesion or with DMT's, and with the energy of its edge (JKR).
+"""Compute one elastic asperity on a film: without adhesion, with DMT's, or with JKR's.
 
-The coordinate is u = x^(1/4), x = a^2/(R sigma). A row of parameters is ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1), t_1 the
-thickness of one film, the pull, and the coefficients of two or three of `solvers.layered.curves`: with z = (q - 1)/(q + 1), q =
-per_root u, the sphere's moduli E_P, E_S, B over that of the bodies without a film, and D in the approach D a^2/R.
+The coordinate is u = x^(1/4), with x = a^2/(R sigma), a the contact radius and R the asperity radius. A row of parameters
+holds ln n_E, per_root = (R sigma)^(1/4)/sqrt(t_1) with t_1 the thickness of one film, the pull, and the coefficients of two or
+three of `solvers.layered.curves`. With z = (q - 1)/(q + 1) and q = per_root u these give the sphere's moduli E_P, E_S and B,
+divided by the modulus of the bodies without a film, and D in the approach D a^2/R. Displacement, load, stiffness and area are
 
     w_H = D u^4,  P_H = E_P u^6,  dP_H/dw_H = (3/2) E_S u^2,  A = u^4
 
-DMT's adhesion is a pull of 2 pi n_g/theta. JKR's follows from energy alone, for bodies layered in any way: at a given radius
-the load is a flat punch's less than P_H, and the energy that the edge releases is the work of adhesion,
+DMT's adhesion is a pull of 2 pi n_g/theta. JKR's adhesion follows from energy alone, for any layered bodies. At a given radius
+the load is P_H minus the load of a flat punch, and the energy released at the contact edge equals the work of adhesion:
 
     w = w_H - s u/sqrt(B),  P = P_H - (3/2) s E_S u^3/sqrt(B),  s = (2/3) sqrt(6 pi n_g/theta)
 
-in SI delta = delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare
+In SI units delta = delta_H - sqrt(4 pi a gamma/S'), P = P_H - S sqrt(4 pi a gamma/S'), S = 2 a E_S, S' = dS/da = 2 B (compare
 Barthel & Perriot 2007; the limit of short-ranged forces).
 """
 
@@ -30,7 +31,10 @@ _MOST_STEPS = 100
 
 @formula
 def _place(u, per_root):
-    """Return z and (1 - z^2)/2 = dz/d ln u; at infinite u they are 1 and 0."""
+    """Return the curve coordinate z and its derivative dz/d ln u = (1 - z^2)/2.
+
+    At infinite u they are 1 and 0.
+    """
     rest = 1.0 / (per_root * u + 1.0)
     return 1.0 - 2.0 * rest, 2.0 * rest * (1.0 - rest)
 
@@ -44,7 +48,7 @@ def _next(z, sums, coefficient):
 
 @formula
 def _polynomial(z, c):
-    """Return Sum c_k z^k and its derivative by z.
+    """Return the polynomial Sum c_k z^k and its derivative by z.
 
     The terms are written out because the compiler does not vectorise a loop over a tuple.
     """
@@ -58,14 +62,21 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Return Sum c_k z^k times 1 - z^2, and its derivative by ln u."""
+    """Return (1 - z^2) Sum c_k z^k, and its derivative by ln u.
+
+    by_u: dz/d ln u.
+    """
     value, slope = _polynomial(z, c)
     return 2.0 * by_u * value, by_u * (2.0 * by_u * slope - 2.0 * z * value)
 
 
 @formula
 def _hertzian(u, row):
-    """Return z, dz/d ln u, E_P, D, d ln E_P/d ln u and d ln D/d ln u (symbols: see the module)."""
+    """Return the contact of a sphere without adhesion at the coordinate u.
+
+    The values are z, dz/d ln u, the modulus E_P of the load, the factor D of the approach, and the derivatives of ln E_P and
+    ln D by ln u.
+    """
     z, by_u = _place(u, row[1])
     load, load_slope = _curve(z, by_u, row[HEAD:_APPROACH])
     approach, approach_slope = _curve(z, by_u, row[_APPROACH:PLAIN])
@@ -75,7 +86,10 @@ def _hertzian(u, row):
 
 @formula
 def plain(u, *row):
-    """Return displacement, its slope, load minus pull, and area of a contact without edge energy (Hertz or DMT)."""
+    """Return displacement, its derivative by u, load and area of an asperity (Hertz or DMT).
+
+    The load is P_H minus the pull of the row. All values are normalised.
+    """
     _, _, E_P, D, _, approach_slope = _hertzian(u, row)
     u3 = u * u * u
     return D * u3 * u, D * u3 * (4.0 + approach_slope), E_P * u3 * u3 - row[2], u3 * u
@@ -83,20 +97,20 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) and the derivative of its logarithm by ln u."""
+    """Return 1/sqrt(B) and the derivative of its logarithm by ln u; B is dS/da over 2."""
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
 
 
 @formula
 def _stiffness(E_P, D, load_slope, approach_slope):
-    """Return (3/2) E_S = (dP_H/du)/(dw_H/du)/u^2."""
+    """Return the normalised contact stiffness (3/2) E_S, which is (dP_H/du)/(dw_H/du)/u^2."""
     return E_P * (6.0 + load_slope) / (D * (4.0 + approach_slope))
 
 
 @formula
 def parted(u, row):
-    """Return P_H, and how much smaller the adhesive load is on the same radius."""
+    """Return the load P_H without adhesion, and by how much JKR's load at this radius is less."""
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     u3, softness = u * u * u, _edge(z, by_u, row)[0]
     return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
@@ -104,9 +118,9 @@ def parted(u, row):
 
 @formula
 def edged(u, *row):
-    """Return displacement, its slope, load and area of a contact with edge energy (JKR), in the form of `plain`.
+    """Return displacement, its derivative by u, load and area of an asperity with JKR's adhesion.
 
-    The parameter pull of the row is s.
+    The third number of the row is s, the strength of adhesion. All values are normalised.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)
@@ -118,7 +132,7 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return u at the displacement w, without edge energy.
+    """Return the coordinate u at the displacement w of an asperity (Hertz or DMT).
 
     Newton's method on logarithms: ln w_H rises with ln u at a slope close to 4.
     """
@@ -138,9 +152,9 @@ def plain_coordinate(w, *row):
 
 @formula
 def _approached(w, row):
-    """Return u at the displacement w >= 0, with edge energy.
+    """Return the coordinate u at the displacement w >= 0, with JKR's adhesion.
 
-    Newton's method on ln(w_H/(w + v)), where v is the edge term of the displacement. This function rises with ln u.
+    Newton's method on ln(w_H/(w + v)), where v is the adhesive part of the displacement. This function rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
@@ -157,19 +171,25 @@ def _approached(w, row):
 
 @formula
 def touch(row):
-    """Return u at the displacement 0 with edge energy, where two approaching bodies make contact."""
+    """Return the coordinate u at which approaching bodies first touch, with JKR's adhesion.
+
+    The displacement is 0 there.
+    """
     return _approached(0.0, row)
 
 
 @formula
 def _comes_off(u, row):
-    """Return whether the displacement falls with u."""
+    """Return whether the contact is unstable at u: the displacement does not rise with u."""
     return edged(u, *row)[1] <= 0.0
 
 
 @formula
 def _is_short(u, given):
-    """Return whether u lies before the displacement w, or where that falls with u."""
+    """Return whether u is too small: its displacement is less than w, or does not rise with u.
+
+    given: (w, row of parameters).
+    """
     w, row = given
     here = edged(u, *row)
     return here[0] < w or here[1] <= 0.0
@@ -180,7 +200,10 @@ _halve_off, _halve_short = halving(_comes_off), halving(_is_short)
 
 @formula
 def edged_coordinate(w, *row):
-    """Return u at the displacement w, on the branch where the displacement grows with u."""
+    """Return the coordinate u at the displacement w, with JKR's adhesion, on the stable branch.
+
+    On this branch the displacement grows with u.
+    """
     if w == math.inf:
         return math.inf
     if w >= 0.0:
@@ -193,9 +216,9 @@ def edged_coordinate(w, *row):
 
 @formula
 def pulled_off(row):
-    """Return u at which a contact detaches when the bodies are moved apart.
+    """Return the coordinate u at which an asperity with JKR's adhesion detaches.
 
-    There dw/du = 0 at fixed displacement. It is the first such point, starting from where contact was made.
+    The bodies are moved apart at given displacement. Contact ends at the first point with dw/du = 0.
     """
     low = high = touch(row)
     while not _comes_off(low, row):

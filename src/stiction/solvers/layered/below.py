@@ -1,13 +1,14 @@
-r"""The pressure that a yielding body carries through a harder film: a spot of radius a on a film of thickness t.
+"""Compute the pressure at which a body yields below a harder film.
 
-*Assumes*: the body flows under a spot where the von Mises stress, at the depth of its surface, is what it is somewhere under a
-spot on the bare body that bears its hardness. Stresses are Hertz's on the axis of a half-space (Johnson, Contact Mechanics,
-1985, eq. 3.45), the film replaced by one of the body's modulus and the thickness t_e = t (E_f/E_s)^(1/3), which bends as
-stiffly (Odemark's equivalent thickness, from memory). Over the hardness of the body, with z the depth over a,
+*Assumes*: A contact spot of radius a lies on a film of thickness t. The body flows when the von Mises stress at the depth of
+its surface equals the largest von Mises stress in the bare body under its hardness. Stresses are Hertz's on the axis of a
+half-space (Johnson, Contact Mechanics, 1985, eq. 3.45). The film is replaced by body material of the thickness t_e = t
+(E_f/E_s)^(1/3), which has the same bending stiffness (Odemark's equivalent thickness, from memory). With H_s the hardness of
+the body, z the depth divided by a, and nu its Poisson's ratio,
 
     p/H_s = max_z s(z)/max_{z >= t_e/a} s(z),   s(z) = 3/(2 (1 + z^2)) - (1 + nu)(1 - z arctan(1/z))
 
-which is 1 where t_e is below about a/2. This project's own, grade C: plasticity is not solved.
+This is 1 if t_e is below about a/2. The formula is this project's own and is a judgement (grade C): plasticity is not solved.
 """
 
 import numpy as np
@@ -20,9 +21,9 @@ _DEEPEST = 1e3  # from there on no body below yields before its film does
 
 
 def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the pressure at which the body below flows, divided by its hardness.
+    """Return the pressure on a film at which the body below yields, divided by its hardness.
 
-    depth: of the body's surface divided by the contact radius; nu: Poisson's ratio. Arrays.
+    depth: of the body's surface, divided by the contact radius. nu: Poisson's ratio. Both are arrays.
     """
     largest = _stress(_NEAR, np.asarray(nu)[..., None])
     deepest = _NEAR[largest.argmax(axis=-1)]
@@ -30,9 +31,9 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the pressure at which the body below the film flows, divided by the hardness H, shape (n, m).
+    """Return the pressure (n, m) at which the body below the film yields, over the hardness H.
 
-    spot: contact area divided by pi R sigma, shape (n, m).
+    spot: contact area (n, m), divided by pi R sigma.
     """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2
@@ -41,5 +42,8 @@ def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _stress(z: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the von Mises stress on the axis at the depth z a, divided by the largest pressure."""
+    """Return the von Mises stress on the axis of a Hertz contact, over the largest pressure.
+
+    z: depth divided by the contact radius. nu: Poisson's ratio.
+    """
     return 1.5 / (1.0 + z * z) - (1.0 + nu) * (1.0 - z * np.arctan2(1.0, z))

@@ -1,4 +1,4 @@
-"""Elastic bodies of a contact with films, derived from its dimensionless groups."""
+"""Derive the elastic bodies of a coated contact from its dimensionless groups."""
 
 from typing import NamedTuple
 
@@ -17,9 +17,9 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 class Bodies(NamedTuple):
     """Describe the two bodies of a contact with films.
 
-    pair: compliance of the two bodies. coated: the bodies that carry a film, with their elastic constants. The remaining
-    numbers: ratio of the film's plane-strain modulus to the modulus of both bodies without a film; the uncoated body's share
-    of the compliance, and its Poisson's ratio.
+    pair: the films, with their shares of the elastic compliance. coated: elastic constants of each coated body. The remaining
+    numbers are the ratio of the film's plane-strain modulus to the contact modulus of the bodies without a film, and the
+    uncoated body's fraction of the compliance and Poisson's ratio.
     """
 
     pair: Pair
@@ -30,24 +30,24 @@ class Bodies(NamedTuple):
 
 
 def per_root(groups: Groups) -> np.ndarray:
-    """Return (R sigma)^(1/4)/sqrt(t_1) (n,); multiplied by x^(1/4) it is sqrt(a/t_1).
+    """Return the factor (n,) that converts x^(1/4) to sqrt(a/t_1): (R sigma)^(1/4)/sqrt(t_1).
 
-    t_1: thickness of one film.
+    x: a^2/(R sigma). a: contact radius. t_1: thickness of one film.
     """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
 
 
 def columns_of(groups: Groups) -> np.ndarray:
-    """Return the six dimensionless groups (6, n) that determine the bodies."""
+    """Return the six groups (6, n) on which the elastic constants of coated bodies depend."""
     return np.stack([np.broadcast_to(getattr(groups, name), len(groups)) for name in _NAMED])
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the film's share (n,) in the surface compliance, and its modulus ratio.
+    """Return the film's fraction of the compliance, and its modulus over that of its body: (n,) each.
 
-    Rows as of `columns_of`; the share is 1 if both bodies are coated; the ratio is to the modulus of the body. Raises
-    InputError for impossible bodies.
+    given: rows as of `columns_of`. The compliance is that of the two surface materials; the fraction is 1 if both bodies are
+    coated. Raises InputError for impossible bodies.
     """
     n_E, bodies, first = given[:3]
     single = bodies == 1.0
@@ -59,7 +59,7 @@ def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def bodies_of(groups: Groups) -> tuple[list[Bodies], np.ndarray]:
-    """Return the distinct bodies of n contacts with a film, and their indices (n,)."""
+    """Return the distinct pairs of bodies among n contacts with films, and the index (n,) of each contact's pair."""
     each, which = np.unique(columns_of(groups), axis=1, return_inverse=True)
     return [_bodies(row) for row in each.T], np.ravel(which)
 

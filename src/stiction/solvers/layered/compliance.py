@@ -24,9 +24,9 @@ import numpy as np
 class Layer:
     """Describe a film on one of the two bodies.
 
-    share: of this film in the compliance of the two surface materials, above 0, at most 1. ratio: plane-strain modulus of the
-    film over the body below, finite; 0 if that body is rigid. excess: 4 beta - alpha of Dundurs' parameters, -1 to 1; it
-    holds the effect of Poisson's ratios (see `of`).
+    share: this film's fraction of the compliance of the two surface materials, above 0, at most 1. ratio: plane-strain
+    modulus of the film over that of the body below, finite; 0 if that body is rigid. excess: 4 beta - alpha with Dundurs'
+    parameters, -1 to 1; it holds the effect of Poisson's ratios (see `of`).
     """
 
     share: float
@@ -44,12 +44,11 @@ Pair = tuple[Layer, ...]
 
 
 def poisson_excess(ratio, nu, nu_below):
-    """Return 4 beta - alpha, Dundurs' parameters of a film on a body.
+    """Return 4 beta - alpha, with Dundurs' parameters of a film on a body, from arrays.
 
-    It lies in -1 to 1 for any ratio of moduli. Arrays.
-
-    alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 -
-    nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
+    It lies in -1 to 1 for any ratio of moduli. alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) -
+    (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
+    ratio: E1/E2 of film and body.
     """
     softness, softness_below = 1.0 - nu, 1.0 - nu_below
     shear = ratio * softness / softness_below
@@ -67,7 +66,7 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 
 
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
-    """Return the compliance (n,) of both bodies at wavenumbers x = k t (n,).
+    """Return the elastic compliance (n,) of two coated bodies at wavenumbers x = k t (n,).
 
     It is divided by 2/(E1 k), the compliance of half-spaces of the two surface materials. t is the thickness of one film.
     """
@@ -78,7 +77,7 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the plane-strain modulus of both bodies without films, divided by that of the two surface materials.
+    """Return the contact modulus of the bodies without films, over that of the surface materials.
 
     It is infinite if both bodies are rigid.
     """

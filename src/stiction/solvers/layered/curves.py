@@ -51,9 +51,9 @@ def curves(pair: Pair) -> np.ndarray:
 
 
 def fit(solved: np.ndarray, below: float) -> np.ndarray:
-    """Fit coefficients (CURVES, TERMS) to Responses (radii, 7) at RADII.
+    """Fit the coefficients (CURVES, TERMS) of three curves to exact solutions at RADII.
 
-    below: the modulus without a film.
+    solved: fields of `sphere.Response` (radii, 7). below: contact modulus without a film.
     """
     at = {name: column for name, column in zip(Response._fields, solved.T, strict=True)}
     ends = {"load": np.log(below), "approach": 0.0, "edge": np.log(below)}
@@ -75,7 +75,7 @@ def fit_one(values: np.ndarray, slopes: np.ndarray, rise: float) -> np.ndarray:
 
 
 def _basis(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (1 - z^2) T_k(z) (n, TERMS) and its derivative by z."""
+    """Return the fit functions (1 - z^2) T_k(z), T_k Chebyshev's, and their derivatives by z: (n, TERMS)."""
     unit = np.eye(TERMS)
     value = chebyshev.chebval(z, unit).T
     slope = chebyshev.chebval(z, chebyshev.chebder(unit)).T

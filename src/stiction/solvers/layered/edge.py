@@ -1,4 +1,4 @@
-"""Von Mises stress of a film at the trailing edge of a sphere that is pressed and sheared.
+"""Compute the von Mises stress of a film at the trailing edge of a pressed and sheared sphere.
 
 At this edge the square of the von Mises stress is a quadratic form in the mean pressure s and the mean traction q,
 
@@ -33,11 +33,11 @@ _PLACE = np.array([1.0]), np.array([0.0])
 @lru_cache(maxsize=256)
 @on_one_thread
 def edge_curves(bodies: Bodies) -> np.ndarray:
-    """Return the curves of ln D, A and B as rows (FORMS, 2 + EDGE_TERMS).
+    """Return the curves of the edge coefficients ln D, A and B against contact size.
 
-    Each row holds the limits f (a half-space of film material) and g (a film of zero thickness), and the c_k in (1 - z)/2 f +
-    (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. If the two bodies differ, each radius takes the body whose film has
-    the higher stress under traction.
+    Rows (FORMS, 2 + EDGE_TERMS) hold the limits f (a half-space of film material) and g (a film of zero thickness), and the
+    c_k in (1 - z)/2 f + (1 + z)/2 g + (1 - z^2) Sum c_k z^k, z as in `curves`. If two coated bodies differ, each radius takes
+    the body whose film has the higher stress under traction.
     """
     each = [_of_body(bodies, body) for body in dict.fromkeys(bodies.coated)]
     rows = np.stack(each)
@@ -54,18 +54,24 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 
 
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
-    """Return ln D, A and B (radii + 2, FORMS): for an infinitely thick film, at the radii, and at t = 0."""
+    """Return the edge coefficients ln D, A and B of one coated body: (radii + 2, FORMS).
+
+    The first row is for an infinitely thick film, the last for zero thickness, the others for the radii.
+    """
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
 
 
 @lru_cache(maxsize=64)
 def half_space(nu: float) -> Radial:
-    """Return the stresses at the contact edge of a half-space."""
+    """Return the stresses at the contact edge of a half-space with Poisson's ratio nu."""
     return Stresses((Layer.of(1.0, 1.0, nu, nu),), CoatedBody(1.0, nu, nu), 0.5).in_film(*_PLACE)
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return ln D, A and B at the trailing edge, the place of highest stress under traction."""
+    """Return the coefficients ln D, A and B of the von Mises stress at the trailing edge.
+
+    The stress under traction is largest there.
+    """
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

@@ -1,4 +1,4 @@
-"""First yield (von Mises) of a film or the body below it, under a pressed and sheared sphere.
+"""Locate first yield (von Mises) in a film or the body below it, under a pressed and sheared sphere.
 
 The square of the von Mises stress at a point is a quadratic form in the mean pressure s and the mean traction q. At depth z,
 radius r and angle theta from the direction of the traction it is
@@ -6,9 +6,9 @@ radius r and angle theta from the direction of the traction it is
     M = A s^2 + 2 B s q cos(theta) + [C + (D - C) cos^2(theta)] q^2.
 
 The maximum over theta has a closed form. The maximum over r and z is searched on a grid that is dense where stresses vary,
-and refined by parabolas. The root N(s, q) of the maximum is a norm. Film and body each have their own N, and yield where it
-reaches their yield stress. For very small contacts the film acts as a half-space. For contacts much wider than the film, the
-body acts as a half-space and stretches the film like its own surface.
+and refined by parabolas. The root of the maximum, N(s, q), is the largest von Mises stress. It is a norm of (s, q). Film and
+body each have their own N, and yield where N reaches their yield stress. For very small contacts the film acts as a
+half-space. For contacts much wider than the film, the body acts as a half-space and stretches the film like its own surface.
 """
 
 from functools import lru_cache
@@ -42,11 +42,11 @@ Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
-    """Store the first yield at a mean pressure of 1 with a proportional traction.
+    """Store where a coated body first yields, at mean pressure 1 and a proportional traction.
 
-    excess: von Mises stress there, over the yield stress of that place in units of the body's yield stress. where: "film",
-    "interface" (either side) or "body". x: position ahead of the axis, and z: depth below the surface, both over the contact
-    radius.
+    excess: von Mises stress there, over the yield stress of that material divided by the yield stress of the body. where:
+    "film", "interface" (either side) or "body". x: position ahead of the axis, z: depth below the surface, both divided by
+    the contact radius.
     """
 
     excess: float
@@ -88,9 +88,10 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 
 
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
-    """Return the norm N in each region of film and body: (PARTS, m).
+    """Return the largest von Mises stress in each region of film and body: (PARTS, m).
 
-    angles: (m,), arctan(q/s) for traction q and pressure s. The last region is the body; the others belong to the film.
+    angles: (m,), arctan(q/s) for mean traction q and mean pressure s, with s^2 + q^2 = 1. The last region is the body; the
+    others belong to the film.
     """
     (film, _, _), (body, _, _) = _fields(stresses)
     return np.stack([*_of_film(forms_of(film), angles), _norm(forms_of(body), angles)])
@@ -99,10 +100,10 @@ def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
 @lru_cache(maxsize=64)
 @on_one_thread
 def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> np.ndarray:
-    """Return ln N of the film and of the body below: (2, PLACES, ANGLES).
+    """Return ln of the largest von Mises stress in film and body: (2, PLACES, ANGLES).
 
-    With two coated bodies, the larger value counts. For the body, N is multiplied by 1 + (t/a)^2, which stays finite for
-    contacts much smaller than the film.
+    With two coated bodies, the larger value counts. The value of the body is multiplied by 1 + (t/a)^2, which stays finite for
+    contacts much smaller than the film; t is the film thickness, a the contact radius.
     """
     whole = np.stack([_table(pair, body) for body in bodies]).max(axis=0)
     with np.errstate(divide="ignore"):
@@ -112,10 +113,10 @@ def table_of_norms(pair: tuple[Layer, ...], bodies: tuple[CoatedBody, ...]) -> n
 
 
 def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
-    """Return ln N (PARTS, PLACES, ANGLES) in all regions of one coated body; N is the norm of `norms`.
+    """Return ln of the largest von Mises stress in all regions of one coated body.
 
-    In the last two regions (interface and body) N is multiplied by 1 + (t/a)^2, with t the film thickness and a the contact
-    radius.
+    The shape is (PARTS, PLACES, ANGLES). In the last two regions, interface and body, the stress is multiplied by 1 +
+    (t/a)^2, with t the film thickness and a the contact radius.
     """
     from scipy.interpolate import Akima1DInterpolator  # slow to import
 
@@ -132,7 +133,7 @@ def _table(pair: tuple[Layer, ...], body: CoatedBody) -> np.ndarray:
 
 
 def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
-    """Return N in the regions of a film: (4, m).
+    """Return the largest von Mises stress in each region of a film: (4, m).
 
     The regions are the surface without the contact edge, the contact edge, the inside, and the largest depth. A film with one
     depth only has the first two: (2, m).
@@ -146,7 +147,7 @@ def _of_film(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
-    """Return (stresses, radii, depths) of film and body on their search grids."""
+    """Return the stresses of film and body on their search grids, with the radii and depths."""
     t = stresses.thickness
     film_r, film_z = _RADII, t * np.minimum(_IN_FILM, 1.0) if t < 1.4 else _thick(t)
     body_r = _WIDE * max(1.0, t) if t > 0.3 else _RADII
@@ -158,7 +159,7 @@ def _fields(stresses: Stresses) -> list[tuple[Radial, np.ndarray, np.ndarray]]:
 
 
 def _thick(t: float) -> np.ndarray:
-    """Return depths in a thick film, dense near the surface where stresses are large."""
+    """Return search depths in a thick film of thickness t, dense near the surface."""
     return np.concatenate([_IN_BODY, np.geomspace(1.5, t, 4)[1:]]) if t > 1.6 else np.append(_IN_BODY, t)
 
 
@@ -170,7 +171,10 @@ def _alone(nu: float) -> Radial:
 
 
 def stretched(below: Radial, body: CoatedBody) -> Radial:
-    """Return the stresses in a very thin film that takes the strain of the surface below it."""
+    """Return the stresses in a very thin film, which is strained like the surface below it.
+
+    below: stresses at the surface of the body.
+    """
     surface = Radial(*(tuple(one[:1] for one in part) for part in below))
     stiffer, nu = body.ratio * (1.0 - body.nu**2) / (1.0 - body.nu_below**2), body.nu
 
@@ -183,7 +187,10 @@ def stretched(below: Radial, body: CoatedBody) -> Radial:
 
 
 def forms_of(radial: Radial) -> Forms:
-    """Return the coefficients (A, B, D, C) of M from the stresses."""
+    """Return the coefficients (A, B, D, C) of the squared von Mises stress M.
+
+    radial: the stresses due to pressure and traction.
+    """
     *along, rt, tz = radial.dragged
     return (
         _product(radial.pressed, radial.pressed),
@@ -200,9 +207,9 @@ def _product(first, second) -> np.ndarray:
 
 
 def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
-    """Return the maximum of M over theta, and |cos(theta)| at that maximum.
+    """Return the squared von Mises stress at the worst angle theta, and |cos(theta)| there.
 
-    s, q: mean pressure and traction, numbers or arrays that broadcast with the forms.
+    forms: coefficients of M. s, q: mean pressure and traction, numbers or arrays that broadcast with the forms.
     """
     A, B, D, C = forms
     across = np.maximum(C - D, 1e-300) * q
@@ -212,9 +219,9 @@ def _over_directions(forms: Forms, s, q) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _squares(forms: Forms, angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the maximum of M over theta (n, m, angles), and |cos(theta)| there.
+    """Return the squared von Mises stress at the worst angle theta (n, m, angles), and |cos(theta)|.
 
-    angles: arctan(q/s) for traction q and pressure s.
+    angles: arctan(q/s) for mean traction q and mean pressure s.
     """
     return _over_directions(tuple(one[..., None] for one in forms), np.cos(angles), np.sin(angles))
 
@@ -224,9 +231,9 @@ def _norm(forms: Forms, angles: np.ndarray) -> np.ndarray:
 
 
 def _refined(square: np.ndarray, among: np.ndarray) -> np.ndarray:
-    """Return the maximum of `square` (n, m, angles) over a masked part of the grid: (angles,).
+    """Return the largest squared stress (angles,) over a masked part of the grid.
 
-    among: mask (n, m). A parabola through each maximum and its neighbours refines the value.
+    square: (n, m, angles). among: mask (n, m). A parabola through each maximum and its neighbours refines the value.
     """
     n, m, count = square.shape
     where = np.where(among.reshape(-1, 1), square.reshape(-1, count), -1.0).argmax(axis=0)

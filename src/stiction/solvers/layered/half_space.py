@@ -1,4 +1,4 @@
-"""Stresses in a half-space under a round contact with any smooth pressure.
+"""Compute stresses in a half-space under a round contact with any smooth pressure.
 
 The pressure has the Hankel transform P(k) = Integral_0^1 g(s) cos(k s) ds for contact radius 1, where g is an even
 polynomial. With zeta = z + i s, R = sqrt(r^2 + zeta^2) and w = r/(R + zeta), the stresses are sums of the integrals
@@ -25,9 +25,10 @@ _DEEPEST, _GROWTH = 0.35, 3.0
 
 
 def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return H_mn at radii r (m,) and depths z (n,): shape (2, 4, n, m), for m = 1, 2 and n = 0 to 3.
+    """Return the stress integrals H_mn of the module at radii r (m,) and depths z (n,).
 
-    r and z are divided by the contact radius. g: coefficients of the pressure, as `sphere.pressure` returns them.
+    The shape is (2, 4, n, m), for orders m = 1, 2 and n = 0 to 3. r and z are divided by the contact radius. g: coefficients
+    of the pressure, as `sphere.pressure` returns them.
     """
     s, weights = _path(min(_DEEPEST, _GROWTH / g.size))
     out = np.empty((2, 4, z.size, r.size))
@@ -56,7 +57,7 @@ def _add_up(s, weighed, r, z, out):
 
 @lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the nodes s and weights ds on the quarter ellipse of this depth T."""
+    """Return nodes s and weights ds of the complex integration path of this depth T."""
     v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
     left, step = np.pi / 2.0 * v**2, np.pi * v

@@ -26,9 +26,11 @@ _STEP = 1e-4  # of ln x, for slopes of compliances
 
 
 def shear_ends(bodies: Bodies) -> tuple[float, float]:
-    """Return K beta for very small contacts (film only) and very large ones (no film).
+    """Return the normal-tangential stiffness product K beta of very small and very large contacts.
 
-    K is 4/3 of the effective modulus of both bodies without a film. beta: tangential compliance in T = 8 a delta/beta.
+    Very small contacts feel only the film, very large ones only the bodies below. K is 4/3 of the contact modulus of the
+    bodies without a film. beta is the tangential compliance in T = 8 a delta/beta, with force T, contact radius a and
+    displacement delta.
     """
     film = _of_surfaces(bodies, *np.array([[1.0 - body.nu, 1.0] for body in bodies.coated]))
     below = [np.array([1.0 - body.nu_below, 1.0]) * body.shear_ratio for body in bodies.coated]
@@ -36,9 +38,10 @@ def shear_ends(bodies: Bodies) -> tuple[float, float]:
 
 
 def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
-    """Return K beta, with beta from T = 8 a delta/beta, and the slope d ln beta/d ln a.
+    """Return the product K beta and the slope d ln beta/d ln a of a sticking contact.
 
-    radius: contact radius a divided by the thickness of one film.
+    beta is the tangential compliance in T = 8 a delta/beta, K as in `shear_ends`. radius: contact radius a divided by the
+    thickness of one film.
     """
     k, weights, even = spherical_waves(radius)
     x = k / radius
@@ -54,9 +57,10 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 @lru_cache(maxsize=256)
 @on_one_thread
 def shear_curve(bodies: Bodies) -> np.ndarray:
-    """Return the coefficients c_k (TERMS,) of ln(K beta) against contact size, as in `curves`.
+    """Return the coefficients c_k (TERMS,) of ln(K beta) against contact size.
 
-    ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k, with the ends of `shear_ends`.
+    ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k, with the ends of `shear_ends` and z
+    of `curves`.
     """
     solved = np.array([shear_compliance(bodies, radius) for radius in RADII])
     film, below = np.log(shear_ends(bodies))
@@ -64,9 +68,9 @@ def shear_curve(bodies: Bodies) -> np.ndarray:
 
 
 def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
-    """Return C_L and C_T (2, ...) of both bodies together.
+    """Return the tangential compliances C_L and C_T of both bodies together: (2, ...).
 
-    of_films: for each coated body, its C_L and C_T times the shear modulus of its film.
+    C_L is along a wave, C_T across it. of_films: C_L and C_T of each coated body, times the shear modulus of its film.
     """
     per_film = 2.0 / bodies.film_modulus
     bare = 2.0 * bodies.bare_share * np.array([1.0, 1.0 / (1.0 - bodies.bare_nu)])
@@ -75,12 +79,18 @@ def _of_surfaces(bodies: Bodies, *of_films: np.ndarray) -> np.ndarray:
 
 
 def _compliances(bodies: Bodies, x: np.ndarray) -> np.ndarray:
-    """Return C_L and C_T (2, m) of both bodies for waves x = k t (m,)."""
+    """Return the tangential compliances C_L and C_T of both bodies at wavenumbers x = k t: (2, m).
+
+    C_L is along a wave, C_T across it.
+    """
     return _of_surfaces(bodies, *(waves(x, body).surface_compliances(body.nu) for body in bodies.coated))
 
 
 def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix for the compliances C_L and C_T (2, m) of all waves."""
+    """Return Galerkin's matrix of the sticking contact for tangential compliances (2, m).
+
+    weights: of the m waves. even: transforms of the traction functions at these waves.
+    """
     along, across = compliances
     first, second = even[:-1], even[1:]
     total, difference = weights * (along + across), weights * (along - across)
@@ -89,9 +99,10 @@ def _matrix(weights: np.ndarray, even: np.ndarray, compliances: np.ndarray) -> n
 
 
 def _matrix_of_half_space(count: int, compliances: np.ndarray) -> np.ndarray:
-    """Return Galerkin's matrix for constant C_L and C_T (a half-space), in closed form.
+    """Return Galerkin's matrix of the sticking contact on a half-space, in closed form.
 
-    The functions are orthonormal. Both harmonics use the same functions, shifted by one order.
+    compliances: C_L and C_T, the same at all waves. The functions are orthonormal. Both harmonics use the same functions,
+    shifted by one order.
     """
     along, across = compliances
     mixed = (across - along) * np.eye(count - 1, k=-1)

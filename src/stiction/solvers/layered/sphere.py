@@ -1,21 +1,22 @@
-r"""A rigid paraboloid or flat punch pressed against bodies with a film: the exact elastic solution, without friction.
+"""Solve a rigid sphere or flat punch pressed on coated elastic bodies, without friction.
 
-The pressure p(r) on the contact of radius a is written as P(k) = Integral_0^a g(s) cos(k s) ds, its Hankel transform of order
-zero. Taken through Abel's transform, u(r) = delta - r^2/(2R) becomes a Fredholm equation of the second kind for g (Lebedev &
-Ufliand 1958; the numerical method of Perriot & Barthel 2004), written for a = 1 and moduli over that of the surfaces that meet:
+The sphere is a paraboloid of radius R. The pressure p(r) on the contact of radius a has the Hankel transform P(k) =
+Integral_0^a g(s) cos(k s) ds. Abel's transform of the displacement u(r) = delta - r^2/(2R) gives a Fredholm equation of the
+second kind for g (Lebedev & Ufliand 1958; numerical method of Perriot & Barthel 2004). With a = 1, and moduli divided by the
+modulus E1 of the two surfaces that meet, it is
 
     g(s) + (2/pi) Integral_0^1 K(s, s') g(s') ds' = delta - s^2/R,
     K(s, s') = Integral_0^infinity [c(k t) - 1] cos(k s) cos(k s') dk,    load = 2 E1 Integral_0^1 g ds,    g(1) = 0.
 
-It is solved by Galerkin's method in even Legendre polynomials, whose transforms are spherical Bessel functions: the equations
-are those of the least elastic energy among these pressures, and errors fall geometrically, at a = 1000 t too, where a boundary
-layer as wide as the film is resolved by the polynomials' crowding at the edge. With the solution g_0 of the flat punch (right
-side 1) and g_2 (right side s^2):
+Galerkin's method in even Legendre polynomials solves it; their transforms are spherical Bessel functions. The solution has
+the least elastic energy among these pressures, and errors fall geometrically. This holds for a = 1000 t too: the polynomials
+are dense at the contact edge and resolve a boundary layer as wide as the film. Let g_0 be the solution of the flat punch
+(right side 1) and g_2 that of the right side s^2. Then
 
     stiffness S = 2 a E_S, E_S = Integral g_0;   approach delta = D a^2/R, D = g_2(1)/g_0(1);
-    load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity),
+    load P = 4 E_P a^3/(3R), E_P = (3/2)(D Integral g_0 - Integral g_2);   dS/da = 2 B, B = g_0(1)^2 (Krein's identity).
 
-and the slopes by ln a from the equation differentiated by s and by a. dP/d delta = S follows from all this, it is not put in.
+Slopes by ln a follow from the derivatives of the equation by s and by a. dP/d delta = S is a result of all this, not an input.
 """
 
 from collections.abc import Sequence
@@ -34,11 +35,11 @@ _LONGEST = 60.0
 
 
 class Response(NamedTuple):
-    """The response of coated bodies to a sphere at one contact radius.
+    """Store the response of coated bodies to a sphere at one contact radius a.
 
     Moduli are divided by the plane-strain modulus of the two surfaces that meet. load: E_P in P = 4 E_P a^3/(3R). approach: D
-    in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B, which determines adhesion at the
-    contact edge. load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
+    in delta = D a^2/R. stiffness: E_S in dP/d delta = 2 a E_S. edge: B in dS/da = 2 B with S = dP/d delta, which determines
+    adhesion at the contact edge. load_slope, approach_slope, edge_slope: derivatives of ln E_P, ln D and ln B by ln a.
     """
 
     load: float
@@ -51,9 +52,9 @@ class Response(NamedTuple):
 
 
 def respond(pair: Pair, radius: float) -> Response:
-    """Return the response to a sphere at one contact radius, accurate to 1e-6.
+    """Return load, approach and stiffness of a sphere on coated bodies at one contact radius.
 
-    radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
+    The numbers are accurate to 1e-6. radius: contact radius divided by the thickness of one film, > 0; tested up to 1000.
     """
     _, _, even, at_edge, edge_slope = _waves(float(radius))
     softer, g_0, g_2, wider, to_edge = _solve(pair, float(radius))
@@ -76,10 +77,11 @@ def respond(pair: Pair, radius: float) -> Response:
 
 
 def pressure(pair: Pair, radius: float) -> np.ndarray:
-    """Return the coefficients (n,) of g for the pressure under a sphere.
+    """Return the coefficients (n,) of the pressure under a sphere on coated bodies.
 
-    g is a sum of orthonormal even polynomials. P(k) = Integral_0^1 g(s) cos(k s) ds is the Hankel transform of the pressure.
-    Mean pressure and contact radius are 1. radius: as in `respond`.
+    They belong to orthonormal even polynomials, whose sum g(s) gives the Hankel transform of the pressure, P(k) =
+    Integral_0^1 g(s) cos(k s) ds. Mean pressure and contact radius are 1. radius: contact radius over the thickness of one
+    film.
     """
     _, g_0, g_2, _, to_edge = _solve(pair, float(radius))
     g = (1.0 - to_edge @ g_2) / (1.0 - to_edge @ g_0) * g_0 - g_2
@@ -90,16 +92,16 @@ def pressure(pair: Pair, radius: float) -> np.ndarray:
 def spherical_waves(radius: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return wavenumbers k a (m,), weights times 2/pi (m,), and transforms (n, m).
 
-    The transforms are those of orthonormal even polynomials. radius: as in `respond`.
+    The transforms are those of n orthonormal even polynomials. radius: contact radius a over the thickness of one film.
     """
     k, weights, even, _, _ = _waves(float(radius))
     return k, weights, even
 
 
 def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
-    """Return g(s) from the coefficients (n,) of orthonormal even polynomials on 0 to 1.
+    """Return the polynomial g at s, from its coefficients (n,) in orthonormal even polynomials.
 
-    s may be complex.
+    The polynomials are orthonormal on 0 to 1. s may be complex.
     """
     series = np.zeros(2 * g.size - 1)
     series[::2] = g * np.sqrt(4.0 * np.arange(g.size) + 1.0)
@@ -107,7 +109,10 @@ def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
 
 
 def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
-    """Return the Hankel transform P(k) at wavenumbers k (m,) > 0 in units of 1/a."""
+    """Return the Hankel transform P(k) of the pressure at wavenumbers k a (m,) > 0.
+
+    g: coefficients of the pressure, as `pressure` returns them.
+    """
     order = np.arange(g.size)
     return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
 
@@ -115,8 +120,8 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     """Solve for the flat punch g_0, for g_2, and for the change of g_0 with the contact radius.
 
-    Returns (m,) weights times the relative excess compliance of each wave; the coefficients (n,) of the three solutions; and
-    (n,) the factors that give the edge values g(1) from coefficients.
+    g_2 is the solution for the displacement s^2. Returns (m,) weights times the relative excess compliance of each wave; the
+    coefficients (n,) of the three solutions; and (n,) the factors that give the edge values g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = _waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)

@@ -1,4 +1,4 @@
-"""Stresses in a film and in the body below it, under a sphere that is pressed and dragged.
+"""Compute stresses in a film and in the body below it, under a pressed and dragged sphere.
 
 The pressure is that of the frictionless contact (`sphere`). The traction is proportional to it, as in Hamilton (1983) for a
 half-space. Both have the same Hankel transform P(k), and a wave k produces the amplitudes of `waves` at every depth. Let s_xx
@@ -30,10 +30,10 @@ _SMALL = 0.05
 
 
 class Radial(NamedTuple):
-    """Stresses (n, m) at depths (n,) and radii (m,), divided by the mean pressure.
+    """Store stresses (n, m) at depths (n,) and radii (m,), divided by the mean pressure.
 
     pressed: (rr, tt, zz, rz) due to the pressure. dragged: (rr, tt, zz, rz, rt, tz) due to a traction of the same size in the
-    direction x; the first four are to be multiplied by cos(theta), rt and tz by sin(theta).
+    direction x; the first four are to be multiplied by cos(theta), rt and tz by sin(theta). theta: angle from x.
     """
 
     pressed: tuple[np.ndarray, ...]
@@ -41,7 +41,7 @@ class Radial(NamedTuple):
 
 
 class Stresses:
-    """The stresses in one coated body under a sphere with contact radius a.
+    """Compute the stresses in one coated body under a sphere with contact radius a.
 
     pair: layers of the two bodies in contact. body: elastic constants of the coated body whose stresses are computed; it must
     be one of the layers in pair. radius: a divided by the film thickness, 0.001 to 1000. Lengths are divided by a and
@@ -74,7 +74,10 @@ class Stresses:
         return _assembled(self._transformed(r, z, self.body.nu_below, body_function, _across_body))
 
     def _transformed(self, r, z, nu: float, function: Callable, across: Callable) -> Callable:
-        """Return a function (name, n) -> <f>_n (n, m), where name selects the amplitude f."""
+        """Return a function that transforms a stress amplitude at order n: (name, n) -> <f>_n (n, m).
+
+        <f>_n is the integral of f k P(k) J_n(k r) over k. name: of the amplitude f.
+        """
         F = np.stack([function(self._waves, depth / self.thickness) for depth in z], axis=2)  # (3, 2, n, waves)
         amplitudes = _amplitudes(F, nu)
         sides = [across(self._waves, depth / self.thickness) for depth in z]
@@ -84,9 +87,10 @@ class Stresses:
 
 
 def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.ndarray, ...]:
-    """Return the stresses xx, yy, zz, xy, yz, xz at the angles theta (m,) of the radii.
+    """Return the Cartesian stresses xx, yy, zz, xy, yz, xz.
 
-    traction: ratio of the traction, in the direction x, to the pressure.
+    radial: stresses at m radii. theta: angle (m,) of each radius from the direction x. traction: ratio of the traction, along
+    x, to the pressure.
     """
     c, s = np.cos(theta), np.sin(theta)
     rr, tt, zz, rz = (one + traction * c * other for one, other in zip(radial.pressed, radial.dragged[:4], strict=True))
@@ -102,7 +106,7 @@ def cartesian(radial: Radial, theta: np.ndarray, traction: float) -> tuple[np.nd
 
 
 def _half_space(nu: float) -> dict[str, tuple[float, float]]:
-    """Return (c, d) of each stress amplitude (c + d k z) exp(-k z) in a half-space."""
+    """Return the coefficients (c, d) of each stress amplitude (c + d k z) exp(-k z) in a half-space."""
     return {
         "pressed_zz": (-1.0, -1.0), "pressed_xz": (0.0, -1.0), "pressed_xx": (-1.0, 1.0), "pressed_yy": (-2.0 * nu, 0.0),
         "dragged_zz": (0.0, -1.0), "dragged_xz": (-1.0, 1.0), "dragged_xx": (-2.0, 1.0), "dragged_yy": (-2.0 * nu, 0.0),
@@ -111,9 +115,9 @@ def _half_space(nu: float) -> dict[str, tuple[float, float]]:
 
 
 def _amplitudes(F: np.ndarray, nu: float) -> dict[str, np.ndarray]:
-    """Return the stress amplitudes (n, waves) by name, from F, F', F'' (3, 2, n, waves).
+    """Return the stress amplitudes (n, waves) by name, from the stress function of each wave.
 
-    The second axis of F is (pressure, shear).
+    F: the function and its first two derivatives, (3, 2, n, waves). The second axis is (pressure, shear). nu: Poisson's ratio.
     """
     (p, q), (p1, q1), (p2, q2) = F
     return {

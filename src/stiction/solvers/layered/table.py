@@ -42,7 +42,10 @@ def curves_of_films(share: np.ndarray, ratio: np.ndarray, excess: np.ndarray) ->
 
 
 def _together(share, ratio):
-    """Return the table coordinate v, for arrays or numbers."""
+    """Return the table coordinate v = sqrt(r) W/(1 - W + sqrt(r) W), for arrays or numbers.
+
+    share: the film's fraction W of the compliance. ratio: modulus ratio r.
+    """
     root = np.sqrt(ratio)
     return root * share / (1.0 - share + root * share)
 

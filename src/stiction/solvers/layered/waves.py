@@ -20,7 +20,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class CoatedBody:
-    """The elastic constants of a film bonded to a half-space.
+    """Describe the elastic constants of a film bonded to a half-space.
 
     ratio: ratio of the plane-strain moduli of film and body below, > 0, finite. nu, nu_below: Poisson's ratios of film and
     body, 0 to 0.5.
@@ -90,20 +90,23 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m) that the film adds at one depth.
+    """Return the film's part of the stress function F at one depth, with F' and F'' (3, 2, m).
 
-    depth: divided by the film thickness. The second axis is (pressure, shear).
+    It is added to that of a half-space. depth: divided by the film thickness. The second axis is (pressure, shear).
     """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 
 
 def body_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m) in the body at one depth, >= 1 film thickness."""
+    """Return the stress function F of the body at one depth, with F' and F'' (3, 2, m).
+
+    depth: divided by the film thickness, >= 1. The second axis is (pressure, shear).
+    """
     return _sum(_decaying((depth - 1.0) * waves.x), waves.below)
 
 
 def _sum(functions: np.ndarray, amplitudes: np.ndarray) -> np.ndarray:
-    """Return F, F' and F'' (3, 2, m): the sum of all functions times their amplitudes."""
+    """Return F, F' and F'' (3, 2, m) as the sum of basis functions times their amplitudes."""
     total = functions[:3, 0, None] * amplitudes[0]
     for function, amplitude in zip(functions[:3].swapaxes(0, 1)[1:], amplitudes[1:], strict=True):
         total += function[:, None] * amplitude
@@ -125,13 +128,16 @@ def _film(z, x) -> np.ndarray:
 
 
 def _weigh(amplitudes, z) -> np.ndarray:
-    """Return F, F', F'' and F''' (4, m) of a half-space for two amplitudes."""
+    """Return the stress function of a half-space and its first three derivatives (4, m).
+
+    amplitudes: factors of exp(-z) and z exp(-z).
+    """
     return np.einsum("dbm,b->dm", _decaying(z), np.array(amplitudes))
 
 
 def _continuous(F: np.ndarray, nu: float, softness: float) -> tuple[np.ndarray, ...]:
-    """Return the quantities that are continuous at an interface.
+    """Return the quantities that are continuous at the interface of film and body.
 
-    They are F, F', and both displacements times 2 mu of the film.
+    They are the stress function F, F', and both displacements times 2 mu, with mu the shear modulus of the film.
     """
     return F[0], F[1], softness * ((1.0 - nu) * F[2] + nu * F[0]), softness * ((1.0 - nu) * F[3] - (2.0 - nu) * F[1])

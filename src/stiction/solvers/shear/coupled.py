@@ -58,12 +58,18 @@ class Coupling:
             self._symbol = [mismatch * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
 
     def dragged(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the tangential displacement D p [m] (2, rows, columns) caused by the pressure [Pa] (rows, columns)."""
+        """Return the tangential displacement [m] (2, rows, columns) caused by a pressure [Pa].
+
+        pressure: (rows, columns).
+        """
         waves = rfft2(pressure, s=self._grid)
         return self._cut(irfft2(np.stack([symbol * waves for symbol in self._symbol]), s=self._grid))
 
     def parted(self, traction: np.ndarray) -> np.ndarray:
-        """Return the normal displacement D^T q [m] (rows, columns) caused by the traction [Pa] (2, rows, columns)."""
+        """Return the normal displacement [m] (rows, columns) caused by a traction [Pa].
+
+        traction: (2, rows, columns).
+        """
         waves = rfft2(traction, s=self._grid)
         both = sum(symbol.conj() * wave for symbol, wave in zip(self._symbol, waves, strict=True))
         return self._cut(irfft2(both, s=self._grid))

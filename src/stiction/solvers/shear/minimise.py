@@ -1,4 +1,4 @@
-"""Shear traction under a rigid shift, as the minimum of a convex energy with a bound on the traction of each point.
+"""Compute the shear traction of a map under a rigid shift, by minimising elastic energy.
 
 C is the compliance, u = C q the displacement of the traction q, b the rigid shift minus all earlier slip, and s >= 0 the shear
 strength. The traction solves
@@ -26,7 +26,7 @@ _AT = 1.0 - 1e-12  # of the strength: at it
 
 @dataclass(frozen=True)
 class Sheared:
-    """Store the solution of (1).
+    """Store the traction and slip of a map that is sheared by a rigid shift.
 
     traction [Pa] and slip [m]: (components, rows, columns); the slip is 0 at points without strength. residual: distance of
     the traction from the projected-gradient update, summed over points, divided by the summed strength. steps: iterations
@@ -56,11 +56,11 @@ def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
 def shear(
     operator: ShearOperator, strength: np.ndarray, shift: np.ndarray, start: np.ndarray, *, tolerance: float, most: int
 ) -> Sheared:
-    """Solve (1) for the shear traction and the slip.
+    """Compute the shear traction and slip of a map under a rigid shift, by solving (1).
 
-    strength [Pa]: (rows, columns), 0 outside of contact. shift: b [m], and start: first guess of the traction [Pa], both
-    (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps. If it does not converge,
-    it returns the last state with `converged` False.
+    strength [Pa]: (rows, columns), 0 outside of contact. shift: rigid shift minus earlier slip [m], and start: first guess of
+    the traction [Pa], both (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
+    Without convergence the last state is returned with `converged` False.
     """
     total = float(strength.sum())
     touching = strength > 0.0

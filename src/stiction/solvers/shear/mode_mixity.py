@@ -1,23 +1,24 @@
-"""How much of the work of adhesion opens the edge of a contact while shear is released there too.
+"""State how shear lowers the work of adhesion at the edge of a contact (mode mixity).
 
-At the edge of an adhesive contact that is sheared, pressure releases the energy G_N per area and shear G_T. With x = G_T/w and
-the phase angle tan^2(psi) = x/y, where y = G_N/w is what the normal contact still has to release, the edge rests where
+At the sheared edge of an adhesive contact, pressure releases the energy G_N per area and shear releases G_T. w is the work of
+adhesion. With x = G_T/w, y = G_N/w and the phase angle tan^2(psi) = x/y, the edge is in equilibrium where
 
     x + y = f(psi)                                                                                                        (1)
 
-The functions f are those of Hutchinson & Suo (1992, Adv. Appl. Mech. 29, 63, section III), written from memory and not compared
-with print (grade C), with the share zeta of G_T that opens the edge, 0 to 1:
+y is the fraction of w that remains for the normal contact. The functions f are those of Hutchinson & Suo (1992, Adv. Appl.
+Mech. 29, 63, section III), written from memory and not compared with print (grade C). zeta is the fraction of G_T that opens
+the edge, 0 to 1:
 
     savkoor_briggs_1977         1/[1 + (zeta - 1) sin^2 psi]        y = 1 - zeta x                                        (2)
     waters_guduru_2010          1 + tan^2[(1 - zeta) psi]           y = (cos psi/cos[(1 - zeta) psi])^2                   (3)
     papangelo_ciavarella_2018   1 + (1 - zeta) tan^2 psi            y = {1 - x + [(1 - x)^2 + 4 (1 - zeta) x]^(1/2)}/2    (4)
     menga_carbone_dini_2018     shear releases nothing              y = 1                                                 (5)
 
-zeta = 1 in (2) is Savkoor & Briggs (1977), a brittle edge. (2) to (4) are the three that Papangelo & Ciavarella compare
-(2018, arXiv:1809.10676; abstract read), which end in different ways: in a leap, at Hertz's contact, or never. (5): under a
-uniform shear stress the area stays (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019,
-133, 103744). The physics is disputed (Cricri & Ciavarella 2019, arXiv:1908.04490, find with the same energies that the area
-falls), and measured contacts shrink less than (2) says with zeta = 1. None is recommended.
+(2) with zeta = 1 is Savkoor & Briggs (1977), a brittle edge. Papangelo & Ciavarella (2018, arXiv:1809.10676; abstract read)
+compare (2) to (4): under growing shear the contact area jumps, reaches Hertz's, or approaches it without reaching it. (5):
+under a uniform shear stress the area stays (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum
+of 2019, 133, 103744). The physics is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that
+the area falls. Measured contacts shrink less than (2) with zeta = 1. No law is recommended.
 """
 
 import math
@@ -33,9 +34,10 @@ _ANGLES = np.linspace(0.0, 0.5 * math.pi, 4001)
 
 @dataclass(frozen=True)
 class ModeMixity:
-    """A law of the edge.
+    """Define a law of mode mixity at the edge of an adhesive contact.
 
-    share: returns y from x = G_T/w, of any shape, and zeta; grade and source: of the law; evidence: what it was compared with.
+    share: function that returns the remaining fraction y of the work of adhesion, from x = G_T/w (any shape) and zeta. grade,
+    source: of the law. evidence: what the law was compared with.
     """
 
     share: Callable[[np.ndarray, float], np.ndarray]

@@ -115,7 +115,10 @@ class FreeShear:
         return _through(traction, self._doubled, self._symbol)[:, : self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return an approximate inverse, that of a periodic map that sticks everywhere (preconditioner)."""
+        """Return a traction [Pa] that nearly causes this displacement [m] (preconditioner).
+
+        It is exact for a periodic map that sticks everywhere.
+        """
         return self._stuck.inverse(displacement)
 
 
@@ -125,7 +128,10 @@ ShearOperator = PeriodicShear | MirroredShear | FreeShear
 
 
 def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return xx, xy and yy of the tensor `across` I + (`along` - `across`) k k^T/k^2; (x, y) is the unit vector of k."""
+    """Return xx, xy and yy of a compliance tensor of waves with wavevector k.
+
+    The tensor is `across` I + (`along` - `across`) k k^T/k^2; (x, y) is the unit vector of k.
+    """
     both = (along - across) * x * y
     if shape[0] % 2 == 0:
         both[shape[0] // 2] = 0.0  # this wave and its opposite are one on the grid: the product of components has no sign
@@ -168,7 +174,10 @@ def _mirrored(field: np.ndarray) -> np.ndarray:
 
 
 def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return xx, xy and yy of the displacement (1) per unit traction on a pixel, on the grid of FFT distances."""
+    """Return the displacement of every grid point per unit traction on one pixel, by (1).
+
+    The three arrays are xx, xy and yy: displacement along the first letter, traction along the second.
+    """
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     xx, xy, yy = np.zeros(shape), np.zeros(shape), np.zeros(shape)
     for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):

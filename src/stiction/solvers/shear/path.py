@@ -77,9 +77,9 @@ class State:
 
 @dataclass(frozen=True)
 class SlidingPath:
-    """Store the states at all shifts and the state with the largest force.
+    """Store the states of a map at all rigid shifts, and the state with the largest force.
 
-    strength: (rows, columns) [Pa]; pixel: area of a point [m2].
+    strength: (rows, columns) [Pa]. pixel: area of a point [m2].
     """
 
     states: tuple[State, ...]
@@ -99,11 +99,11 @@ class SlidingPath:
 
 
 def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the displacement of a drive [m] that pulls the map through a spring, and a mask of the states it reaches.
+    """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask.
 
-    stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at U + F/stiffness. The drive only moves forward.
-    A state that would need it to move back is not reached; the map jumps over it to the next reachable state (slow drive, no
-    inertia). Raises InputError for a stiffness that is not positive.
+    The mask selects the states that are reached. stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at
+    U + F/stiffness. The drive only moves forward. A state that would need it to move back is not reached; the map jumps to
+    the next reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
     """
     if not stiffness > 0.0:
         raise InputError("stiffness", stiffness, "> 0 N/m")
@@ -112,10 +112,10 @@ def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.
 
 
 def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pixel: float, directions: int = 1) -> State:
-    """Return the state of an unloaded map after a force [N] is applied along x, at constant strength.
+    """Return the state of a map under a tangential force [N] along x, at constant strength.
 
-    strength: (rows, columns) [Pa]. pixel: area of a point [m2]. directions: as in `slide_map`. Raises InputError if the force
-    is negative or not below the sum of strengths.
+    The map starts without traction. strength: (rows, columns) [Pa]. pixel: area of a point [m2]. directions: as in
+    `slide_map`. Raises InputError if the force is negative or not below the sum of strengths.
     """
     most = float(strength.sum()) * pixel
     if not 0.0 <= force < most:
@@ -134,16 +134,19 @@ def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pix
 
 
 def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
-    """Return a rigid shift [m] at which every point slips. Linear weakening is then complete.
+    """Return a rigid shift [m] at which every point slips.
 
-    strength: (rows, columns) [Pa].
+    With `weakening`, strength has then fallen fully if it falls linearly. strength: (rows, columns) [Pa].
     """
     displaced = float(operator(strength[None])[0].max(where=strength > 0.0, initial=0.0))
     return displaced + (weakening.slip if weakening is not None else 0.0)
 
 
 def stuck_stiffness(operator: ShearOperator, touching: np.ndarray) -> float:
-    """Return the force, summed over points [Pa], per rigid shift [m] while all touching points (rows, columns) stick."""
+    """Return the tangential stiffness [Pa/m] of a map while all touching points stick.
+
+    It is the traction summed over points, divided by the rigid shift. touching: mask (rows, columns).
+    """
     strength = np.where(touching, 1e3 / operator.of_point, 0.0)
     shift = np.ones((1, *touching.shape))
     return float(shear(operator, strength, shift, 0.0 * shift, tolerance=1e-9, most=MOST_STEPS).traction.sum())

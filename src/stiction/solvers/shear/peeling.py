@@ -1,16 +1,16 @@
-"""Adhesive contact of a periodic map that shear peels.
+"""Solve the adhesive contact of a periodic map that a tangential force peels.
 
-The map is solved with the attraction of `boundary_elements.adhesive`; its work of adhesion w is lowered at every point to y w
-by a law of `mode_mixity`. The touching points stick and bear the force T; where surfaces only attract each other there is no
-shear. What shear releases at the edge is, between a point at the edge and its neighbours outside (virtual crack closure:
-Rybicki & Kanninen 1977, Eng. Fract. Mech. 9, 931),
+The map is solved with the attraction of `boundary_elements.adhesive`. A law of `mode_mixity` lowers the work of adhesion w at
+every point to y w. The touching points stick and bear the force T; points that do not touch bear no shear. The energy G_T
+that shear releases at a point of the edge follows from virtual crack closure (Rybicki & Kanninen 1977, Eng. Fract. Mech. 9,
+931):
 
     G_T = c q s/2                                                                                                         (1)
 
-with the traction q of the point, and s the slip of the neighbours past it. The constant c is that of discs, whose mean G_T is
-beta T^2/(32 pi a^3) (Savkoor & Briggs 1977): within 3 % at radii of 6 to 40 points. G_T is smoothed along the edge over a few
-points, as pixels make it uneven, and counts for all points to which that place of the edge is nearest. Contact and shear are
-solved in turns until the area stays; in these turns the edge only opens.
+q is the traction of the point, and s the slip of its neighbours outside the contact. The constant c is that of discs, whose
+mean G_T is beta T^2/(32 pi a^3) (Savkoor & Briggs 1977): within 3 % at radii of 6 to 40 points. Pixels make G_T uneven, so it
+is smoothed along the edge over a few points. Every point of the map takes G_T of the nearest point of the edge. Contact and
+shear are solved alternately until the area stays. In these iterations the contact only shrinks.
 """
 
 from collections.abc import Sequence
@@ -34,11 +34,12 @@ _STAYS = 2e-3  # change of the number of touching points in a turn
 
 @dataclass(frozen=True)
 class Peeled:
-    """Adhesive contact of a map under a tangential force.
+    """Store the adhesive contact of a map under a tangential force.
 
-    force: T [N]; area: of the points that touch, corrected for pixels [m2]; share: least share of the work of adhesion that is
-    left at the edge; released: mean G_T along the edge [J/m2]; peeled: whether nothing is left somewhere; turns; converged;
-    touching: (rows, columns).
+    force: T [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the work of
+    adhesion. released: G_T of the nearest edge point, averaged over the map [J/m2]; 0 without a law of mode mixity. peeled:
+    whether the contact is lost, or no adhesion remains somewhere. turns: iterations. converged: whether the area stayed in
+    the last one. touching: mask (rows, columns).
     """
 
     force: float
@@ -55,11 +56,12 @@ def peel_map(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float,
     compliance: ShearCompliance, forces: Sequence[float], mode_mixity: str | None = None, zeta: float = 1.0,
 ) -> list[Peeled]:  # fmt: skip
-    """Shear an adhesive map by forces [N], in rising order, until it peels.
+    """Shear an adhesive periodic map by tangential forces [N], in rising order, until it peels.
 
-    heights, size, modulus, load, work, reach: as in `solve_adhesive`, which does not resolve the map between its points here;
-    compliance: of the bodies under shear; mode_mixity: a key of MODE_MIXITIES, None: shear leaves the adhesion alone; zeta:
-    share of the energy of shear that opens the edge, 0 to 1. The last contact may be one that peels. Raises InputError.
+    heights, size, modulus, load, work, reach: as in `solve_adhesive`, but the grid is not refined. compliance: of the bodies
+    under shear. mode_mixity: a key of MODE_MIXITIES; None if shear does not change adhesion. zeta: fraction of the shear
+    energy that opens the edge, 0 to 1. If the contact peels, the list ends with that state. Raises InputError for values out
+    of bounds.
     """
     if mode_mixity is not None and mode_mixity not in MODE_MIXITIES:
         raise InputError("mode_mixity", mode_mixity, nearest(mode_mixity, list(MODE_MIXITIES)))
@@ -81,7 +83,7 @@ def peel_map(
 def _at_force(
     state: Adhering, operator: ShearOperator, force: float, work: float, mode_mixity: str | None, zeta: float
 ) -> tuple[Adhering, Peeled]:
-    """Return the contact at a force, from that at a smaller one."""
+    """Return the contact under a force, starting from the contact under a smaller one."""
     released, left = np.zeros(state.gap.shape), np.ones(state.gap.shape)
     converged, turn = mode_mixity is None or force == 0.0, 0
     while not converged and turn < _MOST_TURNS and state.touching.any():
@@ -97,9 +99,10 @@ def _at_force(
 
 
 def energy_released(operator: ShearOperator, touching: np.ndarray, total: float) -> np.ndarray:
-    """Return G_T (1) [J/m2] of the place of the edge that is nearest to every point (rows, columns).
+    """Return the energy G_T [J/m2] that shear releases at the edge, for every point (rows, columns).
 
-    total: force over the area of a point [Pa], borne by touching points that stick.
+    Each point takes the value of the nearest edge point. touching: mask of the points that touch and stick. total: force on
+    them, divided by the area of a point [Pa].
     """
     shift = np.ones((1, *touching.shape))
     strength = np.where(touching, 1e6 / operator.of_point, 0.0)
