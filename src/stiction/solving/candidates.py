@@ -28,7 +28,10 @@ _POINTS = 300_000
 
 @dataclass(frozen=True)
 class Candidate:
-    """Hold a model that can be applied to a contact: its name in the comparison, and the choice of laws and options."""
+    """Store a model that can be applied to a contact, with its laws and options.
+
+    It also has the name that a comparison shows.
+    """
 
     name: str
     choice: Choice
@@ -85,9 +88,9 @@ def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
 
 
 def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candidate:
-    """Return a candidate with a film law that solves film and body as one elastic solid.
+    """Return a candidate whose film law solves film and body as one elastic solid.
 
-    It keeps the tangential law of the model, or takes the equivalent law for layered bodies.
+    The candidate keeps the tangential law of the model, or takes the equivalent law for layered bodies.
     """
     tangential = find(model.tangential, TangentialLaw) if model.tangential != "none" else None
     like = tangential.like if tangential is not None and friction_incompatibility(film, tangential) else ""
@@ -96,7 +99,7 @@ def _as_one(candidate: Candidate, model: RoughSurface, film: FilmLaw) -> Candida
 
 
 def _alone(film: FilmLaw) -> Candidate:
-    """Return a film law as a candidate, with the asperity law of its source.
+    """Return a candidate that combines a film law with the asperity law of its source.
 
     The model is the one that has the tangential law of the film law, or else the Greenwood-Williamson sum.
     """

@@ -45,7 +45,7 @@ class Chosen:
 
     @property
     def law(self) -> Law:
-        """Return the asperity law combined with the tangential law."""
+        """Return the combined law of an asperity: the asperity law with the tangential law."""
         assert self.asperity is not None, "a theory in closed form has no asperity law"
         return Law(self.asperity, self.tangential, self.options)
 

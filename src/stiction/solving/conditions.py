@@ -161,7 +161,7 @@ def excludes(rule: Validity) -> bool:
 
 
 def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.ndarray]:
-    """Return a mask for each rule of `rules_of`: True where the rule is violated.
+    """Return a mask for each rule of `rules_of`, True where results violate the rule.
 
     Masks are (n, m) over contacts and points, or (n, 1) for rules that do not depend on points. results: normalised,
     with the dimensions of the contacts first.

@@ -55,7 +55,10 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Copy the inversion of some contacts into their rows, in place, and return the inversion of all."""
+        """Copy the separations found for some contacts into this inversion, in place; return it.
+
+        rows: indices of these contacts.
+        """
         for name in _ARRAYS:
             getattr(self, name)[rows] = getattr(found, name)
         return replace(self, evaluations=max(self.evaluations, found.evaluations))
@@ -227,7 +230,7 @@ def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, n
 
 
 def _log_of(share: np.ndarray) -> np.ndarray:
-    """Return the logarithm; minus infinity for 0."""
+    """Return the natural logarithm of an array; minus infinity where the value is 0."""
     with np.errstate(divide="ignore"):
         return np.log(share)
 
@@ -247,7 +250,10 @@ def _load_alone(problem: Sum) -> Sum:
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Return residuals (n, m) over the load, or over the largest tension if that is larger."""
+    """Return load residuals (n, m), divided by the load or the largest tension.
+
+    The larger of the two is the divisor.
+    """
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
     return excess / scale
@@ -353,9 +359,9 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
-    """Return for which contacts (n,) the table of loads must begin at a larger separation.
+    """Return a mask (n,) of contacts that still touch at the largest separation of the table.
 
-    At its farthest separation the load is not yet negligible, or the largest tension may lie beyond.
+    Their load there is not yet negligible, or the largest tension may lie beyond.
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

@@ -14,9 +14,11 @@ _LOAD, _AREA = QUANTITIES.index("load"), QUANTITIES.index("area")
 
 
 def most_pull(groups: Groups) -> np.ndarray | None:
-    """Return two factors (2, n): the largest meniscus pull per asperity, normalised, and pi N R sigma.
+    """Return two factors (2, n) of the upper bound of meniscus pull.
 
-    The first is gamma/(r N) over K R^(1/2) sigma^(3/2). None if the asperity density is unknown, or without a liquid.
+    The first is gamma/(r N) over K R^(1/2) sigma^(3/2), the largest pull per asperity, with surface tension gamma, Kelvin
+    radius r and asperity density N. The second is pi N R sigma. The result is None if the asperity density is unknown, or
+    without a liquid.
     """
     if groups.roughness_parameter is None or groups.meniscus_index is None or groups.meniscus_height is None:
         return None
@@ -25,9 +27,9 @@ def most_pull(groups: Groups) -> np.ndarray | None:
 
 
 def pull_and_bound(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pull of menisci in the sums (regimes, ..., 5), and its upper bound gamma (A_n - A)/r, each (...,).
+    """Return the meniscus pull in the sums over asperities, and its upper bound, each (...,).
 
-    most: factors (2, ...) of `most_pull`.
+    The bound is gamma (A_n - A)/r. sums: (regimes, ..., 5). most: factors (2, ...) of `most_pull`.
     """
     pull = -sums[_of_menisci(regimes), ..., _LOAD].sum(axis=0)
     return pull, most[0] * np.clip(1.0 - most[1] * sums[..., _AREA].sum(axis=0), 0.0, 1.0)

@@ -55,7 +55,7 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
 
 def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
-    """Return the values of the array broadcast to the shape of another."""
+    """Return the values of an array, broadcast to the shape of another."""
     return np.broadcast_to(aligned(array, {str(dim): size for dim, size in like.sizes.items()}), like.shape)
 
 

@@ -73,7 +73,7 @@ class OnMap(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the units of the contact, by scale."""
+        """Return the units of normalised results, by scale."""
         return self.contact.scales().factors()
 
     def surface(self) -> "HeightMap":
@@ -191,10 +191,16 @@ class OnMap(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the total tangential force of points with these loads and one common area, by the tangential law."""
+        """Return the total tangential force of map points, by the tangential law.
+
+        loads: normal load of each point. area: the same for all points. state: of the points, elastic or plastic.
+        """
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the tangential force (n,) of each point with these loads (n,) and one common area."""
+        """Return the tangential force (n,) of each map point, by the tangential law.
+
+        loads: normal load (n,) of each point. area: the same for all points. state: of the points, elastic or plastic.
+        """
         assert self.chosen.tangential is not None
         return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -7,12 +7,18 @@ from stiction.quantities.quotient import quotient
 
 
 def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
-    """Return the sum (n, m) over the selected regimes of `parts` (regimes, n, m)."""
+    """Return the sum (n, m) of the selected regimes of `parts` (regimes, n, m).
+
+    chosen: whether each regime is selected.
+    """
     return parts[chosen].sum(axis=0)
 
 
 def states_of(regimes: list[Regime]) -> list[str]:
-    """Return the states to report: elastic and plastic, and elastic-plastic if a regime has it."""
+    """Return the states of asperities to report: elastic, plastic, and perhaps elastic-plastic.
+
+    Elastic-plastic is reported only if a regime has it.
+    """
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
 
 

@@ -1,12 +1,13 @@
-"""Friction of the points of a solved map: the load of each, and laws of its pressure.
+"""Compute the friction of the points of a solved map from their pressures.
 
     lesser            tau = min(alpha p, tau_0)                                                                           (1)
     junction_growth   tau_0 on the area that carries the load under combined stresses, p^2 + 9 tau_0^2 = H^2              (2)
 
-(1): friction cannot exceed the strength of what is sheared (Orowan 1943, Proc. Inst. Mech. Eng. 150, 140). (2) Tabor (1959,
-Proc. R. Soc. A 251, 378), with his value of 9 for alpha: contacts that are pressed by more than (H^2 - 9 tau_0^2)^(1/2) flow
-under the shear and grow until they bear that, so that of contacts that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is his
-1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
+p is the pressure, H the hardness, tau_0 the shear strength of the interface and alpha its pressure coefficient. (1): friction
+cannot exceed the strength of the sheared material (Orowan 1943, Proc. Inst. Mech. Eng. 150, 140). (2): Tabor (1959, Proc. R.
+Soc. A 251, 378), with his value of 9 for the factor of tau_0^2. Spots with a pressure above (H^2 - 9 tau_0^2)^(1/2) flow
+under the shear and grow until their pressure has this value. For spots that flow mu = tau_0/(H^2 - 9 tau_0^2)^(1/2), which is
+his 1/[9 (c^-2 - 1)]^(1/2) for c = 3 tau_0/H. Both are reconstructed and were not compared with print (grade C).
 """
 
 import math

@@ -81,7 +81,7 @@ def points_at(problem: Problem, name: str, value: Any) -> Points:
 
 
 def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
-    """Return a value over a unit, in the shape of these dimensions."""
+    """Return a value divided by its unit, broadcast to the shape of these dimensions."""
     return np.broadcast_to(aligned(value, dims) / aligned(unit, dims), tuple(dims.values()))
 
 

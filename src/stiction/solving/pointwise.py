@@ -1,4 +1,7 @@
-"""Solve many contacts at once; a contact that is refused or cannot carry the load gets NaN, with the reason."""
+"""Solve many contacts at once.
+
+A contact that the model refuses, or that cannot carry the load, gets NaN with the reason.
+"""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -185,7 +188,10 @@ def _taken(points: Points) -> tuple[Solved, np.ndarray]:
 
 
 def _without(tables: Mapping[str, np.ndarray], lost: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the tables with NaN where results are lost; the requested load stays."""
+    """Return the result tables with NaN where results are lost; the requested load stays.
+
+    lost: mask of contacts and points without a result.
+    """
     if not lost.any():
         return dict(tables)
     return {name: np.where(lost, np.nan, table) if name != "load" else table for name, table in tables.items()}

@@ -1,4 +1,4 @@
-"""Combine a model, contacts and height distribution into a problem that every solution starts from."""
+"""Combine a model, contacts and a height distribution into a problem to be solved."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -194,7 +194,10 @@ class Sum(Problem):
 
 @dataclass(frozen=True)
 class ClosedForm(Problem):
-    """Represent a theory in closed form, which is no sum over asperities; friction, if any, is of the interface."""
+    """Represent a contact theory in closed form, which is not a sum over asperities.
+
+    Friction, if any, is that of the interface.
+    """
 
     @property
     def needs_load(self) -> bool:
@@ -286,7 +289,7 @@ def _others(model: str) -> str:
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
-    """Replace the computed load by the requested one, and recompute the friction coefficient with it.
+    """Replace the computed load by the requested one, and recompute the friction coefficient.
 
     Where round-off makes the requested load unattainable, the computed load stays. This keeps a residual load at a
     requested load of zero from giving a friction coefficient.

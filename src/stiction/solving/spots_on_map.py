@@ -1,4 +1,7 @@
-"""How far shear moves the contact spots of a solved map, for the compact law of efficiency (`sliding_efficiency`)."""
+"""Compute how far shear moves the contact spots of a solved map.
+
+The compact law of efficiency (`sliding_efficiency`) uses the result.
+"""
 
 import math
 from typing import TYPE_CHECKING
@@ -64,7 +67,10 @@ def spread_on_map(problem: OnMap, loads: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def _spread(operator: "ShearOperator", one: "MapContact") -> float:
-    """Return s/tau_p [m/Pa] of a solved map; points bear the strength of the area without the excess of edge points."""
+    """Return the standard deviation s of the spots' displacement over the strength tau_p [m/Pa].
+
+    The map is solved. Points bear the strength of the area without the excess of edge points.
+    """
     assert one.pressure is not None
     spots = one.pressure > 0.0
     return float(np.std(operator(spots[None] * (one.area / one.area_pixels))[0][spots]))

@@ -210,7 +210,7 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
 
 
 def _softest(groups: Groups) -> np.ndarray | float:
-    """Return the lowest hardness of film and bodies, over the hardness of the bodies."""
+    """Return the lowest hardness of film and bodies, divided by the hardness of the bodies."""
     return 1.0 if groups.n_H is None else np.minimum(groups.n_H, 1.0)
 
 

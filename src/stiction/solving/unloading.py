@@ -211,7 +211,7 @@ class _Way:
 
 
 def _one_of(subject: Subject, **either: Any) -> Any:
-    """Return the one argument of two that is stated; a sequence gets a dimension of its name."""
+    """Return the stated one of two alternative arguments; a sequence gets a named dimension."""
     given = [name for name, value in either.items() if value is not None]
     if len(given) != 1:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
@@ -277,7 +277,7 @@ def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: 
 
 
 def _nearest(turn: Points) -> np.ndarray:
-    """Return the smallest separations over sigma, in the shape of these points."""
+    """Return the smallest mean separations reached, divided by sigma, in the shape of the points."""
     if turn.name == "mean_separation":
         check_reach(turn.wanted, "min_separation")
         return turn.wanted

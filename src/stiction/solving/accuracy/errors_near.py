@@ -34,13 +34,13 @@ _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts a
 
 
 class ErrorsNear(NamedTuple):
-    """Hold the errors of ln(A/solved A) at k points.
+    """Store the measured errors ln(A/solved A) of a model's contact area at k points.
 
-    levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces; relative: root mean square of A/solved A - 1;
-    middle: mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor
-    kind is stated; distance: distance of the nearest surface; told: share of the total weight on surfaces where the
-    model has a result; surfaces: number of surfaces with a noticeable weight; nearest: the feature in which the nearest
-    surface differs most.
+    levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces. relative: root mean square of A/solved A - 1. middle:
+    mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
+    stated. distance: distance of the nearest surface. told: fraction of the total weight on surfaces where the model has a
+    result. surfaces: number of surfaces with a noticeable weight. nearest: the feature in which the nearest surface differs
+    most.
     """
 
     levels: np.ndarray
@@ -78,9 +78,10 @@ def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> 
 
 
 def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
-    """Return the errors near each point from an array of errors (coated surfaces, films, loads).
+    """Return the measured errors near each point, for coated surfaces.
 
-    like: mask (k,) of the points whose film is of the kind that the benchmark set contains.
+    errors: array (coated surfaces, films, loads). like: mask (k,) of the points whose film is of the kind that the benchmark
+    set contains.
     """
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
@@ -161,7 +162,10 @@ def _averaged(
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """Return exp(-d^2/2) (k, s) of some surfaces over that of the nearest of them; 0 for the others."""
+    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, over that of the nearest one.
+
+    squared: squared distances d^2. some: mask of the surfaces that count; the others have weight 0.
+    """
     squared = np.where(some, squared, np.inf)
     least = squared.min(axis=1, keepdims=True)
     return np.exp(-0.5 * np.where(np.isfinite(squared), squared - np.where(np.isfinite(least), least, 0.0), np.inf))

@@ -133,9 +133,9 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the elastic area over the nominal area, and the pressure over the flow pressure (k,).
+    """Return the elastic area fraction, and the pressure over the flow pressure, at k points.
 
-    The law computes the area as a power mean of the two.
+    The area law of a film computes the area as a power mean of the two.
     """
     from stiction.laws.rough_surface.rough_on_film import elastic_share  # which a bare contact does without
     from stiction.surfaces.theory.widened_area import MEETING
@@ -158,7 +158,10 @@ def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray 
 
 
 def _over_radius(problem: Problem) -> np.ndarray:
-    """Return t/R (n, 1) as (t/sqrt(R sigma))^2 over t/sigma; a value far outside the range if it is unknown."""
+    """Return the film thickness over the asperity radius t/R (n, 1), from other groups.
+
+    It is (t/sqrt(R sigma))^2 over t/sigma. If unknown, the value is far outside the measured range.
+    """
     found = quotient(problem.groups.film_aspect**2, problem.groups.tau)
     return np.where(np.isfinite(found) & (found > 0.0), found, 1.0)[:, None]
 

@@ -1,4 +1,4 @@
-"""Tables of the measured errors of elastic film laws, by film modulus and film thickness.
+"""Read tables of the measured errors of elastic film laws, by film modulus and film thickness.
 
 `python truth/film_laws.py` makes two tables. One compares each law on a sphere with the exact solution of a sphere
 on a film. The other compares sums over asperities, and the area law of a film, with layered boundary elements on
@@ -101,7 +101,7 @@ def summary(law: str) -> list[dict[str, Any]]:
 
 
 def _of(table: Mapping, law: str, options: Mapping[str, str]):
-    """Return the table entry of a law with these options; None if there is none."""
+    """Return the table entry of a film law with these options; None if there is none."""
     for (key, chosen), rows in table.items():
         name, _, value = chosen.partition(" ")
         if key == law and (not name or options.get(name) == value):

@@ -212,7 +212,7 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
 
 
 def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
-    """Return A/A0 (k,) of normalised areas; 0 where nothing touches."""
+    """Return the area fraction A/A0 (k,) from normalised areas; 0 where nothing touches."""
     return np.nan_to_num(np.minimum(math.pi * np.reshape(problem.groups.roughness_parameter, (-1, 1)) * area, 1.0)).ravel()
 
 
@@ -344,13 +344,16 @@ def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[floa
 
 
 def _largest(share: np.ndarray | None) -> float:
-    """Return the largest known value of a share; -inf if none is known."""
+    """Return the largest finite value of an array; -inf if there is none or the array is None."""
     known = np.empty(0) if share is None else share[np.isfinite(share)]
     return float(np.max(known, initial=-np.inf))
 
 
 def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> ErrorsNear | None:
-    """Return the errors on the coated surfaces of the set: one body has an elastic film, the other is rigid."""
+    """Return the model's errors on the coated benchmark surfaces; None if not measured.
+
+    On these surfaces one body has an elastic film and the other is rigid.
+    """
     groups, film = problem.groups, problem.chosen.film
     name = column.split("|")[0]
     own = film is not None and f"{film.key}|mccool"
@@ -364,7 +367,10 @@ def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> E
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
-    """Return ln of mu over mu with the solved area, for an interface law mu = tau_0 A/P + beta; NaN for other laws."""
+    """Return ln of the ratio of mu to mu with the solved area, for laws mu = tau_0 A/P + beta.
+
+    error: ln(A/solved A). The result is NaN for other friction laws.
+    """
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
         return np.full(error.shape, np.nan)

@@ -44,12 +44,12 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 @dataclass(frozen=True)
 class Place:
-    """Hold the features of k points by which near solved surfaces are found.
+    """Store the features of k contact points that are compared with solved surfaces.
 
-    pressure, hardness: over E* h'; alpha: Nayak's parameter; shape: skewness, lay and slope of the top of the map, None
-    without a map; kind: the stated kind of surface, for a contact without a map; stated: stated statistics of the surface,
-    name in surfaces.roughness.SHAPE -> number, for a contact without a map; thickness: of the film over sqrt(m2/m4);
-    modulus: of the film over that of the substrate.
+    pressure, hardness: divided by E* h', with h' the rms slope. alpha: Nayak's parameter. shape: skewness, lay and slope of
+    the top of the map; None without a map. kind: the stated kind of surface, for a contact without a map. stated: stated
+    statistics of the surface, by their names in surfaces.roughness.SHAPE, for a contact without a map. thickness: of the film
+    over sqrt(m2/m4). modulus: of the film over that of the substrate.
     """
 
     pressure: np.ndarray
@@ -63,7 +63,7 @@ class Place:
 
     @property
     def kind_known(self) -> bool:
-        """Whether more is known of the surface than sigma, R and N: its map, its kind, or its shape in numbers."""
+        """Return whether the map, the kind, or a statistic of the surface shape is known."""
         return self.shape is not None or self.kind is not None or bool(self.stated)
 
     @classmethod
@@ -235,9 +235,9 @@ def squared_distance(found: Iterable[Difference]) -> np.ndarray:
 
 
 def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
-    """Describe the largest differences between a point and the solved surface at this flat index.
+    """Describe the largest differences between a point and one solved surface.
 
-    For example "the nearest has Nayak's alpha 5 where this has 24".
+    at: flat index of the surface. For example "the nearest has Nayak's alpha 5 where this has 24".
     """
     shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in found))
 
