@@ -196,7 +196,7 @@ class Sum(Problem):
 class ClosedForm(Problem):
     """Represent a contact theory in closed form, which is not a sum over asperities.
 
-    Friction, if any, is that of the interface.
+    Friction, if any, is computed by a law of the interface.
     """
 
     @property

@@ -210,9 +210,9 @@ class Sliding:
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
-        """Return the slope of the force at rest, of the shape of the separations.
+        """Return the tangential stiffness at rest, in the shape of the separations h.
 
-        It is summed over all asperities that have a strength.
+        It is the slope of force against displacement, summed over all asperities that have a strength.
         """
         chosen = self.problem.chosen
         assert chosen.tangential is not None
@@ -235,10 +235,9 @@ class Sliding:
         return {"tangential_force": force} | ({"energy_loss": loss} if self.residual == 1.0 else {})
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the largest force and its displacement.
+        """Return the largest tangential force and its displacement.
 
-        Under Coulomb's law the displacement is where 99 % of the sum of strengths is reached; otherwise it is that of the
-        peak.
+        With constant strength (Coulomb's law) the displacement is where the force reaches 99 % of the sum of strengths.
         """
         h, strength, stiffness = (static[name] for name in ("mean_separation", "friction_force", "tangential_stiffness"))
         held = (strength > 0.0) & (stiffness > 0.0)

@@ -40,9 +40,10 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 
 def efficiency(spread, residual, constants=FITTED):
-    """Return the largest force over the sum of strengths, (1) and (2).
+    """Return the largest tangential force of a contact over the sum of strengths, by (1) and (2).
 
-    spread: s/D_c, >= 0; residual: r, 0 to 1; of any shapes that broadcast; constants: b, m and w.
+    spread: standard deviation s of the spots' displacement over the slip D_c, >= 0. residual: fraction r of the strength that
+    remains after slip, 0 to 1. Shapes broadcast. constants: b, m and w.
     """
     b, m, w = constants
     alone = (1.0 + (b * (1.0 - residual) * spread) ** m) ** (-0.5 / m)
@@ -51,9 +52,9 @@ def efficiency(spread, residual, constants=FITTED):
 
 
 def spot_radius(share, deviation, radius, density):
-    """Return the mean radius a of contact spots (3) [m].
+    """Return the mean radius of contact spots [m], by (3).
 
-    share: c, 0 to 1; deviation [m], radius [m], density [1/m2]: of asperities; of any shapes that broadcast.
+    share: real over nominal area, 0 to 1. deviation [m], radius [m], density [1/m2]: of asperities. Shapes broadcast.
     """
     t = np.linspace(_HIGHEST, _DEEPEST, _NODES)
     tail = ndtr(-t)
@@ -63,13 +64,18 @@ def spot_radius(share, deviation, radius, density):
 
 
 def spread_of_spots(radius, share, roughness_parameter):
-    """Return s/(tau_p S) [m] of spots of this radius [m] on a contact without ends (3).
+    """Return s/(tau_p S) [m] by (3) for contact spots of one radius, without edges of the nominal area.
 
-    share: c; roughness_parameter: eta R sigma, which is larger the more the spots cluster on long waves.
+    s: standard deviation of the displacement due to shear. tau_p: strength. S: shear compliance. radius: of the spots [m].
+    share: real over nominal area. roughness_parameter: eta R sigma of the asperities.
     """
     return _OF_SPOTS * radius * roughness_parameter**_BY_DENSITY * (1.0 - share) ** _BY_SHARE
 
 
 def spread_of_edges(side, share):
-    """Return s/(tau_p S) [m] of a square of this side [m], of which a share is in contact (3)."""
+    """Return s/(tau_p S) [m] by (3) due to the edges of a square nominal area.
+
+    s: standard deviation of the displacement due to shear. tau_p: strength. S: shear compliance. side: of the square [m].
+    share: real over nominal area.
+    """
     return _OF_EDGES * side * share

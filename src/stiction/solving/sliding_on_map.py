@@ -33,7 +33,7 @@ _KNOWN = "a length > 0, e.g. 1 nm for monolayers and oxides, 0.1 to 10 um for wo
 
 @dataclass(frozen=True)
 class Move:
-    """How a map is moved aside: the arguments of `slide` that only maps take, and its displacements."""
+    """Store how a map is displaced tangentially: the arguments of `slide` for maps."""
 
     displacement: Any
     tangential_force: Any
@@ -93,13 +93,16 @@ def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset"
 
 
 def _shown(table: np.ndarray) -> np.ndarray:
-    """Return the points of a map, or an evenly spaced selection of those of a large map."""
+    """Return all points of a map, or an evenly spaced selection if the map is large."""
     every = -(-max(table.shape) // _MOST_SHOWN)
     return table[::every, ::every]
 
 
 def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
-    """Return 0 for points apart, 1 for those that stick, 2 for those that slide (loads, displacements, rows, columns)."""
+    """Return the state of every point: 0 apart, 1 sticking, 2 sliding.
+
+    The shape is (loads, displacements, rows, columns).
+    """
     touching = [_shown(path.strength) > 0.0 for path in paths]
     states = [
         [one.astype(np.int8) + (one & _shown(state.slides)) for state in path.states]
@@ -166,7 +169,7 @@ def _at_forces(
 def _through_spring(
     problem: OnMap, paths: "list[SlidingPath]", whole: float, shape: tuple[int, ...], stiffness: Any
 ) -> dict[str, np.ndarray]:
-    """Return the displacement of the drive, normalised, and whether it meets the states."""
+    """Return the normalised displacement of the drive, and a mask of the states that are reached."""
     from stiction.solvers.shear.path import through_spring
 
     of_map = float(problem.subject.read(stiffness, "spring_stiffness")) / whole
@@ -178,7 +181,10 @@ def _through_spring(
 
 
 def _operator(problem: OnMap) -> "ShearOperator":
-    """Return the displacements of the map under shear: of one period, or of a window and its mirror images."""
+    """Return the operator that computes shear displacements of the map.
+
+    The map is one period, or a window that its mirror images continue.
+    """
     from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
 
     surface = problem.surface()
@@ -226,7 +232,10 @@ def _nearly(path: "SlidingPath") -> float:
 
 
 def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weakening: "Weakening") -> np.ndarray:
-    """Return how many points lie along the length over which strength is lost, where it is largest (m,)."""
+    """Return the number of points (m,) along the length over which strength is lost.
+
+    It is taken where the strength is largest.
+    """
     from stiction.solvers.shear.path import weakening_length
 
     surface = problem.surface()

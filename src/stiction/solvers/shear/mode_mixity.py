@@ -14,11 +14,11 @@ the edge, 0 to 1:
     papangelo_ciavarella_2018   1 + (1 - zeta) tan^2 psi            y = {1 - x + [(1 - x)^2 + 4 (1 - zeta) x]^(1/2)}/2    (4)
     menga_carbone_dini_2018     shear releases nothing              y = 1                                                 (5)
 
-(2) with zeta = 1 is Savkoor & Briggs (1977), a brittle edge. Papangelo & Ciavarella (2018,
-arXiv:1809.10676; abstract read) compare (2) to (4), which end in different ways: by a jump, at Hertz's contact, or never.
-(5): under a uniform shear stress the area stays (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum
-of 2019, 133, 103744). The physics is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that
-the area falls. Measured contacts shrink less than (2) with zeta = 1. No law is recommended.
+(2) with zeta = 1 is Savkoor & Briggs (1977), a brittle edge. Papangelo & Ciavarella (2018, arXiv:1809.10676; abstract read)
+compare (2) to (4), which end in different ways: by a jump, at Hertz's contact, or never. (5): under a uniform shear stress the
+area stays (Menga, Carbone & Dini 2018, J. Mech. Phys. Solids 112, 145, with the corrigendum of 2019, 133, 103744). The physics
+is disputed: Cricri & Ciavarella (2019, arXiv:1908.04490) find with the same energies that the area falls. Measured contacts
+shrink less than (2) with zeta = 1. No law is recommended.
 """
 
 import math

@@ -162,7 +162,7 @@ def _averaged(
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, over that of the nearest one.
+    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, relative to the nearest one.
 
     squared: squared distances d^2. some: mask of the surfaces that count; the others have weight 0.
     """

@@ -49,7 +49,7 @@ class Place:
     pressure, hardness: divided by E* h', with h' the rms slope. alpha: Nayak's parameter. shape: skewness, lay and slope of
     the top of the map; None without a map. kind: the stated kind of surface, for a contact without a map. stated: stated
     statistics of the surface, by their names in surfaces.roughness.SHAPE, for a contact without a map. thickness: of the film
-    over sqrt(m2/m4). modulus: of the film over that of the substrate.
+    over sqrt(m2/m4). modulus: film modulus over substrate modulus.
     """
 
     pressure: np.ndarray
