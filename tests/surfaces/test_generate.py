@@ -10,7 +10,7 @@ from scipy import integrate, stats
 
 from refusals import refusal
 from stiction.quantities.errors import InputError
-from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface, rms_slope, with_deviation, with_slope
+from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface, rms_slope, with_slope
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.targets import GaussianCorrelation, SelfAffine
@@ -201,7 +201,6 @@ def test_the_lay_turns_from_x_towards_y():
 def test_what_is_wanted_exactly_is_exact(shape):
     target = SelfAffine(0.5, 0.5, 0.1, 1e-3, dimensions=1 if shape[0] == 1 else 2)
     surface = gaussian_surface(shape, (1.0, 1.0), target, 9)
-    assert with_deviation(surface, 7e-9).heights.std() == near(7e-9, rel=1e-13)
     steep = with_slope(surface, 0.25)
     found = profile_moments(steep)[:, 1]
     assert (found[0] if shape[0] == 1 else found.sum()) == near(0.0625, rel=1e-10)
@@ -308,7 +307,6 @@ def test_without_steps_the_ranks_are_those_of_the_gaussian():
         ("kurtosis", lambda: johnson(0.0, math.nan)),
         ("kurtosis", lambda: johnson(0.0, 60.0)),
         ("steps", lambda: non_gaussian_surface((64, 64), SIZE, TARGET, 0, skewness=0.0, kurtosis=4.0, steps=-1)),
-        ("deviation", lambda: with_deviation(gaussian_surface((64, 64), SIZE, GaussianCorrelation(1e-9, 1e-6), 0), 0.0)),
     ],
 )
 def test_unusable_wishes_give_one_line(field, make):
@@ -324,5 +322,3 @@ def test_missing_or_constant_heights_cannot_be_multiplied_to_a_slope():
     for heights in (holed, np.zeros((64, 64))):
         with refusal("heights"):
             with_slope(surface.with_heights(heights, "changed"), 0.1)
-        with refusal("heights"):
-            with_deviation(surface.with_heights(heights, "changed"), 1e-9)

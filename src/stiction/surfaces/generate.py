@@ -32,7 +32,6 @@ from scipy.special import ndtri
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.keywords import with_keywords
-from stiction.quantities.units import show
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.memory import require_arrays
@@ -237,17 +236,13 @@ def non_gaussian_surface(
     return HeightMap(spectral if exact_spectrum else ranked, asked.size, (step,), periodic=True)
 
 
-def with_deviation(surface: HeightMap, deviation: float) -> HeightMap:
-    """Return the map with its heights scaled to the rms height `deviation` [m] about the mean."""
-    require_positive(deviation=deviation)
-    step = f"heights multiplied to an rms height of {show(deviation, 'mean_separation')}"
-    return _multiplied(surface, deviation, float(np.std(surface.heights)), step)
-
-
 def with_slope(surface: HeightMap, slope: float) -> HeightMap:
     """Return the map with its heights scaled to the rms slope `slope` [1]."""
     require_positive(slope=slope)
-    return _multiplied(surface, slope, rms_slope(surface), f"heights multiplied to an rms slope of {slope:g}")
+    found = rms_slope(surface)
+    if not found > 0.0:
+        raise InputError("heights", "constant", "heights that differ")
+    return surface.with_heights(surface.heights * (slope / found), f"heights multiplied to an rms slope of {slope:g}")
 
 
 def rms_slope(surface: HeightMap) -> float:
@@ -265,12 +260,6 @@ def rms_slope(surface: HeightMap) -> float:
     for part, along_y, along_x in _blocks(surface.heights.shape, surface.size):
         total += float(np.sum(power[part] * (along_y**2 + along_x**2)))
     return math.sqrt(total) / (rows * columns)
-
-
-def _multiplied(surface: HeightMap, wanted: float, found: float, step: str) -> HeightMap:
-    if not found > 0.0:
-        raise InputError("heights", "constant or missing", "heights that differ, without missing points")
-    return surface.with_heights(surface.heights * (wanted / found), step)
 
 
 def _check_grid(shape, seed) -> None:

@@ -186,31 +186,6 @@ def power_spectrum(surface: HeightMap, window: str = "hann") -> PowerSpectrum:
     return spectrum
 
 
-def line_spectrum(surface: HeightMap, along: str = "x", window: str = "hann", bins: str = "log") -> BinnedSpectrum:
-    """Average the spectra of all lines of a map along "x" or "y", in bins of |q|.
-
-    The mean of each line is subtracted. window: a key of WINDOWS, applied along the line. bins: a key of BINS. Raises
-    InputError as `power_spectrum` does.
-    """
-    if along not in _LINES:
-        raise InputError("along", along, " or ".join(_LINES))
-    lines = _LINES[along](_complete(surface))
-    count, length = lines.shape[1], surface.size[1 if along == "x" else 0]
-    if count < LEAST_POINTS:
-        raise InputError("along", along, f"the direction of a line of at least {LEAST_POINTS} points")
-    lines = lines - lines.mean(axis=1, keepdims=True)
-    lines *= _window(window, (1, count), (length, length))
-    density = _squares(scipy.fft.rfft(lines, axis=1, workers=_WORKERS)).mean(axis=0) * (length / count**2)
-    q = _wavevectors(count, length, np.fft.rfftfreq)
-    edges = _edges(bins)(q[1], math.pi * count / length)
-    sums = _sums_in_bins(q[1:], density[1:], _waves(count)[1:], edges)
-    longest, shortest = length / LEAST_PERIODS, POINTS_PER_WAVE * length / count
-    return _binned(*sums, longest=longest, shortest=shortest, is_profile=True, window=window)
-
-
-_LINES: dict[str, Callable[[np.ndarray], np.ndarray]] = {"x": lambda heights: heights, "y": np.transpose}
-
-
 def radial_average(spectrum: PowerSpectrum, bins: str = "log", tip_radius: float | None = None) -> BinnedSpectrum:
     """Average a spectrum over all directions, in bins of |q| up to the Nyquist wavevector.
 
