@@ -1,4 +1,4 @@
-"""The result of a search: a labelled dataset, and the designed case."""
+"""Turn the result of a design search into a labelled dataset and a case file."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -55,7 +55,10 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
 
 
 def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
-    """Return the choices and results of some designs of the archive as columns."""
+    """Return choices, results and constraint violations of some evaluated designs as dataset variables.
+
+    rows: indices of the designs in the archive; along: name of the dimension.
+    """
     shares, _, worst, known = search.archive.table()
     shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}
@@ -81,7 +84,10 @@ def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tup
 
 
 def _violated(search: "Designing", rows: np.ndarray) -> np.ndarray:
-    """Return what each of these designs of the archive breaks, in words, one a line; "" where it keeps all limits."""
+    """Return for each of these designs the constraints that it violates, one a line; "" if it meets all.
+
+    rows: indices of the designs in the archive.
+    """
     shares, _, worst, _ = search.archive.table()
     return np.array(["\n".join(search.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
 
@@ -127,7 +133,10 @@ def designed_case(search: "Designing", out: Path) -> str:
 
 
 def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
-    """Return the tables of a case with the numbers of a design in their places."""
+    """Return the tables of a case file with the numbers and list entries of a design written in.
+
+    numbers: address in the case -> number or entry.
+    """
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
         if path == LOAD:
             text = show_exactly(entry, "load") if "contact" in content else float(entry)

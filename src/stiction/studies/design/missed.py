@@ -1,4 +1,4 @@
-"""How far a design is off the objectives."""
+"""Compute how far designs miss the target values of their objectives."""
 
 from collections.abc import Iterator, Mapping
 
@@ -11,14 +11,20 @@ _NEAR = 0.01  # of a target: nearer than this counts as met
 
 
 def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield each result with a target, and how far designs are off it, over its size: above 0 where they are too high."""
+    """Yield for each target objective its result's name and the relative distances of designs (n,) from the target value.
+
+    A distance is (result - target) / |target|. known: results by name (n,).
+    """
     for objective, target in zip(plan.objectives, plan.targets, strict=True):
         if objective.target:
             yield objective.quantity, (known[objective.quantity] - target) / (abs(target) or 1.0)
 
 
 def missed_objectives(plan: DesignPlan, known: Mapping[str, np.ndarray], row: int) -> list[str]:
-    """Return a sentence for each target that a design misses by more than 1 %: its value, the target, and by how much."""
+    """Return one sentence for each target that the design misses by more than 1 %.
+
+    It states the result, the target and the difference in percent. row: index of the design in the results `known`.
+    """
     targets = {objective.quantity: target for objective, target in zip(plan.objectives, plan.targets, strict=True)}
     found = []
     for name, off in off_targets(plan, known):

@@ -1,4 +1,4 @@
-"""The plan of a design: the table [design] of a case, read and checked."""
+"""Read the table [design] of a case into a checked design plan."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -27,7 +27,11 @@ _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 
 @dataclass(frozen=True)
 class Options:
-    """A list from which one entry is chosen: numbers in SI units, or tables and names of a case file."""
+    """A list from which the search chooses one entry.
+
+    path: address of the entry in the case; entries: numbers in SI units, or names and tables of a case file; words: the
+    entries as text; is_number: whether the entries are numbers.
+    """
 
     path: Address
     entries: tuple[Any, ...]
@@ -44,7 +48,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Limit:
-    """A result, and the ends between which it must be."""
+    """A constraint of a design: a result must lie between low and high; an infinite end does not bind."""
 
     quantity: str
     low: float
@@ -60,10 +64,11 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """Hold a design that is ready to be searched.
+    """Hold the checked input of a design search.
 
-    content: the tables of the case without studies; given: as they were written. objectives, with the value of a target in SI
-    units. uncertain: numbers of the contact that are drawn.
+    content: tables of the case without its study tables; given: tables as the user wrote them; folder: file names in them are
+    relative to it. free: numbers chosen between ends; options: lists to choose from. targets: target value of each objective
+    in SI units, NaN if it has none. effort: generations of the search. uncertain: uncertain numbers of the case.
     """
 
     content: Mapping[str, Any]
@@ -86,14 +91,14 @@ class DesignPlan:
 
 
 def quantity_of(name: str) -> str:
-    """Return the quantity of a result; the end of an interval has the quantity of its median."""
+    """Return the quantity of a result; an interval end, as friction_coefficient_low, has that of its median."""
     return name if name in QUANTITIES else name.removesuffix("_low").removesuffix("_high")
 
 
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
-    """Return the plan of the tables of a case file.
+    """Return the design plan of a case file's tables.
 
-    folder: scans are named relative to it. Raises InputError.
+    folder: file names in the tables are relative to it. Raises InputError.
     """
     require_names(content)
     wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'

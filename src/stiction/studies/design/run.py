@@ -1,4 +1,7 @@
-"""Design: the coating, thickness, roughness and load that come nearest to the objective, and keep all limits."""
+"""Search the coating, roughness, materials and load that best meet an objective within constraints.
+
+Each chosen number is searched as a share: its position between its low end (0) and its high end (1).
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -40,9 +43,10 @@ _REFINED = 3  # ways to choose from lists whose numbers are refined
 
 @dataclass
 class Archive:
-    """Record every design that was evaluated.
+    """Record every evaluated design; each list has one entry for each batch of n designs.
 
-    shares (n, d), objectives (n, w), worst: constraint violation of each (n,), known: results by name (n,).
+    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1. objectives (n, 1 or 2), lower is
+    better. worst (n,): largest relative constraint violation. known: results by name (n,).
     """
 
     shares: list[np.ndarray] = field(default_factory=list)
@@ -52,7 +56,7 @@ class Archive:
     count: int = 0
 
     def table(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, np.ndarray]]:
-        """All of them as arrays."""
+        """Return shares, objectives, worst violations and results of all evaluated designs, as arrays."""
         names = self.known[0] if self.known else {}
         known = {name: np.concatenate([one[name] for one in self.known]) for name in names}
         return np.concatenate(self.shares), np.concatenate(self.objectives), np.concatenate(self.worst), known
@@ -60,9 +64,9 @@ class Archive:
 
 @dataclass
 class Designing:
-    """A search as far as it is done.
+    """Hold the state of a design search: its plan, its evaluator of designs, and all designs so far.
 
-    stopped: whether it was interrupted.
+    stopped: whether the search was interrupted.
     """
 
     plan: DesignPlan
@@ -71,7 +75,7 @@ class Designing:
     stopped: bool = False
 
     def best(self) -> np.ndarray:
-        """Return the archive rows of the best design for each combination of list entries, the best first.
+        """Return the archive indices of the best design for each combination of list entries, the best first.
 
         Where no design meets the constraints, those with the least violation come first.
         """
@@ -82,7 +86,7 @@ class Designing:
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
-        """Return the archive rows of the Pareto front of the designs that meet the constraints."""
+        """Return the archive indices of the Pareto front of the designs that meet the constraints."""
         _, objectives, worst, _ = self.archive.table()
         return _front(objectives, worst)
 
@@ -90,19 +94,19 @@ class Designing:
         return dataset_of(self)
 
     def case_text(self, out: Path) -> str:
-        """Return the case with the best design as the text of a file in a folder."""
+        """Return the text of a case file with the best design; `out` is its folder."""
         return designed_case(self, out)
 
 
 def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
-    """Search the design that comes nearest to an objective and keeps all limits.
+    """Search the design that best meets an objective and satisfies all constraints.
 
     Parameters
     ----------
     case : path, or dict like a case file
         Case with a table [design].
     tell : callable
-        Called with the number of evaluated designs and the best one so far, in words.
+        Called with the number of evaluated designs and a text, which is empty.
 
     Returns
     -------
@@ -134,12 +138,15 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
 
 
 def plan_of_design(case: Any) -> DesignPlan:
-    """Return the plan of a design. Raises InputError."""
+    """Return the checked plan of a design search from a case file or its tables. Raises InputError."""
     return make_design_plan(*tables_of(case))
 
 
 def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
-    """As `design`; where it is interrupted, with what is done by then."""
+    """Run the design search of a plan and return its final state.
+
+    An interruption (Ctrl-C) after the first designs returns the state so far, unless keep_on_interrupt is False.
+    """
     found = Designing(plan, Space(plan))
     try:
         _ask(found, _drawn(found), tell)
@@ -159,7 +166,10 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
 
 
 def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
-    """Evaluate designs (n, d) and add them to the archive."""
+    """Evaluate designs and add them to the archive.
+
+    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1.
+    """
     answers, archive = search.space.answers(shares), search.archive
     archive.shares.append(shares.copy())
     archive.objectives.append(answers.objectives)
@@ -171,7 +181,10 @@ def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
 
 
 def _drawn(search: Designing) -> np.ndarray:
-    """Sobol points, enough for every way to choose from lists; each of these alone, where nothing else is chosen."""
+    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
+
+    Without numbers to choose, each combination once.
+    """
     plan, most = search.plan, _FEW_DRAWN * len(search.plan.objectives) ** 2 if search.space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
@@ -191,8 +204,9 @@ def _drawn(search: Designing) -> np.ndarray:
 def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
     """Search one objective by differential evolution (Storn & Price 1997).
 
-    Designs that meet all constraints rank before all others (Deb 2000). The search continues from the best known designs, once
-    for each of the best combinations of list entries. ceiling: upper bound of the other objective.
+    number: index of the objective. ceiling: upper bound of the other objective. Designs that meet all constraints rank before
+    all others (Deb 2000). The search continues from the best known designs, once for each of the best combinations of list
+    entries.
     """
     if not search.plan.free and search.archive.count:
         return  # every design was asked
@@ -220,7 +234,7 @@ def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell)
 
 
 def _ends(search: Designing, number: int) -> "_Quiet":
-    """Return what ends the search of an objective."""
+    """Return the stopping rule for the search of one objective."""
     if not search.space.is_predicted:
         return _Quiet(_GAIN, _QUIET)
     met = _MET * abs(search.plan.targets[number]) if search.plan.objectives[number].target else -np.inf
@@ -229,9 +243,10 @@ def _ends(search: Designing, number: int) -> "_Quiet":
 
 @dataclass
 class _Quiet:
-    """Whether no member of a population has gained for some generations, or one is good enough.
+    """Stopping rule of differential evolution, called after each generation; True stops the search.
 
-    least: what counts as a gain, over the cost. most: generations without gain. met: cost that is good enough.
+    It stops if no member of the population improved for more than `most` generations, or if the lowest cost is at most `met`.
+    least: smallest improvement that counts, relative to the cost.
     """
 
     least: float
@@ -248,14 +263,22 @@ class _Quiet:
 
 
 def _cost(search: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
-    """Return the objective of designs (n, d); those beyond constraints and ceiling cost more than all others."""
+    """Return the cost (n,) of designs for one objective; designs that violate a constraint cost more than all others.
+
+    number: index of the objective; ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
+    1.
+    """
     answers = _ask(search, shares, tell)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
 
 def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
-    """How far beyond the limits, and the ceiling of the other objective; 0 within the tolerance."""
+    """Return the relative constraint violation (n,) of designs; 0 within half the tolerance.
+
+    worst (n,): violation of the plan's constraints. ceiling: upper bound of the other objective, which counts as a constraint
+    too.
+    """
     over = (
         np.zeros(len(worst))
         if ceiling is None
@@ -266,7 +289,10 @@ def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: flo
 
 
 def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
-    """For each of the best ways to choose from lists the best designs that are known, and some at random (size, d)."""
+    """Return a starting population (size, d) for each of the best combinations of list entries.
+
+    It holds the best known designs of this combination and random ones.
+    """
     shares, objectives, worst, _ = search.archive.table()
     order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
     few = search.space.is_predicted
@@ -282,9 +308,9 @@ def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random
 
 
 def _refined(search: Designing, number: int, tell: Tell) -> None:
-    """Refine the numbers of the best designs by COBYQA (Ragonneau 2022).
+    """Refine the numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
-    A quadratic model of the neighbourhood finds the optimum to its last digit where a constraint or an end decides.
+    Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it.
     """
     if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
@@ -323,9 +349,9 @@ def _best_ways(search: Designing, number: int) -> list[int]:
 
 
 def _search_front(search: Designing, tell: Tell) -> None:
-    """Search designs between the best for either objective.
+    """Search designs between the two that are best for one objective each.
 
-    The first objective is searched with the other below a ceiling (Haimes, Lasdon & Wismer 1971), for a row of ceilings.
+    The first objective is minimised with the other below a ceiling, for several ceilings (Haimes, Lasdon & Wismer 1971).
     """
     front = search.front()
     if not front.size or not search.plan.free:
@@ -339,10 +365,10 @@ def _search_front(search: Designing, tell: Tell) -> None:
 
 
 def _spread(search: Designing, tell: Tell) -> None:
-    """Search predictions for two objectives by an evolution strategy (Rechenberg 1973).
+    """Search the Pareto front of two objectives of a prediction by an evolution strategy (Rechenberg 1973).
 
-    Each round takes normal steps from the Pareto front, shorter than the last; where no design meets the constraints, from
-    those with the least violation.
+    Each round takes normally distributed steps from designs on the front, shorter than in the last round. As long as no design
+    meets the constraints, it starts from those with the least violation.
     """
     rng = np.random.default_rng(search.plan.seed)
     step, named = _FIRST_STEP, search.space.named
@@ -360,9 +386,10 @@ def _spread(search: Designing, tell: Tell) -> None:
 
 
 def _front(objectives: np.ndarray, worst: np.ndarray) -> np.ndarray:
-    """Return the rows of Pareto-optimal designs, ordered by the first objective.
+    """Return the indices of the Pareto-optimal designs, ordered by the first objective.
 
-    Designs that break a limit by more than TOLERANCE are left out.
+    objectives (n, 1 or 2), lower is better; worst (n,): constraint violations. Designs that violate a constraint by more than
+    TOLERANCE are left out.
     """
     kept = np.flatnonzero((worst <= TOLERANCE) & np.isfinite(objectives).all(axis=1))
     order = kept[np.lexsort((objectives[kept, -1], objectives[kept, 0]))]

@@ -1,4 +1,7 @@
-"""Many designs at once: the objective of each, and by how much it breaks what it must keep."""
+"""Evaluate many designs at once: their objectives and their constraint violations.
+
+A share is the position of a choice between its ends or along its list, 0 to 1; d choices make a design.
+"""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -34,10 +37,10 @@ _SAMPLES = 32
 
 @dataclass(frozen=True)
 class Answers:
-    """Hold the results of designs (n,).
+    """Hold objectives, constraint violations and results of n designs.
 
-    objectives (n, 1 or 2), to be minimised; broken (n, limits + 1): excess over each limit and over validity, relative to its
-    size, 0 or below where it is met; known: name -> displayed value of each (n,).
+    objectives (n, 1 or 2), to be minimised. broken (n, limits + 1): relative excess over each limit, 0 or below if it is met;
+    the last column counts validity ranges that are left. known: name -> displayed value (n,).
     """
 
     objectives: np.ndarray
@@ -46,13 +49,16 @@ class Answers:
 
     @property
     def worst(self) -> np.ndarray:
-        """How far beyond its limits each design is (n,), 0 where it keeps all."""
+        """Largest constraint violation of each design (n,); 0 if it meets all."""
         return np.maximum(self.broken, 0.0).max(axis=1, initial=0.0)
 
 
 @dataclass
 class Space:
-    """All designs of a plan, as shares (n, d) of what is unknown: first what is taken from lists, then numbers between ends."""
+    """Evaluate the designs of a plan, given as shares (n, d).
+
+    A share is the position of a choice, 0 to 1: along its list, or between its low and high end. Lists come first.
+    """
 
     plan: DesignPlan
     case: Case = field(init=False)
@@ -77,9 +83,9 @@ class Space:
         return len(self.plan.unknowns)
 
     def _choice(self) -> Choice:
-        """Return the model, resolved for the first design.
+        """Return the model and laws that evaluate the designs, resolved for the middle of all choices.
 
-        Raises InputError where it does not compute an objective or a limited result.
+        Raises InputError if they do not compute an objective or a limited result.
         """
         shares = np.full((1, self.dimension), 0.5)
         numbers, points = self._contacts(shares, np.arange(1))
@@ -97,7 +103,7 @@ class Space:
         return choice
 
     def _prediction(self, subject: Any) -> Choice:
-        """Refuse results that a prediction does not compute, by the first design."""
+        """Return the choice of a prediction; raise InputError for an objective or limit that it does not compute."""
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
                 allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be objectives"
@@ -105,25 +111,31 @@ class Space:
         return Choice(RECOMMENDED)
 
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Yield regions of designs with case and results: of a model, or of the prediction."""
+        """Solve designs in batches; yield (region, case, results), region: slice of the designs.
+
+        numbers: address -> values; points: the loads. The results come from the named model, or from a prediction.
+        """
         if not self.is_predicted:
             return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
-        """Return the uncertain numbers of the case that are not chosen, nor of a material that is."""
+        """Return the case's uncertain numbers that the design does not set.
+
+        Left out are those in `chosen` and those of a material that is chosen from a list.
+        """
         replaced = [one.path for one in self.plan.options if not one.is_number]
         kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
         return [one for one in kept if one.path not in chosen]
 
     def words(self, shares: np.ndarray) -> list[str]:
-        """Of one design (d,) what is chosen, as text."""
+        """Return the choices of one design, shares (d,), as texts."""
         found = [one.words[int(one.index(np.asarray(share)))] for one, share in zip(self.plan.options, shares, strict=False)]
         rest = shares[len(self.plan.options) :]
         return found + [one.show(float(one.at(np.asarray(share))), 5) for one, share in zip(self.plan.free, rest, strict=True)]
 
     def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
-        """Of one design (d,) what stands where in the case: SI floats, and entries of lists."""
+        """Return the choices of one design, shares (d,): address in the case -> number in SI units, or list entry."""
         found: dict[Address, Any] = {}
         for one, share in zip(self.plan.options, shares, strict=False):
             found[one.path] = one.entries[int(one.index(np.asarray(share)))]
@@ -133,20 +145,20 @@ class Space:
 
     @property
     def named(self) -> list[int]:
-        """Which of the unknowns are taken from lists of what is no number."""
+        """Indices of the choices from lists of entries that are not numbers, as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
     def way(self, shares: np.ndarray) -> np.ndarray:
-        """Return the list entries that designs (n, d) take, (n, lists).
+        """Return the combination of list entries of each design, as indices (n, lists).
 
-        Lists of numbers count only where there are no other lists.
+        Lists of numbers are used only if there are no other lists.
         """
         some = self.named or range(len(self.plan.options))
         columns = [self.plan.options[at].index(shares[:, at]) for at in some]
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Answers:
-        """Evaluate designs (n, d); refused designs get a large constraint violation."""
+        """Evaluate designs, shares (n, d); refused designs get a large constraint violation."""
         shares = np.atleast_2d(shares)
         count, limits = len(shares), len(self.plan.limits) + 1
         objectives, broken = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
@@ -167,7 +179,7 @@ class Space:
         return Answers(objectives, broken, known)
 
     def _taken(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Yield the same, nothing where all are refused."""
+        """Yield (region, case, results) of designs as `_evaluated` does, but nothing if all designs are refused."""
         try:
             yield from self._evaluated(numbers, points)
         except (InputError, ArithmeticError):
@@ -175,11 +187,11 @@ class Space:
 
     @property
     def _kept(self) -> list[str]:
-        """Names of the results that designs are judged by."""
+        """Names of the results that are needed to judge designs."""
         return sorted({*self.names, "mean_separation"} - set(YIELDED))
 
     def violations(self, shares: np.ndarray) -> list[str]:
-        """Return what one design (d,) breaks, in words: limits with the value found, and ranges of validity."""
+        """Return the violated limits and validity ranges of one design, shares (d,), as texts; of a refused one the reason."""
         try:
             numbers, points = self._contacts(shares[None, :], np.arange(1))
             case, solved = next((case, solved) for _, case, solved in self._evaluated(numbers, points))
@@ -201,9 +213,10 @@ class Space:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Return groups of rows with the same materials and bodies, ordered by N R sigma.
+        """Return groups of designs that differ in numbers only, as arrays of indices, ordered by N R sigma.
 
-        The laws that apply depend on N R sigma, so neighbours are predicted together.
+        N, R, sigma: density, radius and height deviation of asperities. The product decides which laws apply, so designs with
+        similar products are predicted together.
         """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
@@ -212,7 +225,7 @@ class Space:
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
     def _summits(self, shares: np.ndarray) -> np.ndarray:
-        """Return N R sigma of designs (n, d), but for what is not chosen of it."""
+        """Return the product of the chosen numbers of the roughness of each design (n,), in place of N R sigma."""
         product = np.ones(len(shares))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             if free.path[1:-1] == ("roughness",):
@@ -273,14 +286,14 @@ class Space:
         )
 
     def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
-        """Return every required result and group (designs, samples, loads), by name."""
+        """Return the results that the plan needs, by name, each an array (designs, samples, loads)."""
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the displayed value of each result (designs,).
+        """Return the displayed value of each result (designs,), by name.
 
-        It is the worst value where a limit or an objective concerns the result, and the median elsewhere.
+        It is the result at the worst sample and load where a limit or an objective concerns it, and the median elsewhere.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
@@ -290,7 +303,7 @@ class Space:
         return found
 
     def _table(self, name: str, solved: BatchResult, groups: Mapping, shape: tuple[int, int, int], subject: Any) -> np.ndarray:
-        """Return a result or a group as a table (designs, samples, loads)."""
+        """Return one result, or dimensionless group of the contact, as an array (designs, samples, loads)."""
         if name in solved.variables:
             dims, values, _ = solved.variables[name]
             return _as_table(dims, values, shape)
@@ -315,7 +328,7 @@ class Space:
 
 
 def _shape(subject: Any, designs: int, loads: int) -> tuple[int, int, int]:
-    """Return the shape (designs, samples, loads) of the tables of a contact."""
+    """Return (designs, samples, loads), with the number of samples read from the contact's arrays."""
     samples = next((array.sizes[_SAMPLE] for _, array in subject.arrays() if _SAMPLE in array.dims), 1)
     return designs, samples, loads
 
@@ -325,25 +338,28 @@ def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.
 
 
 def _cost_of(objective: Any, table: np.ndarray, target: float) -> np.ndarray:
-    """Return the objective in the form that is minimised."""
+    """Return a result as a cost to be minimised: as it is, with changed sign, or its distance from the target."""
     return np.abs(table - target) if objective.target else -table if objective.maximise else table
 
 
 def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
-    """How far beyond an end, over the size of that end; below 0 inside."""
+    """Return how far results lie beyond a limit, relative to the limit; 0 or below inside."""
     over = (table - high) / (abs(high) or 1.0) if np.isfinite(high) else np.full(table.shape, -np.inf)
     under = (low - table) / (abs(low) or 1.0) if np.isfinite(low) else np.full(table.shape, -np.inf)
     return np.maximum(over, under)
 
 
 def _outside(solved: BatchResult, validity: str) -> np.ndarray:
-    """Count at each point the ranges of validity that are left and must not be."""
+    """Return the number of violated ranges of validity at each point; `validity` says which ranges count."""
     bits = solved.validity_warnings[1]
     return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
 
 
 def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
-    """Return the bits of the ranges that must not be left, each with its words; those of refusals always count."""
+    """Return the warning bits that count as violations, each with its text.
+
+    validity: "claimed", "possible" or "any", as in [design]. Bits of refused contacts always count.
+    """
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
         if _counts(rule, validity):
@@ -356,12 +372,15 @@ def _counts(rule: Validity, validity: str) -> bool:
 
 
 def _worst(table: np.ndarray) -> np.ndarray:
-    """Of the loads the worst, and of what is uncertain all but the worst 5 %: (designs,)."""
+    """Return the worst value of each design (designs,) over the loads and over all but the worst 5 % of the samples.
+
+    table (designs, samples, loads): costs or violations, higher is worse.
+    """
     return np.maximum(_refused_as_far(table)[_place_of_worst(table)], -_REFUSED)
 
 
 def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where that stands: designs, samples and loads (designs,)."""
+    """Return the indices (designs, samples, loads) at which each design has its worst value, as in `_worst`."""
     numbers = _refused_as_far(table)
     rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
     order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")

@@ -1,4 +1,4 @@
-"""The table [design] of a case file."""
+"""The table [design] of a case file: its keys and their checks."""
 
 from typing import Any, Literal
 
@@ -9,7 +9,7 @@ from stiction.quantities.inputs import Input
 
 
 class Objective(Input):
-    """The objective for a result: that it is least, most, or next to a value."""
+    """An objective of a design: minimise a result, maximise it, or bring it close to a target value."""
 
     minimise: str | None = Field(None, description="the name of a result")
     maximise: str | None = Field(None, description="the name of a result")
@@ -39,7 +39,7 @@ class Objective(Input):
 
 
 class Design(Input):
-    """What is chosen, and its objective.
+    """Settings of a design search: what may be chosen, objectives and constraints.
 
     objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists from which
     one entry is taken. limits: results with their low or high ends. validity: "claimed" allows validity warnings about

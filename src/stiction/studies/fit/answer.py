@@ -1,4 +1,7 @@
-"""One model fitted to measured values: its intervals, and what the data cannot tell."""
+"""Fit one model to measured values, with intervals and sentences on what the data do not determine.
+
+Every free number is fitted as a share: its position between its low end (0) and its high end (1), linear or logarithmic.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -23,12 +26,12 @@ _FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were giv
 
 @dataclass(frozen=True)
 class Fitted:
-    """Hold a model with its best free numbers.
+    """Hold one model with its best-fit free numbers and their intervals.
 
-    scale: factor on the errors, where none were stated or the scatter exceeds them; found: whether the size of the errors was
-    estimated from the values themselves; threshold: rise of chi square at the
-    ends of an interval; freedom: number of values minus number of free numbers that the model uses. profiles: one for each
-    number, none where they were not requested.
+    errors: standard errors (n,), multiplied by `scale` where their size was estimated from the scatter of the values (found).
+    stated: whether the data file states them. threshold: rise of chi square that marks the ends of an interval. freedom:
+    number of values minus number of free numbers that the model uses. profiles: one likelihood profile for each free number,
+    or none.
     """
 
     name: str
@@ -48,7 +51,7 @@ class Fitted:
 
     @property
     def values(self) -> np.ndarray:
-        """Best values (k,), SI."""
+        """Best-fit values (k,) of the free numbers, in SI units."""
         return self.at(self.best.shares)
 
     @property
@@ -62,14 +65,14 @@ class Fitted:
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
         """Return the log-likelihood relative to the best fit, for a rise of chi square.
 
-        Where the size of the errors is found from the same values it is integrated out (Gelman et al. 2013, section 14.2:
-        Student's t for a linear model).
+        An error size that was estimated from the same values is integrated out (Gelman et al. 2013, section 14.2: Student's t
+        for a linear model).
         """
         rise = np.maximum(rise, 0.0)
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
     def residuals(self) -> Residuals:
-        """Residuals over the errors as they were taken in the end."""
+        """Return the residuals function of the fit, which divides by the scaled standard errors."""
         return _residuals(self.forward, self.errors)
 
 
@@ -78,9 +81,9 @@ def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
 
 
 def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
-    """Return the best fit of a model.
+    """Fit a model to its measured values by least squares, with or without likelihood profiles.
 
-    Raises InputError where no numbers between the ends reproduce the measured points.
+    Raises InputError if the model cannot compute a measured point with the best numbers.
     """
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, _start(forward))
@@ -93,10 +96,10 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
 
 
 def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
-    """Search the best fit, with enlarged errors where they are far smaller than the values.
+    """Return the best fit, searched from `start` (k,), the positions of the free numbers between their ends.
 
-    Errors enlarged in proportion have the same minimum. With the stated errors all sets outside its neighbourhood would have
-    the same clipped residuals, and the search would have no slope to follow.
+    Errors far smaller than the measured values are enlarged for the search, all by one factor, which leaves the minimum in
+    place. With small errors, all residuals away from the minimum would be clipped alike, and the search would find no slope.
     """
     sizes = {
         name: np.abs(forward.data.value[np.array(forward.data.quantity) == name]).max() for name in forward.data.quantities
@@ -112,12 +115,16 @@ def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
 
 
 def _over(best: Best, factor: float) -> Best:
-    """Return the fit with errors multiplied by a factor."""
+    """Return the fit as if all standard errors were multiplied by a factor."""
     return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
 def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
-    """With errors as large as the scatter, where they were not stated, or stated smaller than it can be by chance."""
+    """Return the fit with standard errors estimated from the scatter, if none were stated or the scatter exceeds them.
+
+    given: standard errors (n,), and whether they were stated. Stated errors are enlarged only where chi square is above its
+    99 % quantile.
+    """
     from scipy.stats import chi2, f
 
     errors, stated = given
@@ -133,14 +140,17 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
 
 
 def refitted(fit: Fitted, forward: Forward) -> Fitted:
-    """Fit the same model to other values, starting from its best numbers."""
+    """Fit the model of an earlier fit to other values, starting from the earlier best numbers."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, fit.best.shares)
     return _scaled(fit.name, forward, best, (errors, stated), False)
 
 
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
-    """Return standard errors, and whether they were stated; unstated errors are equal and found from the scatter."""
+    """Return the standard error of each value, and whether the data state them.
+
+    Unstated errors are equal for all values; their size is estimated later from the scatter.
+    """
     there = np.isfinite(data.error)
     if there.all():
         return data.error, True
@@ -154,9 +164,9 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
 
 
 def _start(forward: Forward) -> np.ndarray:
-    """Return where the search starts: the place of each free number between its ends, 0 to 1 on its scale.
+    """Return the starting point of the search: each free number's position between its ends, 0 to 1.
 
-    It is the place of the value in the case; 0.5 if the case states no value between the ends.
+    A number starts at its value in the case, or halfway if the case has no value between the ends.
     """
     shares = []
     for one in forward.parameters:
@@ -180,7 +190,7 @@ def _given(content, path):
 
 
 def verdicts(fit: Fitted) -> list[str]:
-    """Return sentences on what these data determine badly or not at all."""
+    """Return sentences on the free numbers that these data determine badly or not at all."""
     found = []
     groups = _not_told_apart(fit)
     for group in groups:
@@ -223,9 +233,9 @@ def _is_wide(fit: Fitted, at: int) -> bool:
 
 
 def _not_told_apart(fit: Fitted) -> list[list[int]]:
-    """Return groups of numbers that are badly determined because they can change together.
+    """Return groups of free numbers that are badly determined because they can change together.
 
-    Along the profile of one number the other moves several times as far as it could alone.
+    Two numbers are grouped if, along the profile of either, the other moves several times as far as it could alone.
     """
     from scipy.sparse.csgraph import connected_components
 
@@ -236,9 +246,9 @@ def _not_told_apart(fit: Fitted) -> list[list[int]]:
 
 
 def _carries(fit: Fitted, at: int, other: int) -> bool:
-    """Return whether the other number moves much farther along the profile of this one than it could alone.
+    """Return whether free number `other` moves far along the profile of free number `at`.
 
-    The profile holds the sets of numbers that fit about as well as the best one.
+    Far means several times as far as `other` could move alone with a fit that is about as good as the best.
     """
     if at == other or not _is_traded(fit, at, other):
         return False
@@ -247,7 +257,10 @@ def _carries(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
-    """Whether both are badly determined; or one as far as its ends, and they go along with each other at a like rate."""
+    """Return whether two free numbers may compensate each other.
+
+    True if the data determine both badly; also if the interval of one reaches an end and both change at similar rates.
+    """
     if _is_wide(fit, at) and _is_wide(fit, other):
         return True
     if not any(fit.profiles[i].open_low or fit.profiles[i].open_high for i in (at, other)):
@@ -257,7 +270,7 @@ def _is_traded(fit: Fitted, at: int, other: int) -> bool:
 
 
 def _span(fit: Fitted, at: int, other: int) -> float:
-    """How far a share goes along the profile of one number."""
+    """Return how far number `other` moves, as a fraction of its range, within the interval of number `at`."""
     path = fit.profiles[at].others[fit.profiles[at].rise <= fit.threshold, other]
     return float(np.ptp(path)) if path.size else 0.0
 
@@ -268,7 +281,10 @@ def _size(fit: Fitted, at: int) -> float:
 
 
 def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Two sets that fit as well, far from each other: the ends of a profile."""
+    """Return as text two very different sets of these free numbers that fit about equally well.
+
+    They are the two ends of the interval of the group's first number.
+    """
     profile = fit.profiles[group[0]]
     inside = np.flatnonzero(profile.rise <= fit.threshold)
     ways = []

@@ -1,4 +1,4 @@
-"""Predictions of a fitted model, with the uncertainty of its free numbers."""
+"""Predict with a fitted model, with 95 % bands from the uncertainty of its free numbers."""
 
 import math
 from collections.abc import Mapping
@@ -27,9 +27,11 @@ _SET = "set"
 
 @dataclass(frozen=True)
 class Bands:
-    """Hold predictions by quantity.
+    """Hold the predictions of a fitted model, by quantity.
 
-    tables: dimensions, best, low and high arrays; coords of their dimensions; effective: effective sample size of the bands.
+    tables: name of the quantity -> (dimensions, best values, low and high ends of the 95 % band). coords: coordinates of the
+    dimensions. sample: name of the measured sample that is predicted, if samples have free numbers of their own. effective:
+    effective sample size behind the bands.
     """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
@@ -39,9 +41,10 @@ class Bands:
 
 
 def draws_of(fit: Fitted, seed: int = 1) -> tuple[np.ndarray, float]:
-    """Return samples of the shares (m, k) from their posterior, and the effective sample size.
+    """Return posterior samples (m, k) of the k free numbers, and the effective sample size.
 
-    Importance sampling: the proposal mixes a wide Student's t about the best fit with a uniform distribution, by Sobol points.
+    A sample holds the position of each number between its ends, 0 to 1. Method: importance sampling with Sobol points. The
+    proposal mixes a wide Student's t about the best fit with a uniform distribution.
     """
     k = len(fit.parameters)
     points = sobol_points(k + 1, _TRIED, seed)
@@ -79,10 +82,10 @@ def _density(standard: np.ndarray, root: np.ndarray) -> np.ndarray:
 
 
 def predicted(plan: FitPlan, fit: Fitted) -> Bands:
-    """Predict the measured quantities at the points of [solve] with 95 % bands.
+    """Predict the measured quantities at the loads or separations of [solve], with 95 % bands.
 
-    The numbers are those of [fit.predict]. Where samples have numbers of their own, the first sample is predicted. Raises
-    InputError.
+    Numbers of the table [fit.predict] replace those of the case. If samples have free numbers of their own, the first sample
+    is predicted. Raises InputError if the contact cannot be solved.
     """
     sample = plan.data.samples[0] if any(x.sample is not None for x in fit.parameters) else None
     columns = [at for at, x in enumerate(fit.parameters) if x.sample in (None, sample)]
@@ -112,7 +115,7 @@ def predicted(plan: FitPlan, fit: Fitted) -> Bands:
 
 
 def check_predicted(plan: FitPlan) -> None:
-    """InputError where what is to be predicted is no number of the contact, or far too much."""
+    """Raise InputError if [fit.predict] names no number of the contact, or asks for too many points."""
     arrays = _predicted_numbers(plan)
     solve = plan.content.get("solve", {})
     given = (solve.get("load") or solve.get("separation")) if isinstance(solve, Mapping) else None
@@ -124,7 +127,7 @@ def check_predicted(plan: FitPlan) -> None:
 
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
-    """Return the numbers of [fit.predict], arrays as labelled arrays."""
+    """Return the numbers of the table [fit.predict] by address; lists and ranges become labelled arrays."""
     from stiction.case.places import flat, placed
     from stiction.case.several import number_of, several_numbers
 
@@ -148,7 +151,10 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
 
 
 def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
-    """Return the free numbers as arrays along the sets, except those in [fit.predict]."""
+    """Return the values (sets,) of the free numbers by address, without those in `taken`.
+
+    sets (sets, k): position of each number between its ends; taken: addresses that [fit.predict] sets.
+    """
     return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
 
 
@@ -169,7 +175,10 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
 
 def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
-    """Return a measured quantity as a table (sets, its other dimensions)."""
+    """Return one measured quantity from solved results: its dimensions, and its values (sets, *dimensions).
+
+    name: the quantity; resistance: specific contact resistance [ohm m^2]; sets: number of sets of free numbers.
+    """
     result = result_of(name)
     dims, values, _ = solved.variables[result]
     others = tuple(dim for dim in dims if dim != _SET)

@@ -1,4 +1,4 @@
-"""Which of several models the data are for: Akaike's criterion, and what each says of values that it was not fitted to."""
+"""Compare alternative models by the same data: Akaike's criterion and cross-validation."""
 
 from dataclasses import dataclass
 
@@ -15,10 +15,10 @@ _FOLDS = 5
 
 @dataclass(frozen=True)
 class Rival:
-    """Hold an alternative model with its fit, or the reason why it has none.
+    """Hold an alternative model with its fit, or the reason why it could not be fitted.
 
-    aicc: Akaike's criterion, small is good; left_out: root mean square error of left-out values, over their stated standard
-    errors, or over the largest of all values.
+    aicc: Akaike's criterion, lower is better. left_out: cross-validation error, the root mean square error of left-out values,
+    divided by their stated standard errors, or by the largest measured value if no errors are stated.
     """
 
     name: str
@@ -29,7 +29,7 @@ class Rival:
 
 
 def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
-    """Fit and cross-validate a model by its name."""
+    """Fit and cross-validate the model of this name; an existing fit of it is used if given."""
     try:
         one = fit or fitted(name, forward_of(plan, name), with_profiles=False)
         return Rival(name, one, aicc_of(one), _left_out(plan, one))
@@ -38,10 +38,10 @@ def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
 
 
 def aicc_of(fit: Fitted) -> float:
-    """Return Akaike's criterion, corrected for few values (Hurvich & Tsai 1989), of Gaussian errors.
+    """Return Akaike's criterion of a fit, corrected for few values (Hurvich & Tsai 1989).
 
-    It is chi square + 2k with stated errors, n ln(sum of squares/n) + 2k with an error that is found, which counts among the k;
-    and 2k(k+1)/(n-k-1).
+    For n values with Gaussian errors and k fitted numbers it is chi square + 2k + 2k(k+1)/(n-k-1) with stated errors.
+    With an estimated error size, which counts as one of the k, n ln(sum of squares/n) replaces chi square.
     """
     n, k = len(fit.errors), int(fit.best.jacobian.any(axis=0).sum())  # what the model does not ask for is no number of its
     chi_square = fit.best.chi_square * fit.scale**2  # of errors as they were given, not as they were enlarged
@@ -54,7 +54,10 @@ def aicc_of(fit: Fitted) -> float:
 
 
 def _left_out(plan: FitPlan, fit: Fitted) -> float:
-    """Cross-validated: every fold of the data by a fit to all others."""
+    """Return the cross-validation error: predict each fold of the data from a fit to all other folds.
+
+    NaN if there are too few values for two folds; infinite if a fit fails.
+    """
     data = plan.data
     folds = _folds(plan)
     if len(folds) < 2:
@@ -74,10 +77,11 @@ def _left_out(plan: FitPlan, fit: Fitted) -> float:
 
 
 def _folds(plan: FitPlan) -> list[np.ndarray]:
-    """Return the folds of the cross-validation.
+    """Return the folds of the cross-validation, each an array of indices of measured values.
 
-    They are whole samples where there are three or more and none has numbers of its own; else every fifth value in the order of
-    the loads, so that each fold covers the whole range.
+    With three or more samples, and no free number fitted per sample, each sample is a fold. Else the values are sorted by
+    sample and load, and every fifth goes into one fold, so that each fold covers the whole range. Empty if a fold's removal
+    leaves too few values.
     """
     data, each = plan.data, any(one.each_sample for one in plan.free)
     if len(data.samples) >= 3 and not each:
@@ -89,7 +93,10 @@ def _folds(plan: FitPlan) -> list[np.ndarray]:
 
 
 def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
-    """Whether these values are more than the free numbers, and all samples are among them that have numbers of their own."""
+    """Return whether the values at indices `rest` suffice for a fit.
+
+    They must outnumber the free numbers. If any number is fitted per sample, every sample must occur among them.
+    """
     each = sum(one.each_sample for one in plan.free)
     samples = {plan.data.sample[at] for at in rest}
     count = len(plan.free) + each * (len(plan.data.samples) - 1)
@@ -97,7 +104,10 @@ def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
 
 
 def rank(rivals: list[Rival]) -> list[tuple[Rival, float]]:
-    """By Akaike's criterion, with the weight of each (Burnham & Anderson 2002, eq. 2.9); those without a fit last."""
+    """Return the models with their Akaike weights, best first; models without a fit come last.
+
+    Source: Burnham & Anderson 2002, eq. 2.9.
+    """
     ordered = sorted(rivals, key=lambda one: (one.fit is None, one.aicc))
     values = np.array([one.aicc for one in ordered])
     if not np.isfinite(values).any():

@@ -1,4 +1,4 @@
-"""Evaluate a model at measured points for many sets of its free numbers at once."""
+"""Evaluate a model at the measured points, for many sets of its free numbers at once."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -25,7 +25,7 @@ _SET, _ROW = "set", "row"
 
 @dataclass(frozen=True)
 class Parameter:
-    """A free number as it is fitted: of all samples, or of one."""
+    """A free number as it is fitted: common to all measured samples, or belonging to one sample."""
 
     free: Free
     sample: str | None = None
@@ -37,9 +37,10 @@ class Parameter:
 
 @dataclass(frozen=True)
 class _Group:
-    """Hold measured values (rows) that are evaluated together.
+    """Hold measured values that are evaluated together.
 
-    known: the numbers of the contact that the data state for each (rows,); columns: their parameters.
+    rows: their indices in the data. known: numbers of the contact that the data state for each value, by address (rows,).
+    columns: indices of the free numbers that apply to them.
     """
 
     rows: np.ndarray
@@ -49,7 +50,7 @@ class _Group:
 
 @dataclass(frozen=True)
 class Forward:
-    """A model with free numbers, asked for what was measured."""
+    """Hold a model with its free numbers and the measured values that it is to reproduce."""
 
     plan: FitPlan
     choice: Choice
@@ -58,7 +59,10 @@ class Forward:
     groups: tuple[_Group, ...]
 
     def values(self, shares: np.ndarray) -> np.ndarray:
-        """Return what the model predicts (sets, n) for shares (sets, k); NaN where it refuses."""
+        """Return the model's values (sets, n) for the n measured points; NaN where the model refuses.
+
+        shares (sets, k): position of each of k free numbers between its ends, 0 to 1.
+        """
         shares = np.atleast_2d(shares)
         numbers = [one.free.at(shares[:, at]) for at, one in enumerate(self.parameters)]
         found = np.full((len(shares), len(self.data)), np.nan)
@@ -78,15 +82,15 @@ class Forward:
 
 
 def result_of(name: str) -> str:
-    """Return the result from which a measurable quantity follows."""
+    """Return the name of the model result from which a measured quantity is computed."""
     return "contact_area" if name == "contact_resistance" else name
 
 
 def derived(tables: Mapping[str, np.ndarray], name: str, resistance: Any) -> np.ndarray:
-    """Compute a measurable quantity (sets, ...) from results.
+    """Return a measured quantity (sets, ...) computed from the model's results.
 
-    The resistance of a contact is the specific resistance of its interface (sets,) over its area (Holm 1967: the resistance of
-    a film, sigma/A).
+    Contact resistance is the specific resistance of the interface (sets,) over the contact area (Holm 1967: resistance of a
+    film, sigma/A). Every other quantity is a result itself.
     """
     table = tables[result_of(name)]
     if name != "contact_resistance":
@@ -103,9 +107,10 @@ def solved_sets(
     load: np.ndarray,
     keep: Sequence[str],
 ) -> dict[str, np.ndarray]:
-    """Solve contacts for sets of numbers and return results (sets, rows), by name.
+    """Solve contacts for several sets of numbers and return results (sets, rows) by name.
 
-    numbers: (sets,); known: (rows,); load: (rows,), or NaN for results that need none. A refused set gives NaN.
+    numbers: address -> values that differ between sets (sets,). known: address -> values that differ between rows (rows,).
+    load: load of each row [N] (rows,), NaN if the results need no load. A set that the model refuses gives NaN.
     """
     from xarray import DataArray
 
@@ -123,9 +128,10 @@ def solved_sets(
 
 
 def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
-    """Return the model of a plan, or a named one, with the data or some of them.
+    """Return the model of a fit plan with its free numbers and data.
 
-    Raises InputError where it does not compute what was measured.
+    model: name of another model to use; data: a subset of the measured values. Raises InputError if the model does not
+    compute a measured quantity.
     """
     data = plan.data if data is None else data
     parameters = _parameters(plan)
@@ -138,17 +144,14 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
 
 
 def case_between_the_ends(plan: FitPlan, data: Measurements) -> "Case":
-    """Return the case with free numbers in the middle between their ends, at the loads of the data."""
+    """Return the case at the measured loads, with each free number halfway between its ends."""
     case = plan.case.at({**data.known[0], **middle_of(plan.free)})
     load = np.sort(data.load[np.isfinite(data.load)])
     return replace(case, load=load, separation=None) if load.size else case
 
 
 def check_models(plan: FitPlan) -> None:
-    """Refuse names in [fit] models that no model has.
-
-    What a model cannot compute is reported with the results.
-    """
+    """Raise InputError if `models` of the table [fit] names an unknown model."""
     if not plan.models:
         return
     subject = case_between_the_ends(plan, plan.data).subject
@@ -165,7 +168,10 @@ def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:
 
 
 def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group, ...]:
-    """Group the measured values by their stated numbers, their parameters, and whether they have a load."""
+    """Group the measured values that can be solved together.
+
+    They state the same numbers of the contact, share the same free numbers, and all have a load or all have none.
+    """
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)
     for at in range(len(data)):
@@ -182,7 +188,7 @@ def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group
 
 
 def _check_answers(forward: Forward, subject: Any) -> None:
-    """InputError where the model has nothing to say of what was measured."""
+    """Raise InputError if the model does not compute one of the measured quantities."""
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}
     known = set(solve_batch(subject, forward.choice, **point).variables)

@@ -1,4 +1,4 @@
-"""The plan of a fit: the table [fit] of a case, read and checked against the measured series."""
+"""Read the table [fit] of a case into a fit plan, and check it against the measured values."""
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -26,11 +26,12 @@ _MOST_FREE = 8
 
 @dataclass(frozen=True)
 class FitPlan:
-    """Hold a fit that is ready to be computed.
+    """Hold the checked input of a fit.
 
-    content: the tables of the case without [fit], its scans and own materials read; case: that of them; given: the tables as
-    they were written. predict: tables of the contact with the numbers to predict for. uncertain: numbers that are uncertain and
-    not free.
+    content: tables of the case without [fit], with scans and own materials read; case: the case of these tables. given: the
+    tables as the user wrote them; folder: file names in them are relative to it. models: names of alternative models.
+    predict: numbers of the contact to predict for. resistance: specific contact resistance [ohm m^2]. uncertain: addresses of
+    numbers that the case states as uncertain but that are not fitted.
     """
 
     content: Mapping[str, Any]
@@ -47,9 +48,9 @@ class FitPlan:
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
-    """Return the plan of the tables of a case file and a file of measured series.
+    """Return the fit plan of a case's tables and a file of measured values.
 
-    folder: scans are named relative to it. Raises InputError.
+    folder: file names in the tables are relative to it. Raises InputError.
     """
     require_names(content)
     given = dict(content)
@@ -84,12 +85,15 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
-    """Return the middle between the ends of every free number of the contact."""
+    """Return the value halfway between the ends of each free number of the contact, by address."""
     return {one.path: float(one.at(np.array(0.5))) for one in free if one.path != RESISTANCE}
 
 
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
-    """Return the case of these tables, where numbers that are free, or in every row of the data, may be left out."""
+    """Return the case of these tables, completed where they leave numbers out.
+
+    Free numbers are set halfway between their ends. Numbers that every measured row states are taken from the first row.
+    """
     known = data.known[0] if all(row.keys() == data.known[0].keys() for row in data.known) else {}
     for numbers in ({}, middle_of(free)):
         with suppress(InputError):
@@ -98,13 +102,13 @@ def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurem
 
 
 def read_fit(content: Mapping[str, Any]) -> Fit:
-    """Return the table [fit] of a case. Raises InputError."""
+    """Return the table [fit] of a case, checked. Raises InputError."""
     fit: Fit = study_table(content, "fit", WANTED)
     return fit
 
 
 def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
-    """Return the free numbers, at their places in the tables of a case. Raises InputError."""
+    """Return the free numbers of [fit.free] with their addresses in the tables of a case. Raises InputError."""
     found: dict[Address, Free] = {}
     for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
         where = f"fit.free.{name}"
@@ -120,7 +124,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
 
 
 def _check(plan: FitPlan) -> None:
-    """InputError where free numbers and measured ones do not go together."""
+    """Raise InputError if the free numbers contradict the data, or the data are too few to fit them."""
     known = {path for row in plan.data.known for path in row}
     for one in plan.free:
         if one.path in known:

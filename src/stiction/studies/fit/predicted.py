@@ -1,4 +1,4 @@
-"""Free numbers of a case where no model is named: drawn evenly between their ends by the prediction, and measured."""
+"""Fit a case that names no model: sample its free numbers between their ends and predict with the measured values."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -19,10 +19,10 @@ __all__ = ["fit_prediction", "fitted_case"]
 
 
 def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
-    """Return the case whose free numbers are uncertain, and its prediction with what was measured; None where a model is named.
+    """Return the case and its prediction with measured values; None if the case names a model.
 
-    given: path of a case file or its tables; data: path of the measured series; folder: from which the tables name files. A
-    case without a table [fit] has no free numbers. Raises InputError.
+    Each free number of [fit.free] becomes uncertain, evenly distributed between its ends. given: path or tables of a case;
+    data: path of the measured values; folder: file names in the tables are relative to it. Raises InputError.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder
@@ -38,7 +38,10 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
 
 
 def _ends(content: Mapping[str, Any], plain: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the ends of the free numbers as a case has them. Raises InputError for what needs a model."""
+    """Return each free number as an uncertain number of a case file, by address.
+
+    Raises InputError for keys of [fit] that need a named model.
+    """
     fit = read_fit(content)
     free = free_numbers(fit, plain)
     asked = [name for name in ("models", "predict", "specific_contact_resistance") if getattr(fit, name)]
@@ -53,7 +56,10 @@ def _between(path: tuple[str, ...], low: float, high: float, spacing: str) -> di
 
 
 def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> str:
-    """Return the case with the ends that were found, as text of a file in a folder."""
+    """Return the text of a case file whose free numbers have their fitted intervals.
+
+    out: folder of the new file. found: the prediction with measured values, as from `fit_prediction`.
+    """
     numbers = {}
     for one in case.uncertain:
         here = found.sel(parameter=".".join(one.path[1:]))

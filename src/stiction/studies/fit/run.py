@@ -1,4 +1,4 @@
-"""Calibration: numbers of a case fitted to measured series, with what the data cannot tell."""
+"""Fit numbers of a case to measured values and collect the results in a dataset."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -34,9 +34,9 @@ _FEW = 100  # independent sets, below which a 95 % band is rough
 
 @dataclass
 class Fitting:
-    """Hold a fit as far as it is done.
+    """Hold the results of a fit, complete or interrupted.
 
-    best: the fitted model of the case; bands: its predictions; rivals: alternative models; stopped: whether it was
+    best: fit of the case's model; bands: its predictions; rivals: fits of alternative models; stopped: whether the fit was
     interrupted.
     """
 
@@ -47,11 +47,11 @@ class Fitting:
     stopped: bool = False
 
     def data(self) -> "xarray.Dataset":
-        """As a labelled dataset."""
+        """Return the results as a labelled dataset."""
         return _dataset(self)
 
     def case_text(self, out: Path) -> str:
-        """Return the case with the fitted numbers as the text of a file in a folder."""
+        """Return the text of a case file with the fitted numbers; `out` is its folder."""
         return _fitted_case(self, out)
 
 
@@ -104,7 +104,7 @@ def fit(case: "CaseFile", data: "FilePath", *, progress: Progress = silent) -> "
 
 
 def plan_of_fit(case: Any, data: Any) -> FitPlan:
-    """Return the plan of a fit. Raises InputError."""
+    """Return the checked plan of a fit from a case and a file of measured values. Raises InputError."""
     content, folder = tables_of(case)
     plan = make_fit_plan(content, data, folder)
     check_models(plan)
@@ -113,7 +113,11 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
 
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
-    """As `fit`; where it is interrupted, with what is done by then if the model of the case is fitted."""
+    """Fit, predict and compare models as a plan says.
+
+    An interruption (Ctrl-C) after the case's own model is fitted returns the results so far, unless keep_on_interrupt is
+    False.
+    """
     name = forward_of(plan).choice.model_key
     for _ in progress("Fitting")([name]):
         found = Fitting(plan, fitted("", forward_of(plan)))
@@ -171,7 +175,7 @@ def _parameters(fit: Fitted) -> dict[str, tuple]:
 
 
 def _standard_errors(fit: Fitted) -> np.ndarray:
-    """Of the values, from the covariance of the shares."""
+    """Return the standard errors (k,) of the fitted values in SI units, from the curvature of chi square."""
     slope = [
         float(value) * np.log(x.free.high / x.free.low) if x.free.log else x.free.high - x.free.low
         for x, value in zip(fit.parameters, fit.values, strict=True)
@@ -228,7 +232,7 @@ def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
 
 
 def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
-    """Return the chi square of each model, or its scatter where no errors were stated."""
+    """Return the chi square of each model, or its standard deviation about the fit if no errors were stated."""
     if stated:
         chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
         return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}
@@ -257,7 +261,7 @@ def _attributes(fitting: Fitting) -> dict[str, Any]:
 
 
 def _unsure(fitting: Fitting) -> list[str]:
-    """Return sentences on doubtful results: a search without a minimum, or bands from too few independent sets of numbers."""
+    """Return warnings of an unconverged search, or of bands from too few independent samples."""
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:

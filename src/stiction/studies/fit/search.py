@@ -1,4 +1,4 @@
-"""Least squares: the best set of free numbers, and how far each may be moved before the data object."""
+"""Least squares and likelihood profiles of numbers that are bounded between 0 and 1."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -24,10 +24,10 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Best:
-    """Hold the best set of k free numbers.
+    """Hold the best fit of k free numbers to n values.
 
-    shares (k,), residuals (n,) and their jacobian (n, k) there; unfinished: why the search did not end at a minimum, if it
-    did not.
+    shares (k,): position of each number between its ends, 0 to 1; residuals (n,) and jacobian (n, k) at this point;
+    unfinished: why the search did not converge, "" if it did.
     """
 
     shares: np.ndarray
@@ -41,7 +41,10 @@ class Best:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Of the shares (k, k), from the curvature alone; NaN where the data leave some combination open."""
+        """Covariance (k, k) of the free numbers' positions between their ends, from the Jacobian alone.
+
+        NaN where the data leave a combination of the numbers undetermined.
+        """
         try:
             found = np.linalg.inv(self.jacobian.T @ self.jacobian)
         except np.linalg.LinAlgError:
@@ -50,7 +53,10 @@ class Best:
 
     @cached_property
     def bounded(self) -> np.ndarray:
-        """The same where the ends are known too: evenly spread between them, a share has the variance 1/12."""
+        """Covariance (k, k) of the free numbers' positions, with the knowledge that each lies between its ends.
+
+        An even distribution between the ends, 0 and 1, has the variance 1/12.
+        """
         return np.linalg.inv(self.jacobian.T @ self.jacobian + 12.0 * np.eye(self.jacobian.shape[1]))
 
 
@@ -58,8 +64,10 @@ class Best:
 class Profile:
     """Hold the likelihood profile of one free number.
 
-    shares (m,); rise: least chi square over all other numbers, above the best fit (m,). low, high: where the rise is the
-    threshold; 0 and 1 where it is not reached before the ends (open).
+    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over all other numbers,
+    minus that of the best fit. others (m, k): the minimising positions of all numbers. low, high: ends of the interval, where
+    the rise reaches the threshold. open_low, open_high: whether the rise stays below it as far as the end; low is then 0,
+    high 1.
     """
 
     shares: np.ndarray
@@ -72,12 +80,16 @@ class Profile:
 
 
 def finite(values: np.ndarray) -> np.ndarray:
-    """Residuals as numbers, far off where there is none."""
+    """Return residuals clipped to +-FAR, with FAR in place of NaN and infinite ones."""
     return np.where(np.isfinite(values), np.clip(values, -FAR, FAR), FAR)
 
 
 def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Residuals (sets, n) and their derivatives (sets, n, columns), by central differences, inwards at the ends."""
+    """Return residuals (sets, n) and their derivatives (sets, n, columns) by central differences.
+
+    shares (sets, k): positions between 0 and 1; differences do not step beyond these ends. columns: indices of the numbers to
+    differentiate by, by default all.
+    """
     sets, k = shares.shape
     columns = range(k) if columns is None else columns
     trials = [shares]
@@ -96,9 +108,9 @@ def jacobian(residuals: Residuals, shares: np.ndarray, columns: Sequence[int] | 
 
 
 def search(residuals: Residuals, start: np.ndarray, seed: int = 0) -> Best:
-    """Return the best fit by least squares (Branch, Coleman & Li 1999).
+    """Return the best fit by bounded least squares (Branch, Coleman & Li 1999).
 
-    It starts from `start` (k,) and from the best of points that are drawn between the ends.
+    The search starts from the best of `start` (k,) and Sobol points between the ends, after a few polishing steps.
     """
     from scipy.optimize import least_squares
 
@@ -125,10 +137,10 @@ def _drawn(k: int, seed: int) -> np.ndarray:
 
 
 def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Minimise the sum of squares over some columns of many sets (sets, k) at once.
+    """Minimise the sum of squares over some of the numbers, for many sets at once.
 
-    Levenberg's and Marquardt's steps (Marquardt 1963), clipped between 0 and 1. Returns the sets and their sums of squares
-    (sets,).
+    shares (sets, k): starting positions, 0 to 1; columns: indices of the numbers that may change. Returns the improved sets
+    and their sums of squares (sets,). Method: Levenberg-Marquardt steps (Marquardt 1963), clipped between 0 and 1.
     """
     shares, columns = shares.copy(), list(columns)
     sums = (finite(residuals(shares)) ** 2).sum(axis=1)
@@ -154,7 +166,10 @@ def polished(residuals: Residuals, shares: np.ndarray, columns: Sequence[int]) -
 
 
 def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return damped steps (sets, columns); columns that would leave their end get none."""
+    """Return Levenberg-Marquardt steps (sets, columns); 0 for a number at an end that would step beyond it.
+
+    values (sets, n): residuals; slopes (sets, n, columns): their derivatives; at (sets, columns): positions, 0 to 1.
+    """
     gradient = np.einsum("snk,sn->sk", slopes, values)
     held = ((at <= 0.0) & (gradient > 0.0)) | ((at >= 1.0) & (gradient < 0.0))
     slopes = np.where(held[:, None, :], 0.0, slopes)
@@ -167,15 +182,18 @@ def _damped(values: np.ndarray, slopes: np.ndarray, damping: np.ndarray, at: np.
 
 
 def profiles(residuals: Residuals, best: Best, threshold: float) -> list[Profile]:
-    """Return the profile of each free number.
+    """Return the likelihood profile of each free number.
 
-    threshold: rise of chi square at the ends of the interval.
+    threshold: rise of chi square that marks the ends of an interval.
     """
     return [_profile(residuals, best, at, threshold) for at in range(len(best.shares))]
 
 
 def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Profile:
-    """On a grid about the best fit, which is made narrower or wider until it resolves the interval."""
+    """Return the likelihood profile of number `at`, on a grid about the best fit.
+
+    The grid is narrowed or widened until it resolves the interval.
+    """
     centre = best.shares[at]
     reach = 2.0 * np.sqrt(threshold * best.bounded[at, at])
     below = above = max(reach, 1e-6)
@@ -204,7 +222,7 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 
 
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
-    """Return where the rise reaches the threshold, by repeated subdivision.
+    """Return the position at which the rise of chi square reaches the threshold, by repeated subdivision of the grid.
 
     The square root of the rise has a kink where another number reaches its end, so one interpolation is not enough.
     """
@@ -221,14 +239,18 @@ def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise:
 
 
 def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
-    """How far the grid should go on a side, where the interval ends at `found`: less than a quarter of it is not resolved."""
+    """Return how far the grid of a profile should reach on one side of the best fit.
+
+    found: half-width of the interval on this side; reach: present half-width of the grid; is_open: the interval ends beyond
+    the grid; more: the grid can still be widened. An interval below a quarter of the grid counts as unresolved.
+    """
     if is_open:
         return 4.0 * reach if more else reach
     return reach if found > 0.25 * reach else max(1.8 * found, 1e-9)
 
 
 def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best sets (m, k) with one share fixed on a grid (m,), and the rise of chi square (m,)."""
+    """Return the best sets (m, k) with number `at` fixed at each grid value (m,), and the rises of chi square (m,)."""
     slope = best.bounded[:, at] / best.bounded[at, at]
     sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
     sets[:, at] = grid
@@ -248,9 +270,9 @@ def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple
 
 
 def _crossing(grid: np.ndarray, rise: np.ndarray, threshold: float) -> tuple[float, bool]:
-    """Return where the rise first reaches the threshold outwards along the grid, and whether it never does.
+    """Return the grid position at which the rise of chi square first reaches the threshold, and whether it never does.
 
-    Between two points the square root of the rise, which is almost straight, is interpolated.
+    The grid runs outwards from the best fit. The square root of the rise, which is almost straight, is interpolated linearly.
     """
     over = np.flatnonzero(rise >= threshold)
     if not over.size:

@@ -8,11 +8,12 @@ from stiction.quantities.inputs import Input
 
 
 class Fit(Input):
-    """Numbers that are fitted to measured series.
+    """Numbers to be fitted to measured values.
 
-    free: numbers of the case by their names, each with its ends. models: names of alternative models, besides the one in
-    [solve]. predict: numbers of the contact, single or arrays, for which the fitted model predicts at the points of [solve].
-    specific_contact_resistance: contact resistance times real area, where resistance was measured and this is not free.
+    free: numbers of the case by name, each with its low and high end. models: names of alternative models to fit as well.
+    predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or separations of
+    [solve]. specific_contact_resistance: contact resistance times contact area, needed if resistance was measured and this is
+    not free.
     """
 
     free: dict[str, Any] = Field(description="a table of numbers of the case, each with its low and high end")

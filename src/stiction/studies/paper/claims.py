@@ -1,16 +1,16 @@
-"""Where in the plane of the adhesion indices each claim of the 2015 paper holds (docs/theory.md, "What the paper claims").
+"""Find where in the (theta, lambda) plane of the adhesion indices each claim of the 2015 paper holds.
 
-A claim is made precise as a number for each film it speaks of and a bound on it. Coated and uncoated surface are compared
-at the same load, as in the paper's figures, over its films and its separations h = 4 to -4:
+docs/theory.md, "What the paper claims", has the results. A claim is made precise as a number for each film it speaks of and a
+bound on it. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h = 4 to -4:
 
 - The reference load is what the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where under
   3 % of the asperities touch), *moderate load* 1/100 (h about 1).
 - A curve is followed on approach, from its largest tension; a load is taken where it is met first.
-- A film is not comparable where a surface does not carry that load within the range of h, and not where the uncoated
-  surface has no friction.
+- A film is not comparable if a surface does not carry that load within the range of h, or if the uncoated surface has no
+  friction.
 
 Claim (d) fails nearly everywhere: what looks level on linear axes is friction that has become small and goes on falling.
-The paper prints no contact area; that of its variant, for (e), is the analogue of its eq. (1).
+The paper prints no contact area; for claim (e) it is computed by an analogue of its eq. (1).
 """
 
 from collections.abc import Callable, Iterable
@@ -36,16 +36,17 @@ _STIFF = _N_E > 1.0
 
 @dataclass(frozen=True)
 class Curves:
-    """Load, contact area and friction force, normalised, (..., separations) in order of approach."""
+    """Normalised load, contact area and friction force (..., separations), in order of approach."""
 
     load: np.ndarray
     contact_area: np.ndarray
     friction_force: np.ndarray
 
     def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Contact area and friction force where `load` (broadcast to ...) is first carried on approach; NaN if nowhere.
+        """Return contact area and friction force where `load` is first carried on approach; NaN if nowhere.
 
-        Linear between two separations: at steps of 0.05 this is good to about 1e-3.
+        load broadcasts to the curves' leading dimensions. Linear interpolation between separations 0.05 apart is good to
+        about 1e-3.
         """
         after_tension = np.arange(_H.size) > np.argmin(self.load, axis=-1, keepdims=True)
         reached = after_tension & (self.load >= load[..., None])
@@ -64,7 +65,7 @@ class Curves:
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Hold curves over H separations at n pairs (theta, lambda): the uncoated surface and all films.
+    """Hold the curves of the uncoated surface and of all films, at n pairs (theta, lambda) and H separations.
 
     bare: arrays (n, 1, 1, 1, H); films: arrays (n, n_E, n_H, tau, H).
     """
@@ -73,7 +74,10 @@ class Surfaces:
     films: Curves
 
     def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
-        """Coated over uncoated at a load; quantity 0: contact area, 1: friction, which at one load is the ratio of mu."""
+        """Return a quantity of the coated surface over that of the uncoated one, at a fraction of the reference load.
+
+        quantity 0: contact area, 1: friction force, whose ratio at equal load is the ratio of friction coefficients.
+        """
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
         return quotient(coated, bare)
@@ -112,7 +116,11 @@ def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Claim:
-    """One claim of the paper: what it says, the number that decides it for each case, and the bound on that number."""
+    """One claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
+
+    says: the claim; number, cases: what is computed, and for which films, in words; measure: function that returns the
+    numbers; below: whether the claim holds below the bound.
+    """
 
     key: str
     says: str
@@ -124,11 +132,14 @@ class Claim:
 
     @property
     def definition(self) -> str:
-        """The claim made precise, as one line."""
+        """The test of the claim as one line of text, e.g. "number < bound, for cases"."""
         return f"{self.number} {'<' if self.below else '>'} {self.bound:g}, for {self.cases}"
 
     def judge(self, surfaces: Surfaces) -> tuple[np.ndarray, np.ndarray]:
-        """Share of the comparable cases for which it holds, and the number of the worst one, (n,); NaN if none compares."""
+        """Return the fraction of comparable cases for which the claim holds, and the worst number, each (n,).
+
+        NaN if no case is comparable.
+        """
         numbers = self.measure(surfaces).reshape(len(surfaces.bare.load), -1)
         known = np.isfinite(numbers)
         count = known.sum(axis=1)
@@ -189,7 +200,11 @@ CLAIMS = (
 
 @dataclass(frozen=True)
 class ClaimMap:
-    """share and worst (claims, readings, theta, lambda): see Claim.judge; theta, lam: the points."""
+    """Hold the results of all claims over the plane of the indices theta and lambda (`lam`).
+
+    share, worst (claims, variants, theta, lam): fraction of cases for which a claim holds, and the worst number (see
+    Claim.judge).
+    """
 
     theta: np.ndarray
     lam: np.ndarray
@@ -198,7 +213,7 @@ class ClaimMap:
 
 
 def surfaces_at(theta: float, lam: np.ndarray, variant: str) -> Surfaces:
-    """Every surface of the paper at one theta and each of lam (n,)."""
+    """Compute the curves of every surface of the paper, at one theta and each lambda of `lam` (n,)."""
     from stiction.solving.evaluate import evaluate
     from stiction.studies.paper.layered import LAYERED
 
@@ -221,9 +236,9 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 
 
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
-    """Judge every claim at every pair of theta and lam, for every variant.
+    """Judge every claim at every pair of theta and lam, for every variant of the paper's model.
 
-    progress: wraps the list of steps.
+    progress: receives the list of steps and returns an iterator over it.
     """
     results = np.empty((2, len(CLAIMS), len(VARIANTS), len(theta), len(lam)))
     steps = [(row, column) for row in range(len(VARIANTS)) for column in range(len(theta))]
@@ -235,10 +250,10 @@ def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callab
 
 
 def where(claims: ClaimMap, chosen: np.ndarray) -> str:
-    """Describe where the chosen points (theta, lambda) are.
+    """Describe in words which part of the (theta, lambda) plane the chosen points fill.
 
-    The text names the bound on theta, lambda or the hardness group eta, or the two bounds, that best separate them from the
-    others, with the share of all points that this classifies correctly.
+    The text names one or two bounds on theta, lambda or the hardness group eta that best separate the chosen points from the
+    others, and the fraction of points that these bounds classify correctly.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):
@@ -259,7 +274,10 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
 
 
 def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
-    """Every bound between two points on one of the indices, and which points it lets in (bounds, points) as 0 and 1."""
+    """Return candidate bounds on theta, lambda and eta: their names, and for each the points inside (bounds, points), 0 or 1.
+
+    The bounds lie halfway between neighbouring points. The first bound has no name and includes all points.
+    """
     theta, lam = (grid.ravel() for grid in np.meshgrid(claims.theta, claims.lam, indexing="ij"))
     eta = np.sqrt(np.pi) * 18.0**0.25 * lam**0.25 * theta**-0.5  # theory, section 2
     names, sides = [""], [np.ones(theta.size, dtype=int)]
@@ -275,8 +293,8 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
     """Return one record for each claim and variant.
 
-    It has the shares of the plane where the claim holds for all, some and none of its cases or is not comparable; where it
-    holds for all and for none; and its state at the given theta and lam.
+    It has the fractions of the plane where the claim holds for all, some or none of its cases or is not comparable; where it
+    holds for all and for none, in words; and its result at the given theta and lam.
     """
     rows = []
     here = [surfaces_at(theta, np.array([lam]), variant) for variant in VARIANTS]
@@ -304,7 +322,7 @@ def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
 
 
 def claim_rows(claims: ClaimMap) -> tuple[list[str], list[list]]:
-    """Heads and rows of the map as a table; nan where nothing compares."""
+    """Return column heads and rows of the map as a table; NaN where no case is comparable."""
     heads = ["claim", "variant", "theta", "lambda", "share_holding", "worst"]
     rows = []
     for (at, row, i, j), share in np.ndenumerate(claims.share):

@@ -21,7 +21,11 @@ _POINTS = 161
 
 @dataclass(frozen=True)
 class Panel:
-    """One picture: name of the file, of the paper's figure, the film group that varies, its values, and the fixed groups."""
+    """One panel of the paper's figures 1 to 3.
+
+    name: file name; figure: number in the paper; along: film group that varies; values: its values; fixed: the other film
+    groups.
+    """
 
     name: str
     figure: str
@@ -41,7 +45,10 @@ PANELS = (
 
 @dataclass(frozen=True)
 class PanelCurves:
-    """A panel's results: coated has the dimensions (along, mean_separation), bare has mean_separation; normalised."""
+    """The curves of one panel, normalised.
+
+    coated: dataset over the panel's varied film group and mean_separation; bare: the uncoated surface, over mean_separation.
+    """
 
     panel: Panel
     coated: "xarray.Dataset"
@@ -49,7 +56,7 @@ class PanelCurves:
 
     @property
     def caption(self) -> str:
-        """Return the printed and the chosen parameters, on two lines of plain text."""
+        """Caption of two lines: the parameters printed in the paper, and those chosen here."""
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"
@@ -57,14 +64,17 @@ class PanelCurves:
 
 
 def in_words(variant: str) -> str:
-    """Return the name of a variant of the paper in pictures."""
+    """Return the name of a variant of the paper's model, as used in pictures."""
     from stiction.studies.paper.layered import LAYERED
 
     return "its film solved" if variant == LAYERED else f"{variant} variant"
 
 
 def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelCurves:
-    """Solve one panel. theta, lam > 0; variant "corrected", "published" or "layered" (`paper_layered`). Raises InputError."""
+    """Compute the curves of one panel at adhesion indices theta and lam, both > 0.
+
+    variant: "corrected", "published", or "layered" for a solved film. Raises InputError.
+    """
     from stiction.contact.contact import Indices
     from stiction.quantities.units import axis
     from stiction.solving.solve import solve
@@ -82,7 +92,10 @@ def panel_curves(panel: Panel, theta: float, lam: float, variant: str) -> PanelC
 
 
 def curve_rows(panels: Iterable[PanelCurves]) -> tuple[list[str], Iterator[list]]:
-    """Heads and rows of a table of all curves, normalised; n_E, n_H and tau are empty for the uncoated surface."""
+    """Return column heads and rows of a table of all curves, normalised.
+
+    The film groups n_E, n_H and tau are empty for the uncoated surface.
+    """
     names = ("mean_separation", "load", "contact_area", "friction_force", "friction_coefficient")
     return ["figure", "variant", "theta", "lambda", *FILM_VALUES, *names], _rows_of(panels, names)
 

@@ -1,12 +1,13 @@
-"""The 2015 paper with its film solved: its asperities on an elastic sphere's film, exactly, in place of its film law.
+"""Repeat the 2015 paper with an exactly solved film: elastic spheres on a film replace the paper's film law.
 
-The film is `layered`. It goes with laws of the interface, and with those that know film and body as one: so the asperity is
-held by peeling alone, by the energy of a contact on a film (`layered_peeling`), and the uncoated one by that of a half-space
-(Savkoor & Briggs 1977). The paper's other limit, yield at the trailing edge, is left out of both: for an adhesive asperity on a
-film it is not known.
+The film law `layered` treats film and body as one solid, and goes with laws made for it: the coated asperity sticks until its
+edge peels, by the energy of a contact on a film (`layered_peeling`), the uncoated one by that of a half-space (Savkoor &
+Briggs 1977). The paper's other limit, yield at the trailing edge, is left out of both: it is not known for an adhesive
+asperity on a film.
 
-How thick a film is beside its contacts is decided by t/sqrt(R sigma), which the paper does not print: with its tau = t/sigma
-that is tau sqrt(sigma/R). SHARPNESS is that of 48 nm and 50 um, asperities of the example that this project begins with.
+The ratio t/sqrt(R sigma) decides how thick a film is relative to its contacts. The paper does not print it; with its
+tau = t/sigma it is tau sqrt(sigma/R). SHARPNESS is sqrt(sigma/R) for the asperities of the project's first example, with
+sigma = 48 nm and R = 50 um.
 """
 
 import math
@@ -25,19 +26,19 @@ _NU = 0.3
 
 
 def choice(coated: bool) -> Choice:
-    """Return the laws of the coated or of the uncoated surface."""
+    """Return the choice of laws for the coated or the uncoated surface."""
     return Choice(_SUM, _ASPERITY, "layered_peeling", LAYERED) if coated else Choice(_SUM, _ASPERITY, "savkoor_briggs_1977")
 
 
 def film_groups(tau: Any) -> dict[str, Any]:
-    """Return the two groups that depend on film thickness: tau, and film_aspect = tau SHARPNESS."""
+    """Return the groups that depend on the film thickness t: tau = t/sigma, and film_aspect = t/sqrt(R sigma)."""
     return {"tau": tau, "film_aspect": tau * SHARPNESS}
 
 
 def totals(theta: float, lam: np.ndarray, h: np.ndarray, film: tuple[np.ndarray, ...] | None = None) -> tuple[np.ndarray, ...]:
-    """Return load, contact area and friction force, normalised, (n, H) at separations h (H,).
+    """Return load, contact area and friction force, normalised, (n, H), of n contacts at H separations.
 
-    Contacts have lam (n,) and films n_E, n_H, tau (n,), or none.
+    theta, lam (n,): adhesion indices; h (H,): separations over sigma; film: n_E, n_H, tau, each (n,), or None without a film.
     """
     n = len(lam)
     ones, K_beta = np.ones(n), stiffness_group(_NU)

@@ -1,9 +1,9 @@
-"""Where a contact is in the plane of the adhesion indices, and the limits that are drawn there.
+"""Place a contact in the plane of the adhesion indices theta and lambda, with the limits drawn in it.
 
-theta = 10 and lambda = 0.125 are those below which adhesion is felt (docs/theory.md, theory 1, and the 2015 paper). psi = 0.6
-and 1 are those of Greenwood & Williamson (1966): below, contacts are elastic, above, plastic, at all loads of practice. As
-eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (docs/theory.md, theory 1), psi is a line in the
-plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
+Adhesion matters below theta = 10 and lambda = 0.125 (docs/theory.md, theory 1, and the 2015 paper). The plasticity index psi
+has the limits 0.6 and 1 of Greenwood & Williamson (1966): contacts below are elastic, contacts above plastic, at all loads of
+practice. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (docs/theory.md, theory 1), each psi is
+a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 """
 
 import math
@@ -22,7 +22,11 @@ PLASTICITY = (0.6, 1.0)
 
 @dataclass(frozen=True)
 class Place:
-    """theta and lambda of the bodies, and of the film as a half-space or None where there is none; psi of the bodies."""
+    """Position of a contact in the plane of the adhesion indices.
+
+    bodies: (theta, lambda) of the bodies; film: the same for a half-space of film material, None without a film.
+    plasticity_index: psi of the bodies.
+    """
 
     bodies: tuple[float, float]
     film: tuple[float, float] | None
@@ -30,7 +34,10 @@ class Place:
 
 
 def place_of(subject: Subject) -> Place:
-    """Where a contact is. Raises InputError for one that does not adhere, and for numbers that are several."""
+    """Return the adhesion indices and the plasticity index of a contact.
+
+    Raises InputError if the contact has no adhesion or has array parameters.
+    """
     subject.require_single("one number, for one place")
     groups = subject.indices().resolved()
     if groups.theta is None:
@@ -43,5 +50,5 @@ def place_of(subject: Subject) -> Place:
 
 
 def plasticity_line(theta: np.ndarray, psi: float) -> np.ndarray:
-    """lambda at which the plasticity index is psi, for each theta (n,)."""
+    """Return the lambda at which the plasticity index is psi, for each theta (n,)."""
     return (0.75 * math.pi / psi / hardness_group(np.asarray(theta, dtype=float), 1.0)) ** 4

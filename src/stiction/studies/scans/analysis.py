@@ -1,4 +1,4 @@
-"""The analysis of one scan: preparation, statistics, spectrum, moments, and asperities by every method."""
+"""Analyse one scan: statistics, spectrum, spectral moments, and asperities by every method."""
 
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 class Analysis:
     """Hold the analysis of a scan.
 
-    surface: as prepared. statistics; spectrum: radial average of it; of_spectrum: how its gaps were filled for that, if there
-    are any. spikes: how many points are SUSPICIOUS robust deviations from the median. by_differences, by_spectrum: spectral
-    moments, both with the same cutoff. asperities: by method; heights: their distribution by method; failures:
-    why a method found none. standing: the method that stands for the surface, "" where none found any. kind: of
-    surface, one of finishes.SURFACE_KINDS, from skewness, lay and top; None where it was not found.
+    surface: the prepared map. spectrum: radial average of the power spectrum; of_spectrum: how gaps were filled for it, "" if
+    none. spikes: number of points farther than SUSPICIOUS robust deviations from the median. by_differences, by_spectrum:
+    spectral moments from differences and from the spectrum, with the same cutoff. asperities, heights, failures: asperities
+    found, their height distribution, or the reason of failure, by method. standing: method recommended for the surface, "" if
+    none found asperities. kind: one of finishes.SURFACE_KINDS, from skewness, lay and top; None if undecided.
     """
 
     surface: HeightMap
@@ -150,7 +150,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
 
 
 def _band(spectrum: BinnedSpectrum) -> dict[str, float] | None:
-    """Return the ends of the reliable band; None where too few points leave none."""
+    """Return the ends of the spectrum's reliable band; None if there is no such band."""
     if spectrum.shortest >= spectrum.longest:
         return None
     return {"longest": spectrum.longest, "shortest": spectrum.shortest}
@@ -161,7 +161,7 @@ def _moments(one: Moments) -> dict[str, Any]:
 
 
 def spectrum_rows(spectrum: BinnedSpectrum) -> tuple[list[str], Iterable[list[Any]]]:
-    """Heads and rows of a table: the averaged spectrum, and whether each bin is in the reliable band."""
+    """Return column heads and rows of the averaged spectrum, with a flag for bins in the reliable band."""
     unit = "m^3" if spectrum.is_profile else "m^4"
     heads = ["wavevector [rad/m]", "wavelength [m]", f"density [{unit}]", "waves", "reliable"]
     columns = spectrum.wavevector, spectrum.wavelength, spectrum.density, spectrum.waves, spectrum.reliable

@@ -1,4 +1,7 @@
-"""The contact of one map alone, without materials: pressures are over the modulus times the gradient."""
+"""Solve the contact of one height map without materials: all pressures are divided by E* h'.
+
+E* is the contact modulus and h' the root mean square gradient of the map.
+"""
 
 import math
 from collections.abc import Sequence
@@ -21,11 +24,11 @@ PRESSURES = (0.005, 0.02, 0.05, 0.1, 0.2)
 
 @dataclass(frozen=True)
 class ContactOfMap:
-    """The contact of a map with a flat, or of the map that stands for two faces.
+    """Hold the solved contact of a rough map with a flat.
 
-    pressures: nominal ones over E* h'; gradient: h', root mean square of the map; hardness: the largest pressure of a point
-    over E* h', None: elastic; height: Sq, root mean square [m]; curve: the solutions, for E* = 1 Pa. validity_warnings: of the
-    map.
+    Pressures are divided by E* h', E* the contact modulus. pressures: nominal pressures; gradient: h', root mean square
+    gradient; hardness: highest local pressure, None for elastic contact; height: Sq, root mean square height [m]; curve:
+    solutions for E* = 1 Pa; validity_warnings: warnings of the map itself.
     """
 
     pressures: np.ndarray
@@ -37,7 +40,7 @@ class ContactOfMap:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Head -> numbers without units, one for each pressure; not a number where it was interrupted."""
+        """Dimensionless results, one for each pressure, by column head; NaN where the solution was interrupted."""
         curve = self.curve
         side = np.sqrt(curve.array("nominal_area"))
         return {
@@ -51,7 +54,7 @@ class ContactOfMap:
         }
 
     def all_warnings(self) -> list[str]:
-        """In words, each once: of the map, then of single pressures."""
+        """Return the warnings of the map and of each pressure as texts, without repetitions."""
         said = {str(one): None for one in self.validity_warnings}
         for pressure, contact in zip(self.pressures, self.curve.contacts, strict=True):
             if contact is None:
@@ -64,10 +67,11 @@ class ContactOfMap:
 def contact_of_map(
     surface: HeightMap, pressures: Sequence[float] = PRESSURES, hardness: float | None = None, *, sampled: bool = False
 ) -> ContactOfMap:
-    """Solve the contact of a prepared map at nominal pressures over E* h', > 0.
+    """Solve the contact of a prepared map with a flat at given nominal pressures.
 
-    hardness: over E* h', > 0; sampled: only as many points as the area needs. Raises InputError for a profile, missing
-    points, or pressures that cannot be carried.
+    Pressures and hardness are divided by E* h' and above 0; E* is the contact modulus, h' the root mean square gradient.
+    sampled: use only as many points as the contact area needs. Raises InputError for a profile, missing points, or pressures
+    above the hardness.
     """
     allowed = "a row of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
@@ -91,7 +95,7 @@ def contact_of_map(
 
 
 def summary_of_contact(contact: ContactOfMap) -> dict[str, Any]:
-    """Everything as plain numbers, for JSON."""
+    """Return the solved contact as plain numbers and texts, for JSON."""
     return {
         "rms_gradient": contact.gradient,
         "hardness": contact.hardness,

@@ -1,4 +1,4 @@
-"""Study how sigma, R, N and the resulting friction change with the method and the cutoff."""
+"""Compute how asperity numbers and friction change with the asperity method and the cutoff wavelength."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -50,10 +50,10 @@ _WAVES_IN_SIZE = 10
 
 
 def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
-    """Return the cutoffs [m] of a resolution study: 0, which leaves the map unfiltered, and wavelengths in equal ratios.
+    """Return the default cutoff wavelengths [m]: 0 (unfiltered), then seven in geometric progression.
 
-    The wavelengths start at `shortest` [m], the end of the reliable band, but not below spectrum.POINTS_PER_WAVE of the
-    larger pitch. They end at a tenth of the size. A map with fewer than ten of the shortest along a side gets 0 alone.
+    They run from POINTS_PER_WAVE times the larger point spacing to a tenth of the map's shorter side. A map too small for
+    this range gets 0 alone.
     """
     sizes = surface.size[1:] if surface.is_profile else surface.size
     shortest, longest = max(POINTS_PER_WAVE * surface.coarsest_pitch, shortest), min(sizes) / _WAVES_IN_SIZE
@@ -64,9 +64,9 @@ def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Friction:
-    """The contact whose friction is computed, with load and model; all None without a contact.
+    """The contact, load and model for which friction is computed; contact and load are None if not requested.
 
-    Raises InputError for a contact, load or choice that no asperities could make valid.
+    Raises InputError if contact, load or model cannot be used with any asperities.
     """
 
     contact: Contact | None
@@ -95,15 +95,16 @@ class _Friction:
 
     @property
     def of_map(self) -> bool:
-        """Return whether the map itself is solved, without asperities."""
+        """Whether the model solves the height map itself and needs no asperities."""
         return find(self.choice.model_key, RoughSurface).of_map is not None
 
     def coefficient(
         self, seen: HeightMap, to_solve: HeightMap, found: Asperities, heights: HeightModel, options: Mapping[str, Any]
     ) -> float:
-        """Return the static friction coefficient of the contact with these asperities.
+        """Return the static friction coefficient of the contact with this surface.
 
-        Theories of the whole surface take its moments instead, and models of maps take the map; options: of the methods.
+        found, heights: its asperities and their heights. Theories of the whole surface use spectral moments of the filtered
+        map `seen` instead; models that solve a map use `to_solve`. options: options of asperity methods, by method.
         """
         assert self.contact is not None
         if takes_surface_moments(self.choice.model_key):
@@ -228,7 +229,7 @@ def _methods(surface: HeightMap, methods: Iterable[str] | None) -> tuple[str, ..
 
 
 def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) -> HeightMap:
-    """Return the map without waves below the cutoff, with fewer points if requested."""
+    """Return the map without wavelengths below the cutoff, with fewer points if requested."""
     if cutoff == 0.0:
         return surface
     smooth = filter_band(surface, shortest=cutoff)
@@ -236,14 +237,17 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
 
 
 def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
-    """Return the map to be solved; a periodic map is filtered across its ends, so that it stays periodic."""
+    """Return the map that a map model solves: `seen`, or for a periodic map a version filtered periodically."""
     if not surface.periodic or not surface.complete:
         return seen
     return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)
 
 
 def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:
-    """Every k-th point along either axis, k as large as leaves `points_per_cutoff` >= 2 points to a cutoff [m]."""
+    """Return the map with every k-th point along each axis.
+
+    k is the largest number that leaves at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m].
+    """
     if not points_per_cutoff >= 2.0:
         raise InputError("points_per_cutoff", points_per_cutoff, ">= 2")
     # The tolerance is for a cutoff that is a whole number of pitches, to rounding.

@@ -1,7 +1,7 @@
-"""Elasticities of a result: d ln y/d ln x for every number of a contact, at its nominal numbers.
+"""Compute logarithmic sensitivities d ln y/d ln x of results y to every number x of a contact.
 
-Central differences of two widths in the logarithm of x, extrapolated (Richardson 1911): the error is of the fourth order in the
-width, and what the two widths differ by bounds it. All points are solved together.
+They are central differences in ln x with two widths, extrapolated (Richardson 1911). The error is of fourth order in the
+width and is bounded by the change through the extrapolation. All points are solved together.
 """
 
 from collections.abc import Iterator, Sequence
@@ -32,10 +32,10 @@ _LEFT_OUT = ("surface_energy",)
 
 @dataclass(frozen=True)
 class Elasticities:
-    """Hold logarithmic sensitivities of results.
+    """Hold logarithmic sensitivities of results y to k input numbers x.
 
-    names: of the inputs (k,); tables: result -> d ln y/d ln x (k, *shape), NaN where y is NaN or 0; errors: change by the
-    extrapolation. dims: result -> the dimensions of that shape.
+    names: names of the inputs (k,). tables: result -> d ln y/d ln x (k, *shape), NaN unless y > 0. errors: result -> error
+    bound of the same shape. dims: result -> dimensions of that shape.
     """
 
     names: list[str]
@@ -46,7 +46,10 @@ class Elasticities:
 
 @dataclass(frozen=True)
 class _Steps:
-    """In place of the distribution of a number: its values at given numbers, which stand for shares."""
+    """Stand-in for a distribution: `ppf` returns the nominal value times exp(step).
+
+    It lets the code that samples uncertain numbers step a number instead.
+    """
 
     nominal: float
     words: str = ""
@@ -56,7 +59,10 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Every number of the contact above 0, by name: those that are uncertain together are one."""
+    """Return every number of the contact above 0, by name.
+
+    Numbers that are uncertain together share one name and are stepped together.
+    """
     together = {one.path: one for one in case.uncertain}
     found = []
     for path, value in _numbers(case.subject, (*case.tables,)):
@@ -72,7 +78,7 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
 
 
 def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
-    """Where each number above 0 stands that was given, and the number."""
+    """Yield the address and value of each stated number above 0 in a record and its nested records."""
     given = record.model_fields_set if isinstance(record, Subject) else type(record).model_fields  # groups may have a default
     for name in [name for name in type(record).model_fields if name in given]:
         value = getattr(record, name)
@@ -83,7 +89,10 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
 
 
 def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
-    """Return the logarithmic sensitivities of results for every number of the contact. Raises InputError."""
+    """Return the logarithmic sensitivities of results to every number of the contact. Raises InputError.
+
+    names: the results.
+    """
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
     each = {name: _slopes(found.tables[name], len(inputs)) for name in found.tables}
@@ -92,7 +101,10 @@ def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, pro
 
 
 def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
-    """Return d ln mu/d ln x of the median of a prediction at a load [N], by name of the number, over steps of 20 %."""
+    """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
+
+    x is stepped by -20 % and +20 %, in its logarithm.
+    """
     inputs, stepped, steps = _stepped_case(case, _WIDE)
     numbers, mu = stepped.numbers_at(steps), np.full(len(steps), np.nan)
     for region, _, solved in predict_many(case, numbers, np.array([load])):
@@ -103,7 +115,10 @@ def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
 
 
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
-    """Return names of the numbers (k,), the case in which each is stepped by a stencil (s,), and the steps (k s, k)."""
+    """Return the names of the k numbers, a case in which they are uncertain, and the steps to take (k s, k).
+
+    stencil (s,): steps of ln x. Each row steps one number and leaves the others at 0.
+    """
     inputs = numbers_of(case)
     steps = np.zeros((len(inputs), len(stencil), len(inputs)))
     for at in range(len(inputs)):
@@ -114,7 +129,10 @@ def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.
 
 
 def _slopes(table: np.ndarray, inputs: int) -> tuple[np.ndarray, np.ndarray]:
-    """Extrapolated slope of ln y over ln x (inputs, *shape), and how far that is from the narrower difference."""
+    """Return the extrapolated slopes d ln y/d ln x (inputs, *shape), and their change by the extrapolation.
+
+    table: y at the steps of every input (inputs times steps, *shape). NaN unless y > 0 at all steps.
+    """
     y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
     positive = np.asarray(np.all(y > 0.0, axis=1))
     logs = np.log(np.where(positive[:, None], y, 1.0))

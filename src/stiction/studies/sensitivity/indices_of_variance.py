@@ -1,6 +1,6 @@
-"""Sobol indices and Morris effects of any function of numbers that are drawn between 0 and 1.
+"""Compute Sobol indices and Morris effects of any function of inputs between 0 and 1.
 
-Sobol indices are those of SciPy. The effects are written here: SALib's are the same to rounding (2e-16), but a single refused
+Sobol indices come from SciPy. The effects are written here: SALib's are the same to rounding (2e-16), but a single refused
 contact makes all of them NaN, and SALib brings Matplotlib and multiprocess, which nothing else here needs without pictures.
 """
 
@@ -18,9 +18,9 @@ _LEVELS = 4
 
 @dataclass(frozen=True)
 class Indices:
-    """Hold first and total indices of k inputs, each with its 95 % interval, (k,).
+    """Hold first-order and total Sobol indices of k inputs, each with its 95 % interval, (k,).
 
-    NaN where they are unknown. points: how many points they come from.
+    NaN if too few values are known. points: number of sample points used.
     """
 
     first: np.ndarray
@@ -33,8 +33,9 @@ class Indices:
 
 
 def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
-    """Points (parts, columns + 2, count / parts, columns) in the unit cube: A, B, and A with one column after another of B.
+    """Return sample points for Sobol indices, (parts, columns + 2, count / parts, columns), in the unit cube.
 
+    Along the second dimension are sample A, sample B, and for each column a copy of A with this column from B.
     Source: Saltelli et al. 2010, section 3: a sequence of twice the columns gives A and B.
     """
     both = scrambled(2 * columns, count, seed, PARTS)
@@ -46,11 +47,11 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def sobol_indices(values: np.ndarray) -> Indices:
-    """Return the indices from values (parts, k + 2, n) of a function at `points_of_indices`.
+    """Return Sobol indices from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
-    Source: Saltelli et al. 2010, table 2 (b) for the first and (f), Jansen 1999, for the total index. The interval is that of
-    Student's t over the parts, each scrambled on its own. Rows with NaN are left out, and then as many others as
-    make the rest a power of two.
+    Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
+    Student's t interval over the parts, each scrambled on its own. Points with NaN are left out, and then as many others as
+    leave a power of two.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)
@@ -67,7 +68,10 @@ def sobol_indices(values: np.ndarray) -> Indices:
 
 
 def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
-    """First and total indices (2, k) from values (k + 2, n), and of how many points; 0 of what does not vary."""
+    """Return first-order and total indices (2, k) from values (k + 2, n), and the number of points used.
+
+    The indices are 0 if the values do not vary.
+    """
     from scipy.stats import sobol_indices as estimated
 
     count = 1 << (values.shape[1].bit_length() - 1)
@@ -82,7 +86,11 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
 
 @dataclass(frozen=True)
 class Effects:
-    """Of k inputs, (k,): the mean of the sizes of the elementary effects and its standard error, their mean and deviation."""
+    """Hold statistics of the elementary effects of k inputs, each (k,).
+
+    size: mean of the absolute effects; size_error: its standard error; mean, deviation: mean and standard deviation of the
+    effects.
+    """
 
     size: np.ndarray
     size_error: np.ndarray
@@ -91,9 +99,10 @@ class Effects:
 
 
 def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
-    """Points (count, columns + 1, columns) in the unit cube: of each trajectory the next differs by 2/3 in one column.
+    """Return `count` trajectories of Morris, (count, columns + 1, columns), in the unit cube.
 
-    Source: Morris 1991, section 3: levels 0, 1/3, 2/3, 1 and steps of p/(2 (p - 1)), p = 4, in random order and direction.
+    From one point of a trajectory to the next, one column changes by 2/3, each column once. Source: Morris 1991, section 3:
+    levels 0, 1/3, 2/3, 1 and steps of p/(2 (p - 1)), p = 4, in random order and direction.
     """
     rng = np.random.default_rng(seed)
     step = _LEVELS / (2.0 * (_LEVELS - 1.0))
@@ -105,10 +114,10 @@ def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
 
 
 def effects(points: np.ndarray, values: np.ndarray) -> Effects:
-    """Return the elementary effects from values (count, k + 1) of a function at `trajectories`.
+    """Return the elementary effects from values (count, k + 1) of a function at points of `trajectories`.
 
-    An effect is the change over the whole of a column. Source: Morris 1991, eq. 1; the mean of sizes Campolongo, Cariboni &
-    Saltelli 2007, eq. 3.
+    An effect is the change of the value by a step, divided by the step. Source: Morris 1991, eq. 1; the mean of absolute
+    effects Campolongo, Cariboni & Saltelli 2007, eq. 3. NaN if fewer than half of an input's effects are known.
     """
     from pandas import DataFrame
 

@@ -1,4 +1,4 @@
-"""Which input should be measured better: Sobol indices, Morris effects and elasticities of the results of a case."""
+"""Find which input should be measured better: Sobol indices, Morris effects and logarithmic sensitivities of a case."""
 
 import json
 from collections.abc import Iterator, Sequence
@@ -110,7 +110,10 @@ def sensitivity(
 
 
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
-    """Return the shares of the variance of ln mu and the elasticities of a prediction at a load [N]."""
+    """Return the sensitivities of a prediction at a load [N] as a dataset.
+
+    They are each input's share of the variance of ln mu, and d ln mu/d ln x for every number x.
+    """
     import xarray
 
     answer, slopes = predict(case, load=load), elasticities_of_prediction(case, load)
@@ -127,7 +130,7 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
 
 
 def _at_few_loads(case: Case, working: float | None) -> Case:
-    """Return the case at nine of its loads at most, including the working load."""
+    """Return the case with at most nine of its loads, among them the one nearest to the working load."""
     if case.load is None or case.load.size <= _LOADS:
         return case
     places = few_places(case.load.size, _LOADS)
@@ -139,7 +142,10 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
 
 @dataclass(frozen=True)
 class _Variation:
-    """Hold the varied inputs: numbers of the case, methods and models, both drawn evenly, and the variants they make."""
+    """Hold the inputs that the study varies: uncertain numbers, asperity methods and models.
+
+    Methods and models have equal probability. variants: every combination of a method and a model.
+    """
 
     numbers: list[str]
     methods: list[str]
@@ -152,7 +158,10 @@ class _Variation:
         return [*self.numbers, *more]
 
     def rows(self, shares: np.ndarray) -> np.ndarray:
-        """Return the variant of each row of shares (n, inputs)."""
+        """Return the index of the variant (method and model) of each sample (n,).
+
+        shares (n, inputs): sampled position of each input, 0 to 1.
+        """
         rows = np.zeros(len(shares), dtype=int)
         for name, drawn in ((METHOD_INPUT, self.methods), (MODEL_INPUT, self.models)):
             if name in self.inputs:
@@ -236,7 +245,10 @@ _MEANINGS = {
 def _of_result(
     name: str, drawn: Draws, screened: Draws, points: np.ndarray, paths: np.ndarray
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
-    """Yield name ending, values and attributes of the indices and effects (inputs, *shape) of ln y."""
+    """Yield the Sobol indices and Morris effects of one result: name ending, then (array (inputs, *shape), attributes).
+
+    drawn, screened: results at `points` (Sobol) and `paths` (Morris). The logarithm of the result is analysed.
+    """
     shape = drawn.tables[name].shape[1:]
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]
     indices = [sobol_indices(logs[0][..., at]) for at in range(logs[0].shape[-1])]

@@ -1,7 +1,8 @@
-"""The mean touching asperity of a coated contact in section: stresses in film and body, and along their interface.
+"""Compute stresses in section under the mean touching asperity of a coated contact.
 
-The fields of `solvers.layered.stresses`, at the radius, mean pressure and friction force that `film_stresses` has for the mean
-asperity. They are elastic: where the von Mises stress is above the yield stress, they say by how much, and no more.
+The fields of `solvers.layered.stresses` are evaluated at the radius, mean pressure and friction force that `film_stresses`
+finds for the mean asperity. They are elastic: a von Mises stress above the yield stress shows by how much yield is exceeded,
+not the true stress.
 """
 
 import math
@@ -34,14 +35,15 @@ _ASIDE = 1e-9  # of the thickness, how far above the interface is in the film
 
 
 def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
-    """Stresses in section under the mean touching asperity of one point of a result of `film_stresses`.
+    """Compute stresses in section under the mean touching asperity.
 
-    contact: the same Contact or Indices with a film. Returns a dataset over z, depth, and x, in the direction of the tangential
-    force, both over the contact radius: stress_over_yield, the von Mises stress over the yield stress of what is there; over x,
-    interface_normal_stress (tension above 0) and interface_shear_stress along x, in the middle plane: in Pa of a Contact, over
-    the mean pressure of Indices. Attributes: contact_radius and film_thickness [m] and mean_pressure [Pa] of a Contact;
-    thickness_over_radius, largest, largest_x, largest_z and where, as yields_first. Raises InputError where
-    nothing presses, and for a contact out of proportion to the film.
+    contact: a Contact or Indices with a film; point: one load or separation of its `film_stresses` result. Returns a dataset
+    over depth z and position x along the tangential force, both divided by the contact radius. stress_over_yield is the von
+    Mises stress over the local yield stress. interface_normal_stress (tension above 0) and interface_shear_stress are taken
+    over x in the middle plane: in Pa for a Contact, over the mean pressure for Indices. Attributes: contact_radius and
+    film_thickness [m] and mean_pressure [Pa] of a Contact; thickness_over_radius; largest, largest_x, largest_z: largest
+    stress_over_yield and its position; where: part that yields first. Raises InputError if no asperity presses, or if the
+    ratio of contact radius to film thickness is outside the range checked.
     """
     subject = as_subject(contact)
     groups, _ = Groups.of(subject.indices())
@@ -64,7 +66,7 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
-    """Return radius, pressure and traction of the mean asperity, and its sizes in SI for a Contact.
+    """Return radius, pressure and traction of the mean touching asperity, and for a Contact its sizes in SI units.
 
     The radius is over the thickness of one film, the mean pressure over the body's yield stress, and the traction is friction
     over load.
@@ -87,7 +89,10 @@ def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tupl
 
 
 def _worst(bodies: Bodies, radius: float, traction: float, strength: float) -> tuple[Stresses, Yield]:
-    """Of the coated bodies that which comes nearer to yield."""
+    """Return the stresses and first yield of the coated body that is closer to yield.
+
+    radius: contact radius over film thickness; traction: friction over load; strength: film hardness over body hardness.
+    """
     each = coated_bodies(bodies, radius)
     return max(((one, first_yield(one, traction, strength)) for one in each), key=lambda pair: pair[1].excess)
 

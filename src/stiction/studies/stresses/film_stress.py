@@ -1,4 +1,4 @@
-"""Stresses of a film and its bond under the mean touching asperity: distance to yield, and where it begins."""
+"""Compute stresses in a film and at its interface under the mean touching asperity: distance to yield, and where it begins."""
 
 from typing import TYPE_CHECKING, Unpack
 
@@ -115,19 +115,25 @@ def require_film(subject: Subject) -> None:
 
 
 def require_proportion(radius: float) -> None:
-    """Raise InputError for a contact radius, over the thickness of the film, at which stresses were not compared."""
+    """Raise InputError if contact radius over film thickness is outside the range in which stresses were checked."""
     if not LEAST <= radius <= MOST:
         raise InputError("thickness", f"a/t = {radius:.3g}", f"contact radius over film thickness, {LEAST:g} to {MOST:g}")
 
 
 def part_that_yields(subject: Subject, where: str) -> str:
-    """Return "counterbody" in place of "film" where the body that meets the film is the softer one; else where it yields."""
+    """Return the part that yields first, with "counterbody" for "film" if the uncoated counterbody is softer.
+
+    where: "film", "interface" or "body", from the solution of the layered body.
+    """
     softer = isinstance(subject, Contact) and subject.softer_counterbody is not None
     return "counterbody" if where == "film" and softer else where
 
 
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Of a result of `film_stresses` the middle one of the points that press, or of all where none does."""
+    """Return the middle load or separation of a `film_stresses` result, among those at which asperities press.
+
+    Where none press, the middle of all.
+    """
     if not data["load"].dims:
         return data
     (dim,) = data["load"].dims
@@ -137,7 +143,11 @@ def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
-    """Radius over thickness, and the rest of the results, of one asperity, normalised; not numbers where it does not press."""
+    """Return the results of one asperity from its normalised area, load and friction force.
+
+    They are contact radius over film thickness, stress over yield, interface tension and shear over the weaker strength, and
+    the part that yields first. Stresses are NaN where the asperity does not press.
+    """
     if not (area > 1e-100 and load > 0.0):
         return contact_over_thickness(groups, area), np.nan, np.nan, np.nan, ""
     radius, pressure = contact_over_thickness(groups, area), pressure_over_yield(groups, area, load)
@@ -147,12 +157,12 @@ def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[
 
 
 def contact_over_thickness(groups: Groups, area: float) -> float:
-    """Radius over the thickness of one film, of an asperity with this area, normalised."""
+    """Return contact radius over the thickness of one film, for an asperity with this normalised area."""
     return float(area**0.5 * per_root(groups)[0] ** 2)
 
 
 def pressure_over_yield(groups: Groups, area: float, load: float) -> float:
-    """Mean pressure over the body's yield stress, of an asperity with this area and load, normalised."""
+    """Return mean pressure over the body's yield stress, for an asperity with this normalised area and load."""
     return load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)
 
 
@@ -165,7 +175,7 @@ def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, stre
 
 
 def coated_bodies(bodies: Bodies, radius: float) -> list[Stresses]:
-    """Return the stresses of each coated body under a contact of this radius, over the thickness of its film."""
+    """Return the stress solution of each coated body; radius: contact radius over film thickness."""
     return [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
 
 

@@ -1,13 +1,14 @@
-"""One asperity, pressed and dragged: the stresses under it in section, and where it yields first.
+"""Compute the stresses in section under one pressed and dragged asperity, and where it yields first.
 
-The asperity is a paraboloid that does not adhere, on the contact radius a, of which x = a/(R sigma)^(1/2) is asked; without a
-film it is Hertz's contact with Hamilton's stresses, with one the layered solid of `solvers.layered`. With K, sigma and R as in
-docs/theory.md, theory 1, and E_P = 1 and n_E = 1 where there is no film, its load and mean pressure are
+The asperity is a non-adhesive paraboloid with contact radius a, stated as x = a/(R sigma)^(1/2). Without a film it is Hertz's
+contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in docs/theory.md,
+theory 1; without a film E_P = 1 and n_E = 1. The load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),
 
-from W = (4/3) E* E_P a^3/R (Hertz 1882; `solvers.layered.sphere`). The yield stress is H/k. The solution is elastic: where the
-von Mises stress is above the yield stress, it says by how much, and no more.
+from W = (4/3) E* E_P a^3/R (Hertz 1882; `solvers.layered.sphere`). The yield stress is the hardness H over the constraint
+factor k. The solution is elastic: a von Mises stress above the yield stress shows by how much yield is exceeded, not the true
+stress.
 """
 
 import math
@@ -31,12 +32,12 @@ _Z = np.linspace(0.0, 1.8, 49)
 
 @dataclass(frozen=True)
 class OneAsperity:
-    """An asperity in section.
+    """Hold the stresses under one asperity in section.
 
-    x (m,), z (n,): places over the contact radius, x in the direction of the tangential force and z into the body; stress
-    (n, m): the von Mises stress over the yield stress of what is there. thickness: of the film, over the contact radius,
-    infinite without one. largest: of the stress, anywhere; at: its place (x, z); where: "film", "interface" or "body".
-    radius: over (R sigma)^(1/2); load: over K R^(1/2) sigma^(3/2); pressure: the mean one, over the hardness.
+    x (m,), z (n,): positions along the tangential force and depths, over the contact radius. stress (n, m): von Mises stress
+    over the local yield stress. thickness: film thickness over contact radius, infinite without a film. largest: highest
+    stress anywhere; at: its position (x, z); where: "film", "interface" or "body". radius: contact radius over (R
+    sigma)^(1/2); load: over K R^(1/2) sigma^(3/2), all symbols as in the module; pressure: mean pressure over the hardness.
     """
 
     x: np.ndarray
@@ -54,8 +55,9 @@ class OneAsperity:
 def one_asperity(subject: Subject, radius: float, traction: float) -> OneAsperity:
     """Compute the stresses under one asperity of a contact.
 
-    radius: of the contact, over (R sigma)^(1/2), above 0; traction: tangential over normal force, 0 or more. Raises InputError
-    for array parameters, and for a film out of proportion.
+    radius: contact radius over (R sigma)^(1/2), R and sigma the asperity radius and height deviation, above 0; traction:
+    tangential over normal force, 0 or more. Raises InputError for array parameters, and for a contact radius that is too
+    large or too small relative to the film.
     """
     subject.require_single("one number, for one asperity")
     if not (math.isfinite(radius) and radius > 0.0 and math.isfinite(traction) and traction >= 0.0):
@@ -78,7 +80,10 @@ def _bare(groups: Groups, radius: float, traction: float) -> OneAsperity:
 
 
 def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
-    """On one film of thickness t/films; where both bodies have one, the first of them."""
+    """Compute the stresses under an asperity on a coated body; if both bodies are coated, of the first.
+
+    The film thickness is the total thickness divided by the number of films.
+    """
     over_film = radius / float(groups.film_aspect[0] / groups.films[0])
     require_proportion(over_film)
     (bodies, *_), _ = bodies_of(groups)
@@ -96,9 +101,9 @@ def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
 
 
 def section(stresses: Stresses, traction: float, film_strength: float, x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the von Mises stress over the mean pressure at depths z (n,) and places x (m,).
+    """Return the von Mises stress over the mean pressure (n, m) at depths z (n,) and positions x (m,).
 
-    In the film it is over the film's strength. x runs along the traction, symmetric about the axis.
+    In the film it is also divided by film_strength. x runs along the traction and must be symmetric about 0.
     """
     r = np.abs(x[len(x) // 2 :])
     inside = stresses.thickness > z

@@ -1,4 +1,4 @@
-"""One block of a sweep: its contacts solved, those that are refused left out, and what is stored of them."""
+"""Solve one block of contacts of a sweep, and compute and merge statistics of blocks."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -21,10 +21,11 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Return the results of a block and its validity warnings as bits.
+    """Solve the contacts of one block; return results by name and validity warnings as bits.
 
-    Results are name -> array (dimensions of the contacts and the points). dims: name -> dimensions of each stored result;
-    sizes: of the dimensions of the points. Refused contacts give NaN with the reason among their bits.
+    dims: name -> dimensions of each result to store; sizes: dimension -> number of loads or separations. Arrays run over the
+    contacts of the block and the loads or separations. Contacts that the model refuses have NaN, and the reason among their
+    bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
@@ -40,7 +41,7 @@ def solve_block(
 
 
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, BatchResult]]:
-    """Places within a block that can be solved, with their results."""
+    """Yield (region, results) of the contacts of a block that can be solved; region: slices within the block."""
     first = plan.region(block)
     for piece in plan.pieces(block):
         starts = {dim: some.start - first[dim].start for dim, some in piece.items()}
@@ -51,7 +52,10 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 
 
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
-    """Yield regions within a piece with their results: of a model, or of the prediction."""
+    """Yield (region, results) for parts of `piece`, a region of the sweep; results are None for refused contacts.
+
+    The results come from the named model, or from a prediction if the case names none.
+    """
     try:
         case, arrays = plan.case_at(piece), plan.arrays(piece)
     except InputError:  # of a map that cannot be read, or has no asperities
@@ -65,7 +69,7 @@ def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None)
 
 
 def _along_places(solved: BatchResult) -> BatchResult:
-    """Return the results of one contact along a dimension of maps."""
+    """Return the results of one contact with a leading dimension of length 1, for the map."""
     variables = {
         name: ((PLACE, *dims), np.asarray(values)[None], *rest) for name, (dims, values, *rest) in solved.variables.items()
     }
@@ -74,9 +78,10 @@ def _along_places(solved: BatchResult) -> BatchResult:
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
-    """Return count, mean, sum of squared deviations, minimum and maximum of the finite values, (5, points).
+    """Return (5, points): count, mean, sum of squared deviations, minimum and maximum of the finite values.
 
-    contacts: how many leading dimensions are contacts.
+    values: array over contacts and points (loads or separations). contacts: how many of its leading dimensions run over
+    contacts.
     """
     rows = values.reshape(math.prod(values.shape[:contacts]), -1)
     there = np.isfinite(rows)
@@ -89,10 +94,10 @@ def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
 
 
 def merged(parts: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
-    """Merge the statistics (points,) of parts, each as `statistics_of` returns them.
+    """Merge the statistics of several blocks into count, mean, standard deviation, minimum and maximum (points,).
 
-    Source: Chan, Golub & LeVeque 1983, eqs 2.1: sums of squared deviations of two samples together. The standard deviation
-    is over n - 1.
+    parts: arrays (5, points) as `statistics_of` returns them. Source: Chan, Golub & LeVeque 1983, eqs 2.1. The standard
+    deviation divides by n - 1.
     """
     waiting = iter(parts)
     count, mean, squares, least, most = (row.copy() for row in next(waiting))

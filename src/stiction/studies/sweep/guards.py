@@ -1,4 +1,4 @@
-"""One sweep of a store at a time."""
+"""Lock the store of a sweep against a second sweep."""
 
 import os
 from contextlib import contextmanager, suppress
@@ -9,9 +9,10 @@ from stiction.quantities.errors import InputError
 
 @contextmanager
 def locked(path: Path):
-    """Lock the store, or raise InputError where another sweep writes to it.
+    """Lock the store folder `path`; raise InputError if another sweep is writing to it.
 
-    The lock ends with its process. On systems without locks, two sweeps of one store write the same bits.
+    The operating system releases the lock when the process ends. Without file locks two sweeps may run at once, but they write
+    the same bits.
     """
     try:
         import fcntl

@@ -1,7 +1,7 @@
-"""Maps of an ensemble: each is the roughness of one contact of a sweep.
+"""Sweeps over measured or generated height maps: each map is the roughness of one contact.
 
-The list `roughness` of [sweep] has files, patches of files, and realisations of a spectrum; [contact.roughness] then states
-what holds for every file: size, unit, form, filters.
+The list `roughness` of the table [sweep] has scan files, files cut into patches, and random maps of a spectrum. The table
+[contact.roughness] then holds the settings that apply to every file: size, unit, form, filters.
 """
 
 import hashlib
@@ -34,9 +34,10 @@ FileMaps: Any = create_model(
 
 
 class Realisations(Input):
-    """Periodic maps of a self-affine spectrum that differ by their seed.
+    """Settings of periodic random maps with one self-affine spectrum, which differ by their seed.
 
-    points: along a side; skewness and kurtosis: of the heights, both or neither.
+    points: number of points along a side; realisations: number of maps; skewness and kurtosis: of the heights, both or
+    neither.
     """
 
     hurst: float
@@ -51,7 +52,7 @@ class Realisations(Input):
     kurtosis: float | None = None
 
     def surface(self, index: int) -> HeightMap:
-        """Return the realisation of this number."""
+        """Return random map number `index`; its seed is `seed` + `index`."""
         from stiction.surfaces.generate import gaussian_surface, non_gaussian_surface
         from stiction.surfaces.targets import SelfAffine
 
@@ -66,10 +67,10 @@ class Realisations(Input):
 
 @dataclass(frozen=True)
 class MapOfPlace:
-    """One map of a sweep: a patch of a scan file, or a random realisation of a spectrum.
+    """One map of a sweep: a scan file, a patch of a scan file, or a random map of a spectrum.
 
-    entry: element of the sweep's list of surfaces. index: number of the patch or realisation. folder: file names are relative
-    to it. content: digest of the file, "" for a realisation.
+    entry: settings from the list `roughness` of [sweep]; index: number of the patch or random map; folder: file names are
+    relative to it; content: SHA-256 digest of the file, "" for a random map.
     """
 
     entry: Any
@@ -79,14 +80,14 @@ class MapOfPlace:
 
     @property
     def name(self) -> str:
-        """Return what the place is called in results."""
+        """Name of the map in the results: its file and patch, or its seed."""
         if isinstance(self.entry, Realisations):
             return f"seed {self.entry.seed + self.index}"
         row, column = divmod(self.index, self.entry.patches)
         return self.entry.file if self.entry.patches == 1 else f"{self.entry.file}, row {row + 1}, column {column + 1}"
 
     def roughness(self) -> Roughness:
-        """Return the roughness of the map. Raises InputError."""
+        """Return the roughness measured on the map. Raises InputError if it has none, e.g. no asperities."""
         with field_below("sweep.roughness"):
             table: dict[str, Any] = {}
             if isinstance(self.entry, Realisations):
@@ -109,17 +110,18 @@ class MapOfPlace:
 
 @lru_cache(maxsize=1)
 def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
-    """Return the whole map of a file. The last one stays in memory, because its patches follow each other.
+    """Read the whole map of a file, and keep it in memory for its next patch.
 
-    _content: digest of the file, which only makes a changed file be read again.
+    _content: digest of the file; a changed file has another digest and is read again.
     """
     return surface_of(Scan(**{name: getattr(entry, name) for name in Scan.model_fields}), folder, "first")
 
 
 def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
-    """Return the maps of a list of files and spectra.
+    """Return the maps described by the list `roughness` of the table [sweep].
 
-    shared: table of what holds for every entry, or None. Raises InputError.
+    listed: entries, each a scan file or a spectrum; shared: settings that apply to every entry, or None; folder: file names
+    are relative to it. Raises InputError.
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
         raise InputError("contact.roughness", shared, "what holds for every map, as size, unit and form; [sweep] has the files")

@@ -1,4 +1,4 @@
-"""Create the store of a sweep, or open the one that is there for its case."""
+"""Open the store of a sweep, or create it if there is none yet."""
 
 import json
 import math
@@ -30,9 +30,10 @@ _SIZES = 2048  # of a point that one file holds; few results have more
 
 
 def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
-    """Open the store at a path; create it if there is none.
+    """Open the store at a path; create it if the folder is new or empty.
 
-    Raises InputError where the path holds something else, or the store of another case.
+    title, text: title and text of the case file, which a new store keeps. Raises InputError if the path holds something else,
+    or the store of another case or version.
     """
     require_place(path, "a folder for the store, new, or of this case")
     if path.is_file():
@@ -51,7 +52,7 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
 
 
 def _check_whole(store: Store, path: Path) -> None:
-    """Raise InputError if an array of the store is absent, or its description or its list of blocks cannot be read."""
+    """Raise InputError if an array of the store is absent, or if its list of finished blocks cannot be read."""
     try:
         absent = ({DONE, CHECKSUMS} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
         store.left()
@@ -74,7 +75,7 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
 
 
 def _difference(one: Any, other: Any, path: str = "") -> str:
-    """Return the address of the first difference of two trees of tables."""
+    """Return the dotted key at which two nested tables first differ."""
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         for key in [*one, *(key for key in other if key not in one)]:
             if one.get(key) != other.get(key):
@@ -83,7 +84,10 @@ def _difference(one: Any, other: Any, path: str = "") -> str:
 
 
 def create(path: Path, plan: Plan, title: str, text: str) -> None:
-    """Make an empty store, in one move. Raises InputError for what no contact of the sweep takes, or where it cannot be."""
+    """Create an empty store at a path; it is prepared beside the path and moved there at the end.
+
+    Raises InputError if the first contacts cannot be solved, or if the path cannot be written.
+    """
     choice, first = _first(plan)
     beside = path.resolve().parent / f".{path.resolve().name}.begun"
     try:
@@ -99,7 +103,10 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """Return the choice, and case and results of the first contact that is not refused."""
+    """Return the model choice, and (case, results) of the first contact that the model can solve.
+
+    Raises the last error if it refuses the first few contacts of the first blocks.
+    """
     from stiction.studies.case_results import choice_of_case
 
     refused: Exception = InputError("contact", None, "contacts that the model can solve")
@@ -174,7 +181,7 @@ def _of_sample(plan: Plan) -> dict[str, Any]:
 
 
 def _arrays(group: Any, plan: Plan, layout: Mapping[str, tuple], sizes: Mapping[str, int], solved: Any) -> None:
-    """Create the arrays of results and validity warnings, chunked as the blocks."""
+    """Create the stored arrays of results and validity warnings, with one chunk for each block."""
     for name, dims in [*layout.items(), (WARNINGS, tuple(sizes))]:
         validity_warnings = name == WARNINGS
         array = group.create_array(
@@ -198,7 +205,7 @@ def _warning_attributes(meanings: list[str]) -> dict[str, Any]:
 
 
 def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Mapping[str, int], solved: Any) -> None:
-    """Create the arrays of statistics, and of the parts from which they are merged."""
+    """Create the stored arrays of statistics over all contacts, and of the block statistics that they are merged from."""
     parts = group.create_group(PARTS)
     kinds = plan.sweep.statistics
     for name, dims in layout.items():
@@ -222,7 +229,7 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
 def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
     """Return the coordinates of the dimensions: name -> dimension, values, attributes.
 
-    Numbers of listed or drawn contacts are written with their block instead.
+    Array parameters of listed or sampled contacts are written later, with each block; their empty arrays are created here.
     """
     found: dict[str, tuple] = {}
     if plan.sweep.statistics:

@@ -1,4 +1,4 @@
-"""The plan of a sweep: its contacts, its blocks, and the results that are stored."""
+"""The plan of a sweep: its contacts, how they are cut into blocks, and which results are stored."""
 
 import json
 import math
@@ -28,13 +28,13 @@ _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quic
 
 @dataclass(frozen=True)
 class Plan:
-    """A sweep, ready to be computed block by block, by whoever and in whatever order: the same bits follow.
+    """A checked sweep, cut into blocks that can be computed in any order and by any process, with the same bits.
 
-    case: with the first of several numbers, several: its numbers that are several, sweep: what is computed and kept.
-    dims: name -> length of the dimensions of the contacts, in the order of results; tile: of the contacts of a block along each
-    of them; points: of a contact; load: loads of every contact, None for separations. uncertain: numbers that a
-    prediction draws for every contact. scans: what was done to those that say the roughness, if any do. Only `make_plan` makes
-    one. maps: those of an ensemble, one for each contact.
+    case: the case with the first value of each array parameter. several: address -> array parameter. sweep: the table
+    [sweep]. dims: dimension -> length, of the contacts; tile: dimension -> length within one block. points: loads or
+    separations of each contact. load: loads [N], None if separations are stated. uncertain: numbers that a prediction samples
+    for every contact. scans: attributes of measured roughness. maps: one map for each contact, in a sweep over maps. Use
+    `make_plan` to build one.
     """
 
     case: Case
@@ -54,34 +54,34 @@ class Plan:
 
     @property
     def size(self) -> int:
-        """Number of points: of contacts times loads or separations."""
+        """Number of solved points: contacts times loads or separations."""
         return math.prod(self.dims.values()) * self.points
 
     def _tiles(self) -> list[int]:
         return [-(-length // self.tile[dim]) for dim, length in self.dims.items()]
 
     def region(self, block: int) -> Region:
-        """Which contacts are in a block: a slice along each dimension."""
+        """Return the contacts of a block as slices: dimension -> slice."""
         places = np.unravel_index(block, self._tiles()) if self.dims else ()
         starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
 
     def pieces(self, block: int) -> Iterator[Region]:
-        """Return the contacts of a block in parts that are solved together."""
+        """Yield the contacts of a block in smaller regions, each solved in one call."""
         return pieces(self.region(block), AT_ONCE // self.points)
 
     def contacts(self, block: int) -> int:
-        """How many contacts are in a block."""
+        """Return the number of contacts in a block."""
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
     def case_at(self, region: Mapping[str, slice]) -> Case:
-        """Return the case of the contacts in a region, which with maps has one."""
+        """Return the case for a region of contacts; in a sweep over maps, with the roughness of the region's first map."""
         if not self.maps:
             return self.case
         return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
 
     def arrays(self, region: Mapping[str, slice]) -> dict[Address, Any]:
-        """Return the array parameters in a region, as labelled arrays."""
+        """Return the array parameters of a region of contacts, by address, as labelled arrays."""
         if self.maps:
             return {}
         if self.sweep.sample.is_drawn:
@@ -94,13 +94,16 @@ class Plan:
         return found
 
     def _drawn(self, some: slice) -> dict[Address, Any]:
-        """Points that are drawn. Quantities along one dimension share their shares, and go together."""
+        """Return the array parameters of the sampled contacts in a slice, by address.
+
+        Parameters with the same dimension name take the same sampled position, so they vary together.
+        """
         columns = list(dict.fromkeys(one.dimension for one in self.several.values()))
         shares = _shares(self.sweep.sample, len(columns), some)
         return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.several.items()}
 
     def identity(self) -> str:
-        """Return what decides the results as text, equal for equal cases."""
+        """Return JSON text of everything that decides the results; equal for equal sweeps."""
         case = self.case
         solve = {"separation": case.separation, "load": case.load, **case.choice.arguments()}
         plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
@@ -118,7 +121,10 @@ def _plain(value: Any) -> Any:
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
-    """Points (n, columns) in the unit cube: those of a slice."""
+    """Return the sample points (n, columns) of a slice, in the unit cube.
+
+    A share is a position between the start (0) and the stop (1) of a range.
+    """
     from scipy.stats import qmc
 
     if sample.method == "latin_hypercube":
@@ -134,9 +140,9 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
-    """Return the plan of the tables of a case file.
+    """Return the sweep plan of a case file's tables.
 
-    folder: scans are named relative to it. Raises InputError.
+    folder: file names in the tables are relative to it. Raises InputError.
     """
     require_names(content)
     sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
@@ -157,7 +163,7 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
 
 
 def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Plan:
-    """Return the plan of an ensemble of maps, a block for each."""
+    """Return the plan of a sweep over maps, with one map in each block."""
     if not isinstance(content.get("contact"), Mapping):
         raise InputError("sweep.roughness", "given", "a case with [contact]")
     maps = maps_of(sweep.roughness, roughness_in(content), folder)
@@ -178,14 +184,20 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
 
 
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
-    """Return the case with the numbers of the chosen method alone, as maps are not for every worker; and what scans say."""
+    """Return the case with the roughness numbers of its chosen asperity method in place of scans, and the scans' attributes.
+
+    Worker processes then need no scan files.
+    """
     if case.measured is None:
         return case, {}
     return replace(case, subject=case.subject.as_numbers()), case.measured.attributes()
 
 
 def _lengths(plan: Plan) -> dict[str, int]:
-    """Return the length of every dimension of the contacts. Raises InputError."""
+    """Return dimension -> length of the contacts of a sweep.
+
+    Raises InputError if there is no array parameter, or if lengths differ along a dimension.
+    """
     if not plan.several:
         raise InputError("contact", "single numbers only", "at least one array parameter: a list or {start, stop, count}")
     sample = plan.sweep.sample
@@ -202,7 +214,10 @@ def _lengths(plan: Plan) -> dict[str, int]:
 
 
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
-    """Return the plan cut into blocks of the requested size, whole along the last dimensions."""
+    """Return the plan cut into blocks of the requested or default size.
+
+    lengths: dimension -> number of contacts. Blocks are cut along the first dimensions and span the last ones.
+    """
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1
     room = max(1, plan.sweep.block // plan.points if plan.sweep.block else times * (AT_ONCE // plan.points))

@@ -1,10 +1,10 @@
-"""Quantiles of any number of values in bounded memory: how many values there are of each size.
+"""Approximate quantiles of any number of values in bounded memory, by histograms that can be merged.
 
-A size is a value's sign, exponent and first seven binary digits: bins that are 1/128 of their lower end wide or less, and the
-same for everybody, so that counts of parts add up to those of the whole, in whatever order and to the last one. A quantile is
-the middle of its bin, within 1/256 of the true one. Source: counts in bins of constant relative width, which bound the relative
-error of quantiles and can be added, Masson, Rim & Lee 2019 (DDSketch), section 2. The authors' package takes one value after
-another in Python, thirty times slower.
+A bin has one sign, exponent and the first seven binary digits of the fraction, so its width is at most 1/128 of its lower
+end. All histograms have the same bins, so those of parts add up exactly, in any order. A quantile is the centre of its bin,
+within 1/256 of the true value. Source: bins of constant relative width, which bound the relative error of quantiles and can
+be merged, Masson, Rim & Lee 2019 (DDSketch), section 2. The authors' package takes one value after another in Python, thirty
+times slower.
 """
 
 from collections.abc import Iterable, Mapping
@@ -29,13 +29,13 @@ _AT_ONCE = 250_000  # counts that are added together: as many as stay in a cache
 
 
 def sizes_of(values: np.ndarray) -> np.ndarray:
-    """Return the bins (uint32, above 0) of finite float64 values, in the order of the values."""
+    """Return the bin number (uint32, above 0) of each finite float64 value; larger values have larger numbers."""
     bits = np.ascontiguousarray(values, dtype=np.float64).view(np.int64)
     return (((bits ^ ((bits >> 63) & _FLIPPED)) >> _CUT) + _MIDDLE).astype(np.uint32)
 
 
 def values_at(sizes: np.ndarray) -> np.ndarray:
-    """Return the centres of bins; 0 for the bins next to 0."""
+    """Return the centre value of each bin number; 0 for the bins next to 0."""
     first = (sizes.astype(np.int64) - _MIDDLE) << _CUT
     ends = (first, first + ((1 << _CUT) - 1))
     low, high = ((end ^ ((end >> 63) & _FLIPPED)).view(np.float64) for end in ends)
@@ -44,9 +44,10 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
 
 
 def counted(values: np.ndarray) -> np.ndarray:
-    """Count the finite values (n, points) by bin, (2, points, m) uint32: bins and counts.
+    """Return histograms of values (n, points) as an array (2, points, m): bin numbers and their counts.
 
-    The bins of each point ascend; bin 0 does not occur and fills the rest; m: the largest number of bins of a point.
+    Non-finite values are left out. The bin numbers of a point ascend; shorter rows are filled up with bin 0, which no value
+    has. m: the largest number of occupied bins of a point.
     """
     there = np.isfinite(values)
     sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
@@ -68,9 +69,10 @@ def counted(values: np.ndarray) -> np.ndarray:
 
 
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
-    """Return the quantiles (shares, points) of all parts, each (2, points, n) as `counted` returns.
+    """Return quantiles (shares, points) of all values in several histograms.
 
-    A quantile is the lowest bin up to which the values make the requested share; NaN without values.
+    parts: histograms (2, points, n) as `counted` returns them; shares: quantile levels, 0 to 1. A quantile is the lowest bin
+    up to which the values make the level; NaN without values.
     """
     keys, counts = _together(parts)
     shares = list(shares)
@@ -85,9 +87,9 @@ def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[floa
 
 
 def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Merge the counts of all parts: return each key once, ascending, and its total count.
+    """Merge histograms: return each key once, ascending, and its total count.
 
-    A key is one integer for a point and a bin of values.
+    A key is one integer that encodes a point and a bin.
     """
     keys, counts = [np.empty(0, dtype=np.uint64)], [np.empty(0, dtype=np.int64)]
     waiting = 0
@@ -104,9 +106,9 @@ def _together(parts: Iterable[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _added(keys: list[np.ndarray], counts: list[np.ndarray]) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Merge parts into one: every key once, ascending, with its total count.
+    """Merge several lists of keys and counts into one, each key once with its total count.
 
-    The keys of each part ascend, which makes a stable sort fast.
+    A key is one integer that encodes a point and a bin. The keys of each list ascend, which makes a stable sort fast.
     """
     every = np.concatenate(keys)
     order = np.argsort(every, kind="stable")

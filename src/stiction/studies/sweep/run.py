@@ -1,4 +1,4 @@
-"""Sweeps of any size: solved block by block into a store, interrupted and gone on with at any time."""
+"""Run sweeps of any size, block by block, into a store on disk; an interrupted sweep can be continued."""
 
 import errno
 import json
@@ -79,7 +79,10 @@ def sweep(
 
 
 def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress: Progress | None) -> "Store":
-    """As `sweep`; returns the store, which is complete."""
+    """Run a sweep into the store folder `out` and return the completed store.
+
+    Arguments as in `sweep`. Raises InputError.
+    """
     require("sweep", *(("distributed",) if scheduler else ()), "zarr")
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
         raise InputError("--workers", workers, f"a whole number, 1 to {_MOST_WORKERS}; more are for a cluster, --scheduler")

@@ -1,8 +1,8 @@
-"""The store of a sweep: chunked, labelled, zarr 3; opened again by xarray.open_zarr.
+"""The store of a sweep: a zarr 3 folder of chunked, labelled arrays, which xarray.open_zarr opens.
 
-Every block is a chunk of each array, written on its own; the last that is written of a block is its row of
-`validity_warnings_by_block`, which says that it is done. A file is either there or not (zarr moves it into place), and the same
-bits follow from the same case: what was interrupted is written again as it would have been.
+Each block is one chunk of every array and is written by itself. Its row in `validity_warnings_by_block` is written last and
+marks the block as done. zarr moves files into place, so none is half written. An interrupted block is computed again, with
+the same bits.
 """
 
 import json
@@ -39,7 +39,7 @@ _ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
 
 @dataclass(frozen=True)
 class Store:
-    """A store of a plan, by its path: any process may open it and do some of its blocks."""
+    """The store of a sweep plan at a path; several processes may open it and compute different blocks."""
 
     path: str
     plan: Plan
@@ -52,7 +52,7 @@ class Store:
 
     @cached_property
     def _arrays(self) -> dict[str, Any]:
-        """All arrays by their paths, each opened once: it takes reading a file."""
+        """All arrays of the store by path, each opened once, because opening reads a file."""
         return {path: one for path, one in self.group.members(max_depth=None) if hasattr(one, "shape")}
 
     @cached_property
@@ -68,17 +68,17 @@ class Store:
         return json.loads(self.group.attrs["points"])
 
     def left(self) -> list[int]:
-        """Return the blocks that are not done, in order."""
+        """Return the numbers of the blocks that are not done, ascending."""
         done = self.group[DONE][:, 0]
         return np.flatnonzero(done == NOT_DONE).tolist()
 
     def damaged(self) -> list[int]:
-        """Return the blocks that are done and whose files were changed or deleted since, in order."""
+        """Return the numbers of finished blocks whose files were changed or deleted later, ascending."""
         left = set(self.left())
         return [block for block in range(self.plan.blocks) if block not in left and not self.is_whole(block)]
 
     def do(self, block: int) -> int:
-        """Solve and store a block; returns how many points it has. Raises OSError where it cannot be written."""
+        """Solve and store a block; return its number of points. Raises OSError if it cannot be written."""
         with all_compiled():
             results, validity_warnings = solve_block(self.plan, self._choice, block, self._results, self._points)
         with uninterrupted():
@@ -109,7 +109,7 @@ class Store:
         self._arrays[DONE][block : block + 1] = np.array([counts])
 
     def _read(self, block: int) -> Iterator[np.ndarray]:
-        """Yield what the arrays hold of a block, as `_write` wrote it."""
+        """Yield the stored arrays of a block, as `_write` wrote them."""
         for path, place in self._places(block).items():
             values = self._arrays[path][place]
             if path.startswith(COUNTS):  # the bins that are occupied stand in front
@@ -117,7 +117,7 @@ class Store:
             yield values
 
     def _places(self, block: int) -> dict[str, tuple]:
-        """Return where a block is written: path of an array -> index."""
+        """Return where the values of a block are stored: path of an array -> index in this array."""
         if self.plan.sweep.statistics:
             parts = [PARTS, COUNTS] if percentiles(self.plan) else [PARTS]
             return {f"{part}/{name}": (slice(block, block + 1),) for part in parts for name in self._results}
@@ -127,7 +127,7 @@ class Store:
         return places | ({one.name: (region[SAMPLE],) for one in self.plan.several.values()} if SAMPLE in region else {})
 
     def _drawn(self, block: int) -> dict[str, np.ndarray]:
-        """Return the drawn numbers of a block by the names of their arrays; {} on a grid."""
+        """Return the sampled array parameters of a block by array name; {} if the contacts are a grid."""
         region = self.plan.region(block)
         if SAMPLE not in region:
             return {}
@@ -135,7 +135,7 @@ class Store:
         return {one.name: drawn[path].values for path, one in self.plan.several.items()}
 
     def _statistics(self, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return statistics, and counts where percentiles are asked for, of the results of a block."""
+        """Return the statistics of a block's results by array path, and histograms if percentiles are requested."""
         contacts = len(self.plan.dims)
         values = {f"{PARTS}/{name}": statistics_of(table, contacts)[None] for name, table in results.items()}
         if percentiles(self.plan):
@@ -145,7 +145,7 @@ class Store:
         return values
 
     def finish(self) -> None:
-        """When all blocks are done: the statistics of all together, and no file that an interruption left."""
+        """Complete a store whose blocks are all done: merge their statistics and delete partial files."""
         assert not self.left(), "blocks that nobody has done"
         for name in self._results if self.plan.sweep.statistics else ():
             whole = merged(_each_row(self.group[PARTS][name]))
@@ -161,7 +161,7 @@ class Store:
             file.unlink(missing_ok=True)
 
     def validity_warnings(self) -> dict[str, int]:
-        """At how many points each rule is left, of the blocks that are done; those that are nowhere left out."""
+        """Return validity warning -> number of points that have it, over the finished blocks; zeros are left out."""
         counts = np.zeros(self.group[DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[DONE]):
             counts += np.where(row == NOT_DONE, 0, row)
@@ -177,19 +177,19 @@ def _checksum(tables: Iterable[np.ndarray]) -> int:
 
 
 def percentiles(plan: Plan) -> dict[str, float]:
-    """Return the requested percentiles with their shares."""
+    """Return the percentiles among the requested statistics: name -> quantile level, 0 to 1."""
     return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
 
 
 def _each_row(array: Any) -> Iterator[np.ndarray]:
-    """Yield the row of each block, reading few blocks at a time."""
+    """Yield the row of each block from a stored array, reading many rows at a time."""
     step = max(1, _ROWS_AT_ONCE // max(1, math.prod(array.shape[1:])))
     for start in range(0, array.shape[0], step):
         yield from array[start : start + step]
 
 
 def _each_counts(array: Any) -> Iterator[np.ndarray]:
-    """Yield the stored counts of each block in chunks; chunks beyond the last occupied bin are skipped."""
+    """Yield the stored histogram of each block in chunks; chunks beyond the last occupied bin are skipped."""
     wide = array.chunks[-1]
     step = max(1, _ROWS_AT_ONCE // math.prod(array.chunks))
     for start in range(0, array.shape[0], step):
@@ -201,7 +201,7 @@ def _each_counts(array: Any) -> Iterator[np.ndarray]:
 
 
 def open_store(path: str | Path) -> "xarray.Dataset":
-    """Open the results of a sweep as a dataset that is read as it is used."""
+    """Open the results of a sweep as a dataset; values are read from disk when used."""
     import xarray
 
     return xarray.open_zarr(path, consolidated=False, chunks=None)

@@ -1,4 +1,4 @@
-"""The table [sweep] of a case file."""
+"""The table [sweep] of a case file: its keys and their checks."""
 
 from typing import Any, Literal, get_args
 
@@ -16,9 +16,10 @@ STATISTICS = (*MOMENTS, *PERCENTILES)
 
 
 class Sample(Input):
-    """Selection of contacts. grid: every combination; list: the values point by point.
+    """How the contacts of a sweep are selected from the values of its array parameters.
 
-    sobol, latin_hypercube: `count` points between start and stop of each range, evenly in it or in its logarithm.
+    grid: every combination. list: the first values together, then the second, and so on. sobol, latin_hypercube: `count`
+    points between start and stop of each range, even in the value or in its logarithm.
     """
 
     method: Method = Field("grid", description=", ".join(get_args(Method)))
@@ -27,7 +28,7 @@ class Sample(Input):
 
     @property
     def is_drawn(self) -> bool:
-        """Whether points are drawn between the ends."""
+        """Whether the method samples points between the ends of ranges: sobol or latin_hypercube."""
         return self.method in ("sobol", "latin_hypercube")
 
     @model_validator(mode="after")
@@ -42,12 +43,12 @@ class Sample(Input):
 
 
 class Sweep(Input):
-    """Contacts that are computed and results that are stored.
+    """Settings of a sweep: which contacts are computed and which results are stored.
 
-    roughness: maps, each the roughness of one contact (see `maps`). sample: which contacts. keep: names of results, all by
-    default. statistics: of these results over all contacts at each load, stored in place of the points. precision: of what is
-    stored. block: points that are stored at once; by default as many as are solved at once, or up to 8 times that for
-    statistics, whose blocks need no more room when they are larger.
+    roughness: maps, each the roughness of one contact (see `maps`). sample: how contacts are selected. keep: names of
+    results, all by default. statistics: statistics over all contacts at each load, stored in place of single results.
+    precision: number type of stored results. block: points stored at once; by default as many as are solved at once, for
+    statistics up to 8 times as many.
     """
 
     roughness: list[str | dict[str, Any]] = Field(

@@ -1,4 +1,4 @@
-"""Who does the blocks of a sweep: this process, several on this machine, or the workers of a dask.distributed cluster."""
+"""Compute the blocks of a sweep in several processes or on a dask.distributed cluster."""
 
 import os
 import pickle
@@ -25,7 +25,7 @@ _NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "sci
 
 
 def make_ready() -> Any:
-    """Return the context that starts workers; their imports begin in the background."""
+    """Return the multiprocessing context for workers; it begins to import their modules in the background."""
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -39,9 +39,9 @@ def make_ready() -> Any:
 
 
 def done_in_processes(store: "Store", blocks: list[int], workers: int) -> Iterator[int]:
-    """Do the blocks in several processes and yield the points of each.
+    """Compute blocks in several processes; yield the number of points of each finished block.
 
-    Processes that die are replaced, and their blocks repeated. Raises InputError where they die again and again.
+    Processes that die are replaced and their blocks repeated. Raises InputError if they die repeatedly.
     """
     from concurrent.futures.process import BrokenProcessPool
 
@@ -94,7 +94,7 @@ def _begin(store: "Store") -> None:
 
 
 def _end_with_parent() -> None:
-    """End this process when its parent was killed, because it would wait for ever.
+    """End this worker process when its parent process ends; otherwise the worker would wait for ever.
 
     No file is left half written: files are moved into place.
     """
@@ -112,9 +112,10 @@ def _do(block: int) -> int:
 
 
 def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator[int]:
-    """Do the blocks on a cluster whose workers see the store under the same path.
+    """Compute blocks on a dask.distributed cluster; yield the number of points of each finished block.
 
-    Raises InputError where there is no cluster, or its workers die again and again.
+    address: of the scheduler; its workers must reach the store under the same path. Raises InputError if the scheduler does
+    not answer, or if workers die repeatedly.
     """
     bring_back("dask")
     from distributed import Client, as_completed
@@ -150,7 +151,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
 
 class _Room:
-    """How many blocks may wait for a cluster: workers come and go, and are counted now and then."""
+    """Limit of blocks submitted to a cluster at once, from the number of its threads, which is counted every few seconds."""
 
     def __init__(self, client: Any) -> None:
         self.client, self.room, self.counted = client, 0, -_EVERY
@@ -168,8 +169,8 @@ def _do_there(given: bytes, block: int) -> int:
 
 @lru_cache(maxsize=1)
 def _opened(given: bytes) -> "Store":
-    """Open a store, once for each worker.
+    """Unpickle the store that a task carries; the last one is cached.
 
-    It comes with every block, because data that are sent to workers once are lost with them.
+    Each task carries the store itself, because data sent to a worker once are lost when the worker dies.
     """
     return pickle.loads(given)
