@@ -309,7 +309,7 @@ class Contact(Subject):
         return QUANTITIES[name].attributes
 
     def scales(self) -> Scales:
-        """Return the scales K R^(1/2) sigma^(3/2), pi R sigma, sigma and N A_n (theory 1)."""
+        """Return the scales of load, area, separation and asperity number (theory 1)."""
         return self.unlabelled._scales
 
     @cached_property
@@ -330,7 +330,7 @@ class Contact(Subject):
 
     @property
     def touching(self) -> tuple[Material, Material]:
-        """Return the two bodies whose surfaces meet; a film replaces its body."""
+        """Return the materials of the two surfaces that meet; a film replaces its body."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
@@ -361,11 +361,11 @@ class Contact(Subject):
 
     @property
     def plasticity_index(self):
-        """Return psi = (E*/H) (sigma/R)^(1/2) without film, H of the softer (GW 1966)."""
+        """Return the plasticity index (E*/H) (sigma/R)^(1/2) without a film, with H of the softer body (GW 1966)."""
         return self.contact_modulus / self._bare.hardness * (self._sigma / self._radius) ** 0.5
 
     def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
-        """Return mu_T = (R gamma^2 / (E*^2 epsilon^3))^(1/3) without film (Tabor 1977).
+        """Return Tabor's parameter (R gamma^2/(E*^2 epsilon^3))^(1/3) without a film (Tabor 1977).
 
         equilibrium_distance: epsilon, SI or text with unit. JKR holds well above about 5, DMT well below about 0.1.
         """
@@ -381,7 +381,7 @@ class Contact(Subject):
 
     @property
     def size_effect(self):
-        """Return the largest R*/R of all bodies; None if no hardness depends on size."""
+        """Return the largest R*/R of all bodies (see `size_effect`); None if no hardness depends on size."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 

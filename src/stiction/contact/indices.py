@@ -26,7 +26,7 @@ _FOLLOWS = ("hardness_group", "films", "layer_n_H", "layer_nu", "coated_share", 
 
 
 def hardness_group(theta, lam):
-    """Return eta = pi H sqrt(R/sigma) / K from arrays of theta and lambda.
+    """Return the hardness group eta = pi H sqrt(R/sigma)/K from the adhesion indices theta and lambda.
 
     eta = sqrt(pi) 18^(1/4) lambda^(1/4) theta^(-1/2), with half the coefficient 7.3 of eq 1.
     """
@@ -34,9 +34,9 @@ def hardness_group(theta, lam):
 
 
 def stiffness_group(nu):
-    """Return K beta = (8/3)(2 - nu)/(1 - nu), for bodies of one material or if one body is rigid.
+    """Return the normal-tangential stiffness product K beta = (8/3)(2 - nu)/(1 - nu).
 
-    6.4762 at nu = 0.3 (theory 1).
+    It holds for bodies of one material or if one body is rigid: 6.4762 at nu = 0.3 (theory 1).
     """
     return 8.0 / 3.0 * (2.0 - nu) / (1.0 - nu)
 
@@ -184,12 +184,12 @@ class Indices(Subject):
 
     @property
     def eta(self) -> Any:
-        """Return the hardness group eta: a contact with normalised area x and mean pressure H carries the load eta x."""
+        """Return the hardness group eta = pi H sqrt(R/sigma)/K: area x at mean pressure H carries the load eta x."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
     def yield_strain(self) -> Any:
-        """Return Y/E* = 4 eta sqrt(sigma/R)/(3 pi k); None where sqrt(sigma/R) is not known."""
+        """Return the yield stress over the contact modulus E*; None where sqrt(sigma/R) is not known."""
         if self.sharpness is None:
             return None
         return 4.0 / 3.0 * self.eta * self.sharpness / (math.pi * self.hardness_to_yield)
@@ -204,7 +204,7 @@ class Indices(Subject):
 
     @property
     def film_stiffness(self) -> Any:
-        """Return n_E sqrt(R sigma)/t, infinite for a film of zero thickness. None without a film, or if R is unknown."""
+        """Return n_E sqrt(R sigma)/t of a film of thickness t (infinite at t = 0); None without a film, or if R is unknown."""
         if not self.has_film or self.film_aspect is None:
             return None
         with np.errstate(divide="ignore"):
@@ -212,9 +212,10 @@ class Indices(Subject):
 
     @property
     def meniscus_tabor_parameter(self) -> Any:
-        """Return Tabor's parameter of a meniscus, (R W^2/(E*^2 H^3))^(1/3).
+        """Return Tabor's parameter (R W^2/(E*^2 H^3))^(1/3) of a meniscus; None without menisci.
 
-        W = 2 gamma_L c is its work, and H = 2 r c its height, the range of this attraction. None without menisci.
+        W = 2 gamma_L c is the work of adhesion of the liquid. H = 2 r c is the height of the meniscus, the range of its
+        attraction.
         """
         if self.meniscus_index is None or self.meniscus_height is None:
             return None
@@ -229,10 +230,9 @@ class Indices(Subject):
 
     @property
     def film_modulus(self) -> Any:
-        """Return E'_f/E*, the plane-strain modulus of the film over the contact modulus of the bodies without film.
+        """Return the plane-strain modulus of the film over the contact modulus E* without a film.
 
-        It follows from n_E, which refers to the film against its counterface. That modulus is E'_f/2 against another film,
-        or E'_f in series with an uncoated body.
+        It follows from n_E, in which the film touches its counterface: another film or an uncoated body.
         """
         whole = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
@@ -240,7 +240,7 @@ class Indices(Subject):
 
     @property
     def body_shear_strength(self) -> Any:
-        """Return the shear strength Y/sqrt(3) of the weaker touching surface, over H of the bodies (von Mises)."""
+        """Return the shear strength Y/sqrt(3) of the weaker touching surface, over the hardness of the bodies."""
         return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
 
     @property
@@ -250,7 +250,7 @@ class Indices(Subject):
 
     @property
     def interface_strength(self) -> Any:
-        """Return shear_strength, capped at the shear strength of the weaker surface; None if unknown."""
+        """Return the interfacial shear strength over hardness, capped by the weaker surface; None if unknown."""
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:

@@ -22,7 +22,7 @@ class Pair:
 
     @cached_property
     def K(self) -> Any:
-        """Return 4 E*/3 [Pa]."""
+        """Return the stiffness modulus K = 4 E*/3 [Pa], with E* the contact modulus."""
         return 4 / (3 * sum(map(compliance_of, (self.first, self.second))))  # departure D1
 
     @cached_property
@@ -59,7 +59,7 @@ class Pair:
 
 
 def compliance_of(body: Material):
-    """Return 1/E' = (1 - nu^2)/E."""
+    """Return the plane-strain compliance (1 - nu^2)/E of a body [1/Pa]."""
     return (1 - body.poissons_ratio**2) / body.youngs_modulus
 
 

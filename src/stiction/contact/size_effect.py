@@ -1,8 +1,9 @@
-r"""Hardness that depends on the size of what is pressed in: Nix & Gao 1998, for asperities after Swadener, George & Pharr 2002.
+r"""Compute hardness that grows as asperities get smaller.
 
-*Assumes*: a crystal that hardens by the dislocations that an imprint makes necessary, beside those that are there; they fill
-a hemisphere as wide as the contact, and strength goes with the square root of all (Taylor). *Source*: [nix_gao_1998], the
-form as several texts restate it; [swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
+*Assumes*: a crystal that hardens by dislocations: those present before, and those that an imprint makes necessary. The latter
+fill a hemisphere as wide as the contact. Strength grows with the square root of the total density (Taylor).
+*Source*: [nix_gao_1998], the form as several texts restate it;
+[swadener_george_pharr_2002], abstract: under spheres hardness does not depend on the depth
 but grows as the radius falls. The densities below are derived here, by the count of loops that both build on. For a cone or
 pyramid, whose faces lie at the angle beta to the surface, and a sphere of radius R, b being the length of a Burgers vector,
 
@@ -29,12 +30,15 @@ _FACE = radians(90.0 - 70.3)
 
 
 def radius_of(depth):
-    """Return R* [m] of a sphere from h* [m] of a pyramid."""
+    """Return the length R* [m] of the size effect under a sphere, from h* [m] under a pyramid."""
     return 2.0 / 3.0 * depth / tan(_FACE) ** 2
 
 
 def size_ratio(body: Material, radius):
-    """Return R*/R of a body under asperities of this radius; 0 without a characteristic depth."""
+    """Return R*/R of a body, the strength of its size effect under asperities of radius R.
+
+    It is 0 without a characteristic depth.
+    """
     return 0.0 if body.characteristic_depth is None else radius_of(body.characteristic_depth) / radius
 
 

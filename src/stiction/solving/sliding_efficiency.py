@@ -1,4 +1,4 @@
-"""How much of its strength a contact bears at once, where strength falls with slip: a compact law of solved maps.
+"""Estimate what fraction of its strength a contact bears at once, if strength falls with slip.
 
 Spots do not reach their strength together, because elastic bodies move their points by different amounts. With s the standard
 deviation, over the contact, of the displacement that the strengths tau_p cause, and D_c the slip over which strength falls to
