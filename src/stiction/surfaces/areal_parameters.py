@@ -1,15 +1,16 @@
-"""Areal parameters of ISO 25178-2 in addition to `statistics`: heights, area, autocorrelation, material ratio.
+"""Compute the ISO 25178-2 areal parameters that `statistics` does not: heights, area, autocorrelation, material ratio.
 
-Heights d are measured from the mean of the map. Level and filter the map first. Missing points are left out.
+The height d of a point is measured from the mean of the map. Level and filter the map first. Missing points are excluded.
 
     Sp, Sv          height of the highest point, and depth of the lowest
     Sdr             area of the surface divided by its projected area, minus 1. The area of each cell of four points is the mean
                     of both ways to cut it into two triangles (ISO 25178-2:2021, D.3)
-    Sal, Str        Sal is the shortest distance at which the autocorrelation, the sum of d d' over all available pairs, falls
-                    to 0.2. Str is Sal divided by the longest such distance, None if that distance exceeds the map
+    Sal, Str        Sal is the shortest distance at which the normalised autocorrelation falls to 0.2. Str is Sal divided by
+                    the longest such distance, None if that distance exceeds the map. The autocorrelation at a distance is
+                    the mean product of the heights d of all pairs of points at this distance, divided by its value at 0
     Sk, Spk, Svk,   parameters of the material ratio curve (annex B.1). A straight line is fitted to the 40 % of the curve with
     Smr1, Smr2      the least steep secant. It spans the core height Sk over 0 to 100 %. Smr1 and Smr2 are the ratios where the
-                    curve leaves the core. Spk and Svk are the heights of triangles with the areas above and below it
+                    curve leaves the core. Spk and Svk are the heights of triangles with the areas above and below the core
 
 The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
 ...) point. Checked against surfalize 0.19.2 (tests/surfaces/test_areal_parameters.py).
@@ -49,7 +50,7 @@ class ArealParameters:
 
 
 def areal_parameters(surface: HeightMap) -> ArealParameters:
-    """Return the areal parameters of a map; profiles are not supported."""
+    """Return the ISO 25178-2 areal parameters of a map; the surface must not be a profile."""
     depth = surface.heights - np.nanmean(surface.heights)
     shortest, longest = _decay(depth, surface.pitch)
     aspect = None if shortest is None or longest is None else shortest / longest
@@ -65,9 +66,10 @@ def _developed(heights: np.ndarray, pitch: tuple[float, float]) -> float:
 
 
 def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None, float | None]:
-    """Return the shortest and longest distance [m] at which the autocorrelation falls to its limit.
+    """Return the shortest and longest distance [m] at which the autocorrelation falls to 0.2.
 
-    A distance is None if the autocorrelation does not fall so far within the map.
+    depth: heights (rows, columns) [m] above their mean. pitch: (dy, dx) [m]. The autocorrelation is 1 at distance 0. A
+    distance is None if the autocorrelation does not fall to 0.2 within the map.
     """
     from scipy.ndimage import label
     from scipy.signal import fftconvolve
@@ -99,7 +101,10 @@ def _decay(depth: np.ndarray, pitch: tuple[float, float]) -> tuple[float | None,
 
 
 def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, float]:
-    """Return Sk, Spk, Svk, Smr1 and Smr2."""
+    """Return Sk [m], Spk [m], Svk [m], Smr1 and Smr2 of the material ratio curve.
+
+    depth: heights (rows, columns) [m] above their mean. Smr1 and Smr2 are fractions.
+    """
     ratio = np.linspace(0.0, 1.0, _LEVELS)
     curve = np.quantile(depth[np.isfinite(depth)], 1.0 - ratio)
     start = int(np.argmin(curve[:-_WINDOW] - curve[_WINDOW:]))

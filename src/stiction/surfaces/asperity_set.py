@@ -18,16 +18,16 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Asperities:
-    """The asperities of a surface, as one method finds them.
+    """The asperities that one method finds on a surface.
 
-    method: key of the method. density: number per nominal area [1/m^2]. deviation: standard deviation sigma of the heights
-    [m]. radius: R [m] = 1 / <1/R>, from the mean curvature, as in the relations of Nayak and McCool. It is always finite,
-    whereas the few flattest summits would dominate a mean of the radii. mean_height: above the mean plane [m]. skewness: of
-    the heights. note: the numbers found and their basis, in words.
+    method: key of the method. density: N, number per nominal area [1/m^2]. deviation: standard deviation sigma of the
+    asperity heights [m]. radius: R [m], the reciprocal of the mean summit curvature, as in the relations of Nayak and McCool.
+    A mean of the radii would be dominated by the few flattest summits. mean_height: mean asperity height above the mean plane
+    [m]. skewness: skewness of the asperity heights. note: the numbers found and their basis, in words.
 
     heights: (n,) [m] above the mean plane. radii: (n,) [m], inf for a summit that does not curve down. places: (n, 2), row
-    and column of each asperity in the map, or of the middle point of an asperity with several points. All three are empty for
-    a method that only computes averages. places is also empty if the method does not return it.
+    and column of each asperity in the map, or of its middle point if it has several. The three arrays are empty for a method
+    that only computes averages. places is also empty if the method does not return positions.
     """
 
     method: str

@@ -1,7 +1,7 @@
-"""Asperities of a Gaussian surface from its spectral moments, and of two surfaces.
+"""Compute the asperities of a Gaussian surface from its spectral moments, and of the sum of two surfaces.
 
-McCool (1986) puts the moments m0, m2, m4 into Nayak's statistics of summits (1971); stiction.surfaces.theory.moments has the
-relations.
+McCool (1986) puts the spectral moments m0, m2, m4 (mean squares of height, slope and second derivative along a profile) into
+Nayak's statistics of summits (1971). stiction.surfaces.theory.moments has the relations.
 """
 
 from stiction.quantities.errors import InputError
@@ -13,9 +13,10 @@ LEAST = f"no isotropic Gaussian surface has alpha < {LEAST_BANDWIDTH}"
 
 
 def of_moments(method: str, moments: Moments, note: str) -> Asperities:
-    """Return the summits of the isotropic Gaussian surface with these moments [SI].
+    """Return the summits of the isotropic Gaussian surface with these spectral moments.
 
-    Raises InputError if there is no such surface.
+    method: key of the asperity method. moments: m0 [m^2], m2 [1] and m4 [1/m^2]. note: their origin, in words. Raises
+    InputError if no Gaussian surface has these moments.
     """
     if not (moments.m2 > 0.0 and moments.m4 > 0.0):
         given = f"m2 = {moments.m2:g}, m4 = {moments.m4:g} 1/m^2"
@@ -31,12 +32,11 @@ def of_moments(method: str, moments: Moments, note: str) -> Asperities:
 def combine(first: Asperities, second: Asperities) -> Asperities:
     """Return the asperities of the sum of two independent rough surfaces.
 
-    The contact of two rough surfaces is equivalent to the contact of their sum with a smooth surface.
-
-    Heights of independent surfaces add, and so do the moments m0, m2 and m4. Each set of sigma, R and N is converted to the
-    moments of a Gaussian surface (McCool 1986). The sum of the moments is converted back. sigma^2 of the heights adds
-    exactly. sigma^2 of the summits adds only approximately, the better the larger Nayak's alpha is. Raises InputError as
-    `of_moments` does.
+    The contact of two rough surfaces is equivalent to the contact of their sum with a smooth plane. The spectral moments m0,
+    m2 and m4 of independent surfaces add. Each set of sigma, R and N is converted to the moments of a Gaussian surface
+    (McCool 1986), and the sums are converted back. The variance of the surface heights adds exactly. The variance sigma^2 of
+    the summit heights adds only approximately; the error falls as Nayak's alpha grows. Raises InputError if the sums belong
+    to no Gaussian surface.
     """
     one, other = (Moments.from_asperities(each.deviation, each.radius, each.density) for each in (first, second))
     both = added(one, other)

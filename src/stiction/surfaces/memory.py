@@ -15,7 +15,8 @@ _GIGA = 1e9
 def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> int:
     """Return the bytes of memory that `solve_map` needs in addition to the heights.
 
-    free: whether there is no pressure outside the map; kept: number of stored pressure maps.
+    shape: (rows, columns) of the map. free: True if there is no pressure outside the map (not periodic). kept: number of
+    pressure maps to store.
     """
     rows, columns = shape
     return rows * columns * _NUMBER * ((_FREE if free else _PERIODIC) + kept)

@@ -27,13 +27,13 @@ from stiction.surfaces.theory.n_point import n_point_asperities
 
 
 def n_point(surface: HeightMap, level: float, directions: str) -> Asperities:
-    """Find rows of neighbouring points above a level, each one asperity.
+    """Find runs of neighbouring profile points above a level; each run is one asperity.
 
-    stiction.surfaces.theory.n_point defines height and radius. level: [m], over the mean plane. directions: a value of
-    DIRECTIONS. Every asperity begins where the profile comes up through the level: these crossings are counted, per length of
-    neighbours with heights. Heights and radii are of asperities that no end and no missing point cuts, which are a little
-    shorter than all. The density per area uses the relation of peaks, because none is published for n-point asperities. Raises
-    InputError if fewer than two are found.
+    level: height [m] above the mean plane. directions: "x", "y" or "xy", the directions of the profiles. The module
+    stiction.surfaces.theory.n_point defines height and radius of an asperity. The density per length counts the points where
+    a profile rises through the level. The density per area follows by the relation for peaks of a Gaussian surface, because
+    none is published for n-point asperities. Heights and radii exclude asperities cut by the end of a profile or by a missing
+    point, which biases them towards shorter asperities. Raises InputError if fewer than two asperities are found.
     """
     heights, curvatures = [np.zeros(0)], [np.zeros(0)]
     per_length: list[float] = []
@@ -67,9 +67,9 @@ def _rises(lines: np.ndarray, level: float) -> float:
 
 
 def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
-    """Yield each run of at least three points without a gap.
+    """Yield each run of at least three neighbouring points of a line without a missing height.
 
-    Each item holds the index of the line, the index of the first point, and the heights.
+    Each item holds the index of the line, the index of the first point, and the heights of the run [m].
     """
     known = np.isfinite(lines)
     whole = known.all(axis=1)

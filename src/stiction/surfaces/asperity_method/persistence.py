@@ -33,11 +33,11 @@ PRUNING = 0.05
 def persistence(surface: HeightMap, threshold: float | None, fit_points: int) -> Asperities:
     """Find summits that stand out from their surroundings by more than a threshold.
 
-    From each one has to descend by more than the threshold before a higher one can be reached. threshold: [m] >= 0, None for
-    PRUNING times the largest difference in height. A hill that stands out by less is part of the higher one behind its saddle,
-    as in ISO 25178-2's segmentation with Wolf pruning. A plateau is one summit. fit_points: a key of FITS. Summits whose fitted
-    points are not all on the map and known are excluded, also from the area. Raises InputError for a profile or if fewer than
-    two are found.
+    From such a summit, every path to a higher summit descends by more than the threshold. A hill that stands out by less
+    belongs to the higher hill behind its saddle, as in ISO 25178-2's segmentation with Wolf pruning. threshold: height
+    difference [m] >= 0; None for 5 % of the range of heights. A plateau is one summit. fit_points: number of points of the
+    fitted paraboloid, a key of FITS. Summits with a fitted point off the map or missing are excluded, and the area of the
+    density excludes such positions too. Raises InputError for a profile or if fewer than two summits are found.
     """
     heights = areal(surface)
     if threshold is None:
@@ -77,11 +77,11 @@ def _groups() -> np.ndarray:
 
 
 def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
-    """Return the flat indices of maxima that stand out by more than the threshold >= 0.
+    """Return the flat indices (n,), ascending, of maxima that stand out by more than a threshold.
 
-    heights: (rows, columns); the indices ascend. Where two hills meet, among eight neighbours, the lower one ends: it stands
-    out by its height over this saddle. The highest of every connected piece stays. Missing points, NaN, connect nothing. A
-    plateau yields one of its points.
+    heights: (rows, columns) [m], NaN where missing. threshold: height difference [m] >= 0. Neighbours of a point are the eight
+    points around it. Where two hills meet, the lower one ends: its top stands out by its height above this saddle. The highest
+    maximum of each connected region always counts. Missing points separate regions. A plateau yields one of its points.
     """
     heights = np.ascontiguousarray(heights)
     parent, saddle = _uphill(heights, _groups())

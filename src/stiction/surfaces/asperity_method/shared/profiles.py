@@ -38,14 +38,14 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 
 
 def directions_of(surface: HeightMap, directions: str) -> str:
-    """Return those of the requested directions that the surface has."""
+    """Return the directions of profiles to use: "x" for a single profile, else `directions`."""
     return "x" if surface.is_profile else directions
 
 
 def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMap, directions: str) -> np.ndarray:
-    """Return row and column (n, 2) in the map of points (line, point).
+    """Return row and column (n, 2) in the map of points given as line and index on the line.
 
-    The points lie on the profiles along each direction, one direction after the other.
+    points: for each direction, arrays (line numbers, indices along the line). The result lists one direction after the other.
     """
     chosen = directions_of(surface, directions)
     along = [one if way == "x" else one[::-1] for way, one in zip(chosen, points, strict=True)]
@@ -53,8 +53,8 @@ def places_of(points: Sequence[tuple[np.ndarray, np.ndarray]], surface: HeightMa
 
 
 def per_area(per_length: Sequence[float]) -> float:
-    """Return asperities per area [1/m2] by equation (1) from asperities per length [1/m] in two directions.
+    """Return the asperities per area [1/m^2] from the asperities per length [1/m] by equation (1).
 
-    A single value is used for both directions.
+    per_length: D_x and D_y; a single value is used for both directions.
     """
     return _SUMMITS_PER_PEAKS_SQUARED * per_length[0] * per_length[-1]

@@ -16,7 +16,10 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def areal(surface: HeightMap) -> np.ndarray:
-    """Return the heights above the mean plane [m]; raise InputError if the map has no inner points."""
+    """Return the heights of a map above its mean plane [m].
+
+    Raises InputError if the map has fewer than three rows or columns.
+    """
     if min(surface.heights.shape) < 3:
         shape = f"shape {surface.heights.shape}"
         raise InputError("heights", shape, "a map of 3 or more rows and columns: a profile has no summits")
@@ -26,10 +29,11 @@ def areal(surface: HeightMap) -> np.ndarray:
 def fitted(
     method: str, surface: HeightMap, heights: np.ndarray, tops: tuple[np.ndarray, ...], fit_points: int, note: str, **more
 ) -> Asperities:
-    """Return the summits at the points `tops` with their curvatures, per area.
+    """Return the Asperities object for summits at given points, with fitted curvatures.
 
-    tops: (rows, columns); only points whose fitted points all have heights count, and the area is where they could be. heights:
-    over the mean plane [m]; fit_points: a key of FITS; note, and more: as in `of_samples`.
+    tops: (rows, columns) of the summits in the map. heights: (rows, columns) [m] above the mean plane. fit_points: number of
+    points of the fitted paraboloid, a key of FITS. A summit counts only if all its fitted points have heights; the area of
+    the density includes only such positions. note and more: arguments of `of_samples`.
     """
     row, column = tops
     dy, dx = surface.pitch
@@ -62,9 +66,10 @@ def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarra
 
 
 def _square(reach: int) -> Callable[[float, float], np.ndarray]:
-    """Return weights of the least-squares paraboloid over (2 reach + 1)^2 points.
+    """Return a function of the pitch (dy, dx) that gives curvature weights for a square of points.
 
-    x^2 less its mean is orthogonal to every other term but a, to which it adds nothing: so d = sum(w z) / sum(w^2) with it.
+    The least-squares paraboloid is fitted to (2 reach + 1)^2 points. The function x^2 minus its mean, w, is orthogonal to all
+    terms of the paraboloid but d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the heights z.
     """
 
     def weights(dy: float, dx: float) -> np.ndarray:
