@@ -37,6 +37,7 @@ from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.polynomial.chebyshev import chebval
 
 from stiction.contact.indices import Groups
 from stiction.engine.blocks import blocks
@@ -65,6 +66,9 @@ _TO_A_FACTOR_OF_E = 2  # pressures of the bare area of a map
 _LEAST_AREA = 1e-300  # whose logarithm is taken where nothing touches
 _SLOPES = -2.0, -0.5  # between which a secant is believed: near convergence it is the quotient of two rounding errors
 _STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
+# Points at which the modulus is interpolated over the area, last terms that are negligible, and factor by which the modulus may
+# lie beyond those of film and bodies.
+_POINTS, _ROUND_OFF, _BEYOND = 16, 2e-14, 0.5
 STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
 
 
@@ -125,7 +129,8 @@ def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> 
     z = 1.0 - 2.0 / (np.sqrt(a_over_t) + 1.0)
     sums = np.zeros_like(z)
     for term in range(TERMS - 1, -1, -1):
-        sums = sums * z + curve[(slice(None), term, *(None,) * more)]
+        sums *= z  # in place: new arrays of this size would take half of the time
+        sums += curve[(slice(None), term, *(None,) * more)]
     return np.exp(0.5 * (1.0 - z) * np.log(n_E)[(slice(None), *(None,) * more)] + (1.0 - z * z) * sums)
 
 
@@ -142,12 +147,23 @@ def area_of_waves(
     share = np.broadcast_to(waves.share, k[:, 0].shape)[:, None, :]
     with np.errstate(divide="ignore"):
         width = (_SIZE * n_E**_BY_MODULUS / thickness)[:, None, None] / k  # a/t of the whole area
-    guess = np.log(np.maximum(bare(pressure), _LEAST_AREA))
+
+    def modulus_at(log_area: np.ndarray) -> np.ndarray:
+        at = width * np.exp(_BY_AREA * log_area)[..., None]
+        return np.sqrt(np.sum(share * sphere_modulus(curve, n_E, at) ** 2, axis=-1))
+
+    def log_bare(pressure: np.ndarray) -> np.ndarray:
+        return np.log(np.maximum(bare(pressure), _LEAST_AREA))
+
+    if pressure.shape[1] > _POINTS:
+        least, most = _BEYOND * np.minimum(n_E, 1.0)[:, None], np.maximum(n_E, 1.0)[:, None] / _BEYOND
+        smallest = np.where(pressure > 0.0, pressure, np.inf).min(axis=1, keepdims=True)
+        largest = pressure.max(axis=1, keepdims=True)
+        modulus_at = _interpolated(modulus_at, log_bare(np.minimum(smallest, largest) / most), log_bare(largest / least))
+    guess = log_bare(pressure)
     last_guess = last_change = np.full(guess.shape, np.nan)
     for _ in range(_STEPS):
-        at = width * np.exp(_BY_AREA * guess)[..., None]
-        modulus = np.sqrt(np.sum(share * sphere_modulus(curve, n_E, at) ** 2, axis=-1))
-        area = bare(pressure / modulus)
+        area = bare(pressure / modulus_at(guess))
         change = np.log(np.maximum(area, _LEAST_AREA)) - guess
         if np.all(np.abs(change) <= 1e-14 * np.maximum(np.abs(guess), 1.0)):
             break
@@ -157,6 +173,21 @@ def area_of_waves(
         last_guess, last_change = guess, change
         guess = guess - change / np.clip(np.where(np.isnan(slope), -1.0, slope), *_SLOPES)
     return area
+
+
+def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> Callable:
+    """Return a function that interpolates the logarithm of another, positive one between low and high (n, 1).
+
+    It does so by Chebyshev polynomials for each row, and clips arguments (n, H). Returns the given function if these are not
+    accurate to round-off.
+    """
+    middle, half = 0.5 * (high + low), np.maximum(0.5 * (high - low), 1.0)
+    angles = (np.arange(_POINTS) + 0.5) * math.pi / _POINTS
+    terms = np.cos(np.outer(np.arange(_POINTS), angles)) @ np.log(function(middle + half * np.cos(angles))).T * (2.0 / _POINTS)
+    terms[0] *= 0.5
+    if not np.abs(terms[-2:]).max() <= _ROUND_OFF:
+        return function
+    return lambda at: np.exp(chebval(np.clip((at - middle) / half, -1.0, 1.0), terms[..., None], tensor=False))
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
