@@ -41,12 +41,13 @@ class HeightModel:
 
 
 def height_model(found: Asperities, wanted: str | None = None) -> HeightModel:
-    """Choose the simplest distribution that fits: Gaussian, else Weibull, else empirical.
+    """Choose the simplest height distribution that fits: Gaussian, else Weibull, else empirical.
 
-    If `wanted` names a distribution, it is used instead. Every distribution has the mean and standard deviation of the
-    heights. The Weibull exponent reproduces their skewness. The comment at _ONE_IN_TWENTY explains the limit for a good fit.
-    The choice is always Gaussian if the method found no single heights, if all heights are equal, or if there are fewer than
-    FEW. Raises InputError if `wanted` is not gaussian, weibull or empirical.
+    A distribution fits if its Kolmogorov-Smirnov distance from the heights is at most a limit, explained at _ONE_IN_TWENTY.
+    Every distribution has the mean and standard deviation of the heights; the Weibull exponent also reproduces their
+    skewness. wanted: name of a distribution to use instead. The result is always Gaussian if the method found no single
+    heights or fewer than FEW, or if all heights are equal. Raises InputError if `wanted` is not gaussian, weibull or
+    empirical.
     """
     if wanted is not None and wanted not in MODELS:
         raise InputError("heights", wanted, ", ".join(MODELS))

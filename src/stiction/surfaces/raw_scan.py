@@ -13,11 +13,11 @@ FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to
 
 @dataclass(frozen=True)
 class RawScan:
-    """Heights in the numbers of the file, with its statements about them.
+    """The content of a scan file, before units and size are settled.
 
-    heights: (rows, columns), NaN where missing, of any real type. said: the format and the channel, in words. size: (y, x) in
-    numbers of the file, pitch times count. unit: of size and heights. Both None if missing in the file. notes: steps that
-    brought the heights to a grid.
+    heights: (rows, columns) in the unit of the file, NaN where missing, of any real type. said: format and channel, in words.
+    size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it. unit: unit of size
+    and heights; None if the file does not state it. notes: steps that brought the heights to a regular grid.
     """
 
     heights: np.ndarray
@@ -29,11 +29,12 @@ class RawScan:
 
 @dataclass(frozen=True, kw_only=True)
 class Reader:
-    """A format of files, or several similar ones.
+    """A reader of one file format, or of several similar formats.
 
-    endings: of their names, in lower case and with the dot; empty for the reader of last resort. read(path, channel) ->
-    RawScan, or None if the file has another format; channel: its name or position, None for the only one. holds: the content of
-    such a file; given: the inputs that the user must state. Both in words, for tables and errors.
+    endings: file name endings in lower case, with the dot; empty for a reader that is tried on every file, after all others.
+    read(path, channel): function that returns a RawScan, or None if the file has another format. channel: name or position of
+    a channel; None for the default. holds: content of such a file. given: inputs that the user must state. Both are words for
+    tables and errors.
     """
 
     endings: tuple[str, ...]

@@ -1,10 +1,10 @@
-"""Reading files of instruments, into heights in metres.
+"""Read scan files of instruments into height maps, with heights in metres.
 
-Arrays and numbers in text are read without any library, all else by the library SurfaceTopography, an optional extra. A format
-is a file in `readers` with a READER; no other code depends on it.
+Arrays and text files are read without another library. All other formats need SurfaceTopography, an optional dependency. Each
+format is a module in `readers` with a record READER; no other code depends on the format.
 
-Libraries and instruments disagree on the size, the unit and the height factor of one file, so all of them can be overridden,
-and the history says what was taken.
+Libraries and instruments may disagree on the size, unit and height factor of a file. The user can override all three, and the
+history of the map states the values used.
 """
 
 import pkgutil
@@ -98,9 +98,9 @@ def read_scan(
 
 @cache
 def readers() -> tuple[Reader, ...]:
-    """Return all formats in the order in which they are tried.
+    """Return the readers of all formats in the order in which they are tried.
 
-    They are sorted by file ending; formats without an ending come last.
+    They are sorted by module name; readers without a file ending come last.
     """
     names = sorted(one.name for one in pkgutil.iter_modules(formats.__path__))
     modules = [import_module(f"{formats.__name__}.{name}") for name in names]
@@ -109,7 +109,10 @@ def readers() -> tuple[Reader, ...]:
 
 
 def _read(path: Path, channel) -> RawScan:
-    """Return what the first matching reader reads. Raises InputError if none does."""
+    """Return the content of a scan file, read by the first reader that recognises its format.
+
+    Only readers for the ending of the file, and readers without an ending, are tried. Raises InputError if none recognises it.
+    """
     check_packed(path)
     ending = path.suffix.lower()
     asked = [one for one in readers() if ending in one.endings or not one.endings]
@@ -187,9 +190,9 @@ def _scale_warning(heights: np.ndarray, size: tuple[float, float]) -> tuple[str,
 
 
 def _factors(raw: RawScan, size, unit, height_unit, height_scale) -> tuple[float, float, tuple[str, ...]]:
-    """Return metres per number of the file and a remark.
+    """Return metres per lateral unit, metres per height unit, and remarks on their origin.
 
-    There is one factor along the surface and one for heights.
+    unit, height_unit, height_scale: as the user states them, None otherwise. Raises InputError for an unknown or missing unit.
     """
     taken = unit or raw.unit
     heights_in = height_unit or taken

@@ -64,7 +64,11 @@ class SolvableMaps:
 
 
 def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
-    """Return the sum of two surfaces, each measured from outside; the second is turned over."""
+    """Return the sum of two height maps, each with heights measured outwards from its body.
+
+    The second map is mirrored along x, because the bodies face each other. Raises InputError unless both maps have the same
+    shape, size and periodicity.
+    """
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
         allowed = "the points, size and periodicity of the first map, because the two are added"

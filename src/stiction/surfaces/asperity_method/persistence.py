@@ -93,9 +93,10 @@ def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
 
 @kernel
 def _uphill(heights, groups):
-    """Return a higher neighbour of every point (n,), and a mask of the saddle points.
+    """Return the index of a higher neighbour of every point (n,), and a mask of the saddle points.
 
-    The neighbour is the point itself at a maximum, and _MISSING where the height is missing.
+    The index of a maximum is its own index; it is _MISSING where the height is missing. A saddle point has two or more
+    separate groups of higher neighbours. groups: number of groups for each of the 256 neighbour masks, from `_groups`.
     """
     rows, columns = heights.shape
     parent = np.empty(heights.size, dtype=np.int32)
@@ -136,9 +137,11 @@ def _top(parent, point):
 
 @kernel
 def _joined(heights, columns, parent, ascending, threshold):
-    """Return which points (n,) of the flat map are maxima that stand out.
+    """Return a mask (n,) of the maxima that stand out by more than the threshold.
 
-    It joins the entries of `parent` of every hill on the path.
+    heights: flat map (n,) [m]. parent: index of a higher point of the same hill, for each point; changed in place where hills
+    are joined. ascending: indices of the saddle points, sorted by height. Saddles are processed from the highest down. The
+    highest maximum of each connected region is always in the mask.
     """
     kept = np.zeros(heights.size, dtype=np.bool_)
     for k in range(ascending.size - 1, -1, -1):

@@ -58,11 +58,12 @@ class NPointAsperities:
 
 
 def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperities:
-    """Find the n-point asperities of sampled heights above a level.
+    """Find the n-point asperities of a sampled profile above a level.
 
-    They are defined at the top. profile: heights (N,) [m]; spacing: of the points [m], > 0; level: [m], on the scale of the
-    heights. A point at the level is not above it. Rows cut by the end of the profile are excluded. Raises InputError for other
-    input.
+    An asperity is a longest run of neighbouring points above the level, with the neighbour at or below the level on either
+    side. Runs cut by an end of the profile are excluded. profile: heights (N,) [m]. spacing: distance of neighbouring points
+    [m], > 0. level: [m], measured like the heights. Raises InputError for heights that are not finite or not one row, or a
+    spacing <= 0.
     """
     heights = np.asarray(profile, dtype=float)
     if heights.ndim != 1 or not np.isfinite(heights).all():
@@ -86,9 +87,10 @@ def n_point_asperities(profile, spacing: float, level: float) -> NPointAsperitie
 
 
 def rate_of_rows(level, correlation):
-    """Return the number of n-point asperities, of any n, per sampled point: P(y0 < D < y1).
+    """Return the expected number of n-point asperities, of any n, per sampled point.
 
-    level: in standard deviations; correlation: of neighbouring points, 0 <= correlation < 1. Numbers or arrays.
+    The number is the probability that a point is below the level and its next neighbour above it. level: in standard
+    deviations of the profile. correlation: of neighbouring heights, 0 <= correlation < 1. Numbers or arrays.
     """
     return 2.0 * owens_t(level, np.sqrt((1.0 - correlation) / (1.0 + correlation)))
 
@@ -99,11 +101,11 @@ def points_above(level):
 
 
 def mean_height(level, correlation):
-    """Return the mean height over the level of n-point asperities of all n.
+    """Return the mean height above the level of the n-point asperities, over all n.
 
-    In standard deviations of the profile; arrays of the same shape. From a table, good to 5e-6, for -3 <= level <= 10 and a
-    correlation of 0 to LARGEST_CORRELATION; raises InputError for others. Beyond these levels the leading terms continue: 2 |D|
-    below, where a row is long and its highest point as far above the mean line as the level is below it, and 1/D above.
+    Heights and levels are divided by the standard deviation of the profile. level and correlation (of neighbouring heights):
+    numbers or arrays. The table is accurate to 5e-6 for levels D of -3 to 10. Beyond them the leading terms are used: the
+    height grows as 2 |D| below and falls as 1/D above. Raises InputError unless 0 <= correlation <= LARGEST_CORRELATION.
     """
     level, correlation = np.broadcast_arrays(np.asarray(level, dtype=float), np.asarray(correlation, dtype=float))
     good = (correlation >= 0.0) & (correlation <= LARGEST_CORRELATION)
@@ -136,9 +138,9 @@ def _unit_roughness(correlation):
 @cache
 @on_one_thread
 def _table() -> np.ndarray:
-    """Return Chebyshev coefficients of the logarithm of the mean height.
+    """Return Chebyshev coefficients of the logarithm of the mean height, over level and correlation.
 
-    They depend on both coordinates; computed in a third of a second.
+    The computation takes a third of a second; the result is cached.
     """
     x, y = (np.cos(math.pi * (np.arange(n) + 0.5) / n) for n in _DEGREES)
     share = (x + 1.0) / 2.0 * (_HIGHEST - _LOWEST) / (_HIGHEST - _LOWEST + _FOLD)
@@ -151,9 +153,10 @@ def _table() -> np.ndarray:
 
 
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
-    """Solve the integral equation for `mean_height` at one level >= -3; good to 3e-6.
+    """Return the mean height above one level >= -3 by solving the integral equation; accurate to 3e-6.
 
-    heights: number of z; the panels between them have `least` Gauss points and `fineness` for every width of the kernel.
+    level and result: in standard deviations of the profile. correlation: of neighbouring heights. heights: number of heights
+    z in the quadrature. A panel between two of them has `least` Gauss points, plus `fineness` for every width of the kernel.
     """
     width = math.sqrt(1.0 - correlation * correlation)
     reach = math.sqrt((level * level if level > 0.0 or level < -1.0 else 0.0) + 40.0) - level
@@ -211,9 +214,10 @@ def peaks_per_point(correlation):
 
 
 def peak_curvature(correlation):
-    """Return the mean of 2 y0 - y-1 - y1 over peaks, in standard deviations.
+    """Return the mean second difference 2 y0 - y-1 - y1 of a profile over its three-point peaks.
 
-    Source: Whitehouse & Archard 1970.
+    y0 is the height of the peak, y-1 and y1 the heights of its neighbours, all in standard deviations of the profile. Source:
+    Whitehouse & Archard 1970.
     """
     return (3.0 - correlation) * np.sqrt(1.0 - correlation) / (2.0 * math.sqrt(math.pi) * peaks_per_point(correlation))
 
@@ -235,11 +239,11 @@ LARGEST_BANDWIDTH = (_MATCH / float(_match(LARGEST_CORRELATION))) ** 2
 
 
 def correlation_of_bandwidth(alpha: np.ndarray) -> np.ndarray:
-    """Return the correlation of neighbours that reproduces Nayak's alpha (n,).
+    """Return the correlation of neighbouring profile points that belongs to Nayak's alpha (n,).
 
-    The profile is exponentially correlated; its three-point peaks have the number and curvature of those on a surface with
-    alpha. By bisection: `_match` decreases from no correlation to full. Raises InputError outside LEAST_BANDWIDTH to
-    LARGEST_BANDWIDTH.
+    A profile with exponential autocorrelation and this correlation has three-point peaks with the number and curvature of the
+    peaks on a Gaussian surface with alpha. The equation is solved by bisection. Raises InputError unless alpha is
+    LEAST_BANDWIDTH to LARGEST_BANDWIDTH.
     """
     alpha = np.asarray(alpha, dtype=float)
     bad = ~((alpha >= LEAST_BANDWIDTH) & (alpha <= LARGEST_BANDWIDTH))

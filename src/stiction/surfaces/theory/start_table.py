@@ -36,11 +36,11 @@ def lone_separation(load: np.ndarray) -> np.ndarray:
 
 
 def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """Return near(load (n, m), along (n,)) -> separations (n, m), from a table made once.
+    """Return a function that interpolates approximate separations from a table.
 
-    The separations are approximate. loads(h, group) -> loads (k, H) at the separations h (H,), for the groups (k,); along: (k,)
-    ascending, the function of the groups in which the table is even. If several separations have one load, the largest is
-    taken.
+    loads: function (h (H,), groups (k,)) that returns loads (k, H) at the separations h. groups: (k,) values of the
+    dimensionless group. along: (k,) ascending, the coordinate of each group in the table. The returned function maps loads
+    (n, m) and coordinates (n,) to separations (n, m). If several separations carry one load, the largest is used.
     """
     from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 
@@ -59,9 +59,10 @@ def tabulated(loads: Callable, groups: np.ndarray, along: np.ndarray) -> Callabl
 
 
 def separation_of_summits(load: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> np.ndarray:
-    """Return approximate separations (n, m) at which summits carry the loads (n, m).
+    """Return approximate separations (n, m), divided by sigma, at which the summits carry given loads.
 
-    density: N R sigma (n,) of the surfaces; shapes: as in `summits.curve`.
+    load: (n, m), per asperity, divided by K R^(1/2) sigma^(3/2). density: N R sigma (n,) of the surfaces. shapes: function
+    that returns the load and area factors of a summit, as for `summits.curve`.
     """
     require_gaussian(density)
     return _of_shapes(shapes)(load, np.arcsin(np.minimum(LEAST_DENSITY / density, 1.0)))

@@ -81,9 +81,9 @@ def _unfold(x: np.ndarray, last: float = _FAR) -> np.ndarray:
 
 
 def truncated_mean(n: float, h: np.ndarray) -> np.ndarray:
-    """Return F_n(h) = Int_h^inf (z - h)^n phi(z) dz, phi the standard Gaussian.
+    """Return F_n(h), the integral of (z - h)^n phi(z) over z from h to infinity.
 
-    Relative error below 1e-11; n >= 0, h of any shape.
+    phi is the standard Gaussian density. n >= 0; h: array of any shape. The relative error is below 1e-11.
     """
     above, below = _truncated_tables(n)
     h = np.asarray(h, dtype=float)
@@ -115,9 +115,11 @@ _asymptotic_one = formula(_asymptotic)
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """Store load and area factors of a summit of flatness t = r / kappa at the Gauss points of t.
+    """Load and area factors of an elliptic summit at the Gauss points of its shape t.
 
-    Arrays (m,), t from 0 to 1. weight: of the Gauss point. load: C_P(t) and area: C_A(t), both 1 for a round summit (t = 0).
+    t = r / kappa is half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge. All
+    arrays are (m,). weight: of each Gauss point. load: factor C_P(t). area: factor C_A(t). Both factors are 1 for a round
+    summit.
     """
 
     t: np.ndarray
@@ -131,9 +133,10 @@ _LARGEST_Q = 60.0
 
 @cache
 def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients, over q, of (1 + q^2) g(q), of load and area.
+    """Return Chebyshev coefficients of (1 + q^2) g(q), for load and for area.
 
-    g = Int t (1 - t^2) exp(-q^2 t^2/2) C(t) dt.
+    q is the summit curvature over its scale s. g(q) = Int t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt is the mean over the summit
+    shapes t, with C the load factor or the area factor.
     """
     measure = shapes.weight * shapes.t * (1.0 - shapes.t**2)
 
@@ -148,11 +151,11 @@ def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
 
 
 def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> tuple[np.ndarray, np.ndarray]:
-    """Return load and area per asperity at separations h over sigma.
+    """Return load and contact area per asperity (n, H) of elastic Gaussian surfaces.
 
-    Load over K R^(1/2) sigma^(3/2) and area over pi R sigma, two arrays (n, H). h: (H,), or (n, H) if each surface has its own,
-    from the mean of the summits; density: N R sigma (n,). Raises InputError where no isotropic Gaussian surface has this
-    density.
+    The load is divided by K R^(1/2) sigma^(3/2), the area by pi R sigma. h: separation from the mean of the summits divided
+    by sigma, (H,) for all surfaces or (n, H). density: N R sigma (n,) of the surfaces. shapes: function that returns the load
+    and area factors of a summit. Raises InputError if no isotropic Gaussian surface has this density.
     """
     require_gaussian(density)
     # Lengths in sigma, heights from the mean plane. A summit of curvature q has the mean height `rise` q and deviation `rest`.
@@ -186,10 +189,11 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 
 @kernel
 def _fill_curves(separations, spread, series, gauss, sums):
-    """Fill the integrals (n, H) over q, of load and area of the summits.
+    """Write the integrals over summit curvature q for load and area into the arrays `sums`, (n, H) each.
 
-    The separations d (n, H) are from the mean plane; panels reach as far as the farthest (n, H) computed alike. spread: rise
-    and rest (n,). series: Chebyshev coefficients over the shapes, and of the means above and below 0.
+    separations: from the mean plane (n, H), and the largest of each surface, which sets the range of integration. spread:
+    mean summit height per q, and standard deviation at fixed q, (n,) each. series: Chebyshev coefficients of the shape
+    integrals and of the truncated means above and below 0. gauss: Gauss nodes and weights.
     """
     (d, farthest), (rise, rest), (node, weight), (load, area) = separations, spread, gauss, sums
     shapes, above, below = series
@@ -219,9 +223,9 @@ def _fill_curves(separations, spread, series, gauss, sums):
 
 @kernel
 def _add_series(x, first, last, coefficients, work, out):
-    """Write out[f, k], the sum of Chebyshev series f at x[k], for first <= k < last.
+    """Write two Chebyshev series at the points x[k], first <= k < last, into out (2, points).
 
-    Both rows of coefficients are summed by Clenshaw's recurrence; work: scratch.
+    coefficients: (2, terms). work: scratch array. Clenshaw's recurrence sums the series.
     """
     for f in range(coefficients.shape[0]):
         one, two, series = work[f, 0], work[f, 1], coefficients[f]
@@ -272,9 +276,11 @@ def _put_means(h, count, above, below, x, work, mean):
 
 @kernel
 def _put_panels(d, farthest, rise, rest, ends):
-    """Write the ends of panels over sqrt(q) into `ends`, and return their number.
+    """Write the ends of integration panels over sqrt(q) into `ends`, and return the number of panels.
 
-    They are as fine as the summits' scatter, graded away from q = d / rise, where the mean height is the separation.
+    q: dimensionless summit curvature. d: separation from the mean plane. rise: mean summit height per q. rest: standard
+    deviation of summit heights at fixed q. Panels are finest at q = d / rise, where the mean summit height equals the
+    separation.
     """
     whole = math.sqrt(rest * rest + 2.0 * rise * rise)  # sqrt(m0)
     width = math.sqrt(2.0) * rest / whole  # deviation of q at a given height

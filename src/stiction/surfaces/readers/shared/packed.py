@@ -1,6 +1,6 @@
-"""Size of a packed file after unpacking, checked before it is unpacked.
+"""Limit the size to which a compressed scan file may unpack.
 
-A few megabytes can claim all available memory.
+A file of a few megabytes may claim to unpack to more than all memory. The limit is checked before unpacking.
 """
 
 import zipfile
@@ -14,10 +14,10 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def check_packed(path: Path) -> None:
-    """Raise InputError where an archive holds far more than a scan of its length can.
+    """Raise InputError if a compressed file unpacks to far more than a scan of its size can.
 
-    Archives are .zip files (.npz, .x3p and others) and HDF5 files. The sizes are those in the directory, which unpacking uses
-    too.
+    The limit is _DENSEST times the file size, and at least _HARMLESS bytes. Compressed files are .zip archives (.npz, .x3p and
+    others) and HDF5 files. Their directories state the unpacked sizes.
     """
     try:
         held = _held(path)
@@ -29,7 +29,7 @@ def check_packed(path: Path) -> None:
 
 
 def _held(path: Path) -> int:
-    """Return the bytes of the unpacked contents; 0 for a file that is no archive."""
+    """Return the unpacked size of a file in bytes; 0 if the file is neither a .zip archive nor HDF5."""
     with path.open("rb") as file:
         start = file.read(len(_HDF5))
     if start == _HDF5:
