@@ -48,9 +48,10 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def confidence(mu: float, low: float, high: float) -> str:
-    """Return the confidence in mu: "high", "fair" or "low".
+    """Return the confidence in a predicted friction coefficient: "high", "fair" or "low".
 
-    It depends on the larger of the ratios high / mu and mu / low.
+    low, high: ends of its prediction interval. The larger of the ratios high / mu and mu / low decides: up to 1.5 is high, up
+    to 3 is fair.
     """
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
@@ -87,10 +88,10 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def model_record(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the answer of one model as a dict for JSON, at the middle point of its curve.
+    """Return the result of one model as a dict for JSON, at the middle point of its curve.
 
-    `interval` covers the uncertain inputs. It is None if no input is uncertain, if no sample has a result, or if mu is the
-    same in all samples.
+    The entry `interval` is the interval of mu over the uncertain inputs. It is None if no input is uncertain, if no sample
+    has a result, or if mu is the same in all samples.
     """
     point = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(point[_MU]) if _MU in point else None
@@ -118,7 +119,7 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 
 
 def confidence_in_words(mu: float, low: float, high: float) -> str:
-    """Return how sure mu is: a word, and how many times higher or lower it may be."""
+    """Return the confidence in mu as a word, with the factors from mu up and down to its interval ends."""
     word = confidence(mu, low, high)
     return f"{word}: up to {number(high / mu)} times higher, {number(mu / low)} times lower" if low > 0.0 else word
 
@@ -130,9 +131,9 @@ def headline(data: "xarray.Dataset") -> str:
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
-    """Return the laws of menisci and contamination that a prediction uses.
+    """Return the names of the meniscus and contamination laws that a prediction uses; "" if none.
 
-    The text follows the list of contact area models; it is empty if there are no such laws.
+    attrs: attributes of the prediction. The text is appended to the list of contact area models.
     """
     return "".join(f"; {name}" for name in attrs["beside_area"])
 
@@ -167,9 +168,9 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 
 def _sliding(point: "xarray.Dataset") -> str:
-    """State which fraction of the summed spot strengths the friction force reaches.
+    """State the friction force as a fraction of the sum of the strengths of all contact spots.
 
-    The text is empty if the prediction has no friction efficiency.
+    point: prediction at one load. The text is empty if the prediction has no friction efficiency.
     """
     if "friction_efficiency" not in point:
         return ""
@@ -193,7 +194,7 @@ def _along(data: "xarray.Dataset") -> str:
 
 
 def _of_measured(data: "xarray.Dataset") -> str:
-    """State the interface strength and other inputs as updated by measured friction.
+    """State the interface strength and other inputs after an update with measured friction.
 
     The text is empty if the prediction uses no measured friction.
     """

@@ -16,10 +16,11 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches f
 
 
 class Card(NamedTuple):
-    """Store the content of the answer card.
+    """The content of the answer card of a prediction.
 
-    low, high: interval of mu. level: its probability. decides: main source of uncertainty, in words. rows: the full answer
-    as pairs of heading and text. named: result of the model that the user named, in words, or "".
+    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. decides: main source of
+    uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that the user named,
+    in words, or "".
     """
 
     mu: float

@@ -61,7 +61,7 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw the design variables along the Pareto front, each scaled between its search limits."""
+    """Draw the design variables along the Pareto front, each scaled to 0 to 1 between its search limits."""
     columns = columns_of(data, "pareto")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
@@ -78,7 +78,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw the objective of every evaluated design against the design variable."""
+    """Draw the objective of every evaluated design against the design variable, as points."""
     columns = columns_of(data, "evaluated")
     name = next(
         (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""

@@ -6,10 +6,11 @@ _MOST = 3  # digits, of a friction coefficient that is computed: what is read of
 
 
 def rounded(value: float, ends: list[float]) -> str:
-    """Format a value with one to three digits, as many as its uncertainty allows.
+    """Format a value with one to three significant digits, depending on its uncertainty.
 
-    ends: ends of the uncertainty interval. The last digit is at the leading digit of half the interval width, or one
-    further if that leading digit is 1. Without an interval the value has two digits. NaN gives "not defined".
+    ends: ends of the uncertainty interval. The last digit shown has the decimal place of the first digit of half the interval
+    width, or one place further if that first digit is 1. Without an interval the value has two digits. NaN and infinity give
+    "not defined".
     """
     if not math.isfinite(value):
         return "not defined"

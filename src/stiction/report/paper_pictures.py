@@ -57,9 +57,10 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
-    """Draw where in the plane of theta and lambda each claim of the paper holds.
+    """Draw where in the plane of theta and lambda each claim of the 2015 paper holds.
 
-    Columns are claims; rows are variants of the model and the film solved in layers. point: theta and lam of the star.
+    Columns are claims. Rows are variants of the model, and the solution with the film as an elastic layer. point: theta and
+    lam of a contact, marked by a star.
     """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)

@@ -203,7 +203,10 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
-    """Draw two reference slopes if mu follows a power of the load: -1/3 for a single sphere, 0 for Amontons' law."""
+    """Draw two reference slopes on logarithmic axes: -1/3 for an elastic sphere, 0 for Amontons' law.
+
+    Nothing is drawn unless mu varies by a factor of 2 and the load by a factor of 1000.
+    """
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
@@ -214,7 +217,10 @@ def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
 
 
 def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
-    """Draw the median of mu, and two standard errors at the outer quantiles."""
+    """Draw the median of mu over the uncertain inputs, and the sampling error of the outer quantiles.
+
+    The error bars are two standard errors long to each side.
+    """
     band, error = (data[f"{_MU}_quantile{end}"].values.reshape(-1, load.size) for end in ("", "_error"))
     known = (load > 0.0) & (band > 0.0).all(axis=0)
     look: dict[str, Any] = {"marker": "_", "markersize": 14} if load.size == 1 else {}
@@ -372,14 +378,20 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, number: int) -> dict[str, Any]:
-    """Return colour and marker of an asperity method, the same in all figures; other names take those of their line number."""
+    """Return the colour and marker of an asperity method, the same in all figures.
+
+    number: index of the line; it decides the look if `method` is not an asperity method.
+    """
     known = list(methods())
     number = known.index(method) if method in known else number
     return {"color": COLOURS[number % len(COLOURS)], "marker": _MARKERS[number % len(_MARKERS)], "markersize": 5}
 
 
 def plain(method: str) -> str:
-    """Return a short description of what an asperity method finds; other names lose their underscores."""
+    """Return a short description of what an asperity method finds.
+
+    For a name that is no asperity method, underscores are replaced by blanks.
+    """
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
 

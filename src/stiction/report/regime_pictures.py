@@ -22,10 +22,11 @@ _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw a contact on the adhesion map of Johnson and Greenwood and on the plasticity map of Greenwood and Williamson.
+    """Draw a contact on the adhesion map of Johnson & Greenwood and the plasticity map of Greenwood & Williamson.
 
-    The adhesion map is drawn if the contact has a work of adhesion, the plasticity map if it has no film; at least one must
-    hold. contact: a single contact. data: its result; if `touching_asperities` is present, the mean asperity is drawn.
+    The adhesion map is drawn only if the contact has a work of adhesion, and the plasticity map only if it has no film; at
+    least one of the two must be drawn. contact: a single contact. data: its result. If the result has `touching_asperities`,
+    the mean asperity in contact is drawn.
     """
     load = float(data["load"].max())
     drawn: list[Callable[[Axes], None]] = []

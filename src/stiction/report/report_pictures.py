@@ -111,9 +111,10 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 
 
 def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
-    """Yield the pictures of a curve: one for each panel, and one for each stack of shares.
+    """Yield the pictures of a curve: one for each panel, and one for each chart of stacked parts.
 
-    A case with array parameters has one picture. A prediction has none here, because its curve is on the first page.
+    A case with array parameters has a single picture. A prediction has none, because its curve is drawn by
+    `pictures_of_answer`.
     """
     # Validity warnings stand in words on the page, and not below every picture.
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
@@ -144,15 +145,18 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the part that exceeds 99.5 % of its total at every compressive load; "" if there is no such part."""
+    """Return the name of the part above 99.5 % of the sum of parts at every positive load, else "".
+
+    parts: names of the summed variables, for example the elastic and plastic contact areas.
+    """
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, share in zip(parts, shares, strict=True) if share.size and np.nanmin(share) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return sentences on pictures that are left out; none for a prediction.
+    """Return sentences that explain which pictures of a report are omitted; none for a prediction.
 
-    Left out are curves of a case without a compressive load, and shares of which one part makes up nearly all.
+    Omitted are curves of a case without a compressive load, and stacked charts in which one part exceeds 99.5 % everywhere.
     """
     data, lines = findings.data, []
     if findings.prediction is not None:

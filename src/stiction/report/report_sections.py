@@ -203,7 +203,10 @@ def main_inputs(findings: ReportData) -> Table | None:
 
 
 def validity_line(findings: ReportData) -> str:
-    """State in one line against what the answer was checked, or where it is outside its range of validity."""
+    """Return one line on the validity of the answer.
+
+    For a prediction the line states what it was checked against. Otherwise it states the first validity warning.
+    """
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         known = f"Checked against {checked}." if checked else "Not checked against any measurement."

@@ -48,7 +48,7 @@ def sensitivity_figure(data: "xarray.Dataset") -> Figure:
 
 
 def _shares(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the share of each source in the variance of ln mu."""
+    """Draw the fraction of the variance of ln mu that each source of uncertainty causes."""
     names = [part_name(name) for name in data["input"].values.tolist()]
     axes.barh(names, data["friction_coefficient_share"].values, color=BLUE)
     axes.invert_yaxis()

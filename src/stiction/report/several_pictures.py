@@ -167,9 +167,9 @@ def _rises(values: np.ndarray) -> bool:
 
 
 def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
-    """Return the axis positions of the values along a dimension.
+    """Return the values along a dimension as axis positions.
 
-    They are the values of its first quantity, or 1, 2, 3, ... if these values are not sorted.
+    The values are those of the first quantity that varies along the dimension, or 1, 2, 3, ... if they are not sorted.
     """
     values = data[dim if dim == points_dimension(data) else coordinates_along(data, dim)[0]].values
     return values if _rises(values) else np.arange(1.0, values.size + 1.0)

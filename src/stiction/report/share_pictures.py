@@ -17,9 +17,9 @@ _HATCHES = ("", "//", "..", "\\\\", "xx")
 
 
 def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
-    """Return the stacks that can be drawn for a curve.
+    """Return the stacked charts that a curve has data for, as description -> (total, parts).
 
-    Each entry maps a description to (name of the total, names of its parts).
+    total: name of the summed variable, for example "contact_area". parts: names of the variables that add up to it.
     """
     stacked: dict[str, tuple[str, list[str]]] = {}
     for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
@@ -38,7 +38,10 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Return each part as a share of the sum of absolute parts (parts, points); NaN if all parts are 0."""
+    """Return each part divided by the sum of the absolute values of all parts, (parts, points).
+
+    parts: names of variables of the curve. The absolute value of each part is used. The result is NaN where all parts are 0.
+    """
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
     return np.divide(sizes, total, out=np.full(sizes.shape, np.nan), where=total > 0.0)

@@ -41,7 +41,7 @@ def unpacked(text: str) -> dict[str, Any]:
 
 
 def files_named(tables: Mapping[str, Any]) -> list[str]:
-    """Return the files that a case names: of materials, of scans, of maps of a sweep, of samples and of measured series."""
+    """Return the paths of all files that case tables name: materials, scans, maps, samples and measured series."""
     found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
     rough = roughness_in(tables)
     if isinstance(rough, Mapping):
@@ -53,7 +53,7 @@ def files_named(tables: Mapping[str, Any]) -> list[str]:
 
 
 def _files_in(value: Any) -> Iterator[str]:
-    """Yield the entries under the keys by which a table names a file, at any depth."""
+    """Yield the file paths under the keys "file", "samples" and "data" of nested case tables."""
     if isinstance(value, Mapping):
         yield from (str(value[key]) for key in ("file", "samples", "data") if isinstance(value.get(key), str))
         for one in value.values():

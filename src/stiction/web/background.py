@@ -24,9 +24,9 @@ async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) 
 
 
 class Latest(Generic[_T]):
-    """Call a function for one query at a time; of the queries that arrive meanwhile, answer only the newest.
+    """Run a function in a thread for one query at a time; skip all waiting queries but the newest.
 
-    work: runs in a thread. show: receives its result, in the event loop. refuse: receives its InputError.
+    work: the function. show: called in the event loop with its result. refuse: called with an InputError of `work`.
     """
 
     def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[InputError], object] = print):

@@ -39,7 +39,10 @@ def axis_name(variable: xarray.DataArray) -> str:
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
-    """Return the options of a chart with named axes; screen readers read its title."""
+    """Return the ECharts options of a chart with named axes. title: description for screen readers.
+
+    x, y: further options of the axes. series: its lines and points. dark: whether the page is dark.
+    """
     ink, grid = INK[dark], _GRID[dark]
     look = {
         "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
@@ -63,7 +66,10 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
 
 
 def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
-    """Return a line with the colour and dashes of its place in the legend; NaN points are omitted."""
+    """Return the ECharts series of a line through the points (x, y); points with NaN are omitted.
+
+    at: index of the line in the legend, which decides its colour and dashes. more: further options of the series.
+    """
     points = [[a, b] for a, b in zip(numbers(x), numbers(y), strict=True) if a is not None]
     look = {"color": COLOURS[at % len(COLOURS)], "type": _DASHES[at % len(_DASHES)], "width": 2.5}
     return {

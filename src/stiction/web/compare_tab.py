@@ -104,7 +104,10 @@ def _title(group: Group) -> str:
 
 
 def _why(data: xarray.Dataset, group: Group) -> str:
-    """Return the area error of suitable models; for others the claimed range that the contact violates."""
+    """Return why a group of models suits the contact or not.
+
+    For suitable models the text is the area error, else the most important validity warning with the claimed range.
+    """
     if group.fits:
         return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
     warnings = read_warnings(data["validity_warnings"].sel(model=group.names[0]).item())
@@ -113,7 +116,7 @@ def _why(data: xarray.Dataset, group: Group) -> str:
 
 
 def human_name(key: str) -> str:
-    """Return a model or a combination as it is cited.
+    """Return the name of a model, and of a law combined with it, as the literature cites them.
 
     >>> human_name("kogut_etsion_2004 + layered")
     'Kogut-Etsion 2004, layered'

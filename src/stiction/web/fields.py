@@ -55,7 +55,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class Number:
-    """Hold one number of the form: its path in the tables of a case, its quantity, and whether it is required."""
+    """A number field of the form: its path in the case tables, its quantity, and whether it is required."""
 
     path: Path
     quantity: Quantity
@@ -63,12 +63,12 @@ class Number:
 
     @property
     def label(self) -> str:
-        """Return meaning and symbol."""
+        """Return the meaning and symbol of the number, as the label of its field."""
         return f"{self.quantity.meaning} {self.quantity.symbol}"
 
     @property
     def help(self) -> str:
-        """Return label, bounds and an example."""
+        """Return the help text of the number field: label, bounds and an example."""
         return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
@@ -89,7 +89,7 @@ class Number:
             return text  # the case will refuse it
 
     def si(self, given: Any) -> float | None:
-        """Return an entry of a table as a value in SI units; None if it is not a number.
+        """Return an entry of a case table as a number in SI units; None if it is not a single number.
 
         An uncertain number gives its nominal value.
         """
@@ -102,7 +102,10 @@ class Number:
         return value if isinstance(value, float) else None
 
     def moved(self, given: Any, value: float) -> Any:
-        """Return an entry of a table with a new value in SI units; an uncertainty keeps its ratio to the value."""
+        """Return an entry of a case table with its number replaced by a new value in SI units.
+
+        An uncertain entry stays uncertain, with the same relative uncertainty.
+        """
         before = self.si(given)
         if not with_error(given) or not before or not isinstance(given, str | Mapping):
             return self.written(self.text(value))
@@ -140,9 +143,10 @@ class Choices:
 
 @dataclass(frozen=True)
 class Part:
-    """Hold one table of the case with its form fields; optional: whether the case may omit the table.
+    """A part of the form: one table of the case, such as "coating", with its fields.
 
-    A part inside a part holds the numbers of a body, or numbers that replace the state of an interface.
+    optional: whether the case may omit the whole table. A part may contain parts: a body, or the numbers that replace a named
+    interface state.
     """
 
     path: Path
@@ -201,7 +205,7 @@ _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), r
 
 
 def as_written(given: Any) -> str:
-    """Return an entry of the tables as one line of text; "" for None."""
+    """Return an entry of the case tables as one line of text, as a user would type it; "" for None."""
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         return f"{given['median']} within a factor {given['factor']}"
     if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
@@ -210,7 +214,10 @@ def as_written(given: Any) -> str:
 
 
 def got(tables: Any, path: Path) -> Any:
-    """Return the entry at a path of the tables; None if there is no entry."""
+    """Return the entry at a path of keys in nested case tables; None if there is no entry.
+
+    A material stated only by its name is read as a table with the key "preset".
+    """
     for key in path:
         if isinstance(tables, str) and key == "preset":
             return tables
@@ -221,9 +228,9 @@ def got(tables: Any, path: Path) -> Any:
 
 
 def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
-    """Return the tables with a value at a path; None removes the entry.
+    """Return a copy of nested case tables with a value at a path of keys; None removes the entry.
 
-    A material that was only a name becomes a table that names the preset.
+    A material stated only by its name becomes a table with the key "preset".
     """
     key, rest = path[0], path[1:]
     inner = tables.get(key)
@@ -237,7 +244,7 @@ def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
 
 
 def with_points(tables: Mapping[str, Any], points: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables with other loads or separations."""
+    """Return a copy of the case tables with other loads or separations in the table [solve]."""
     solve = {name: value for name, value in tables.get("solve", {}).items() if name not in ("load", "separation")}
     return {**tables, "solve": {**solve, **points}}
 

@@ -76,7 +76,7 @@ def with_meaning(warning: str) -> str:
 
 
 def in_draws(share: float, text: str) -> str:
-    """State in which share of the random samples a warning applies. text: the warning."""
+    """State in which fraction of the random samples a validity warning applies. text: the warning."""
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
