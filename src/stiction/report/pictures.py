@@ -203,10 +203,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
-    """Draw two reference slopes on logarithmic axes: -1/3 for an elastic sphere, 0 for Amontons' law.
-
-    Nothing is drawn unless mu varies by a factor of 2 and the load by a factor of 1000.
-    """
+    """Draw reference slopes of an elastic sphere (-1/3) and Amontons (0), if mu varies 2-fold and load 1000-fold."""
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
@@ -217,10 +214,7 @@ def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
 
 
 def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
-    """Draw the median of mu over the uncertain inputs, and the sampling error of the outer quantiles.
-
-    The error bars are two standard errors long to each side.
-    """
+    """Draw the median of mu over the uncertain inputs, and error bars of two standard errors at the outer quantiles."""
     band, error = (data[f"{_MU}_quantile{end}"].values.reshape(-1, load.size) for end in ("", "_error"))
     known = (load > 0.0) & (band > 0.0).all(axis=0)
     look: dict[str, Any] = {"marker": "_", "markersize": 14} if load.size == 1 else {}
@@ -388,10 +382,7 @@ def look_of(method: str, number: int) -> dict[str, Any]:
 
 
 def plain(method: str) -> str:
-    """Return a short description of what an asperity method finds.
-
-    For a name that is no asperity method, underscores are replaced by blanks.
-    """
+    """Return a short description of what an asperity method finds; for other names, the name with blanks for underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
 
