@@ -1,4 +1,4 @@
-"""The check that a case file states the unit of every number that needs one."""
+"""Check that a case file states the unit of every number that needs one."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -35,7 +35,7 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
     return {**content, "materials": tables["materials"]}
 
 
-def telling_the_file(content: Mapping) -> AbstractContextManager[None]:
+def naming_materials_file(content: Mapping) -> AbstractContextManager[None]:
     """Return a context manager that adds the materials file to the field of an InputError about a material."""
     materials = content.get("materials")
     before = f"materials: {Path(materials).name}: " if isinstance(materials, str) else ""
@@ -78,7 +78,7 @@ def _material(name: str, numbers: Any) -> Material:
 
 
 def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
-    """Return the user-defined material that a body names, with the changes stated for this body.
+    """Return a body with the user-defined material that it names, plus the changes stated for this body.
 
     A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name; where: address of
     the body. Raises InputError for an unknown name.

@@ -12,7 +12,7 @@ import numpy as np
 
 from stiction.case.bare_numbers import refuse_bare_numbers
 from stiction.case.case_tables import case_tables
-from stiction.case.own_materials import telling_the_file, with_materials_of_file, with_own_materials
+from stiction.case.own_materials import naming_materials_file, with_materials_of_file, with_own_materials
 from stiction.case.places import roughness_in, with_numbers, with_roughness
 from stiction.case.several import Address, Several, points_of, several_numbers
 from stiction.case.study_tables import study_tables
@@ -249,7 +249,7 @@ def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Sever
     """
     refuse_bare_numbers(content, "")
     numbers: dict[Address, Several] = dict(several_numbers(content))
-    with telling_the_file(content):
+    with naming_materials_file(content):
         file = content.get("materials")
         content = with_materials_of_file(content, folder, _tables)
         uncertain = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)

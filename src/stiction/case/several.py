@@ -279,7 +279,7 @@ def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
 
 
 def _check_spacing(where: str, given: Any, **ends: float) -> None:
-    """Raise InputError for an end of a logarithmic range that is not positive."""
+    """Raise InputError if an end of a logarithmic range is not positive."""
     for end, number in ends.items():
         if given.spacing == "log" and number <= 0.0:
             raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 with spacing = "log"')

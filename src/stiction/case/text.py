@@ -47,7 +47,7 @@ def as_toml(content: Mapping) -> str:
 
 
 def inline(value: Any) -> str:
-    """Return a value as TOML on one line."""
+    """Return a value as TOML text on one line."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{key} = {inline(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, list | tuple):

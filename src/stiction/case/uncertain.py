@@ -117,7 +117,7 @@ class Uncertain(Several):
         return InWords(self.distribution.words)
 
     def numbers(self) -> np.ndarray:
-        """Raise InputError: an uncertain number has no list of values to sweep."""
+        """Raise InputError in every case: an uncertain number has no list of values to sweep."""
         drawn = 'a number, a list or a range; or sample the sweep, e.g. sample = { method = "sobol", count = 1024 }'
         raise InputError(self.where, self.words, drawn)
 

@@ -14,7 +14,7 @@ with ended_by_interrupts():
     from stiction.cli import run, serve, sweep, studies, export, surface, figures, lists  # noqa: F401
 
     # isort: on
-    from stiction.cli.output import readable, said_if_unwritable
+    from stiction.cli.output import readable, reporting_write_errors
     from stiction.cli.program import app
     from stiction.quantities.extras import leave_out
 
@@ -32,5 +32,5 @@ def main() -> None:
     gc.set_threshold(200_000)
     atexit.register(gc.freeze)
     readable()
-    with said_if_unwritable():
+    with reporting_write_errors():
         app(prog_name="stiction")

@@ -51,7 +51,7 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
 
 
 def option(text: str, default: Any = None, *names: str, **more: Any) -> Any:
-    """Return an option of a command with this help text; by default the parameter names it."""
+    """Return a command option with this help text; its name is that of the parameter, unless `names` has others."""
     return typer.Option(default, *names, help=text, **more)
 
 

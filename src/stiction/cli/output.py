@@ -16,7 +16,7 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
     """Return ASCII text for characters that the encoding of the output lacks: "um^2" for µm², else "?".
 
-    It is an error handler for `codecs.register_error`, which needs the text and the position behind it.
+    This is an error handler for `codecs.register_error`, which needs the text and the position behind the characters.
     """
     if not isinstance(error, UnicodeEncodeError):
         raise error
@@ -49,16 +49,16 @@ def print_json(content: Any) -> None:
 
 
 @contextmanager
-def said_if_unwritable() -> Iterator[None]:
+def reporting_write_errors() -> Iterator[None]:
     """Return a context manager that reports an OSError, e.g. a full disk or a closed pipe, in one line and exits."""
     try:
         yield
         sys.stdout.flush()
     except OSError as error:
-        give_up_output(error)
+        exit_on_write_error(error)
 
 
-def give_up_output(error: OSError) -> NoReturn:
+def exit_on_write_error(error: OSError) -> NoReturn:
     """Report an OSError in one line and exit with code 1.
 
     Standard output is redirected to the null device first, so that flushing it at exit cannot fail again.

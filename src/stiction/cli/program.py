@@ -15,7 +15,7 @@ import typer
 from typer.core import TyperGroup
 
 from stiction.cli.interrupting import INTERRUPTED
-from stiction.cli.output import closed_pipe, give_up_output, print_json
+from stiction.cli.output import closed_pipe, exit_on_write_error, print_json
 from stiction.quantities.errors import InputError, InputWarning
 from stiction.quantities.extras import how_to_install
 from stiction.quantities.notices import Notice
@@ -75,7 +75,7 @@ def _one_line() -> Iterator[None]:
         print(f"stiction: {_as_input(error)}", file=sys.stderr)
         raise typer.Exit(_BAD_INPUT) from None
     except BrokenPipeError as error:
-        give_up_output(error)
+        exit_on_write_error(error)
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
@@ -171,10 +171,10 @@ def busy(text: str) -> Iterator[None]:
 
 
 @contextmanager
-def telling_how_far() -> Iterator[Callable[[str], None]]:
-    """Yield a function that shows its text as progress.
+def progress_text() -> Iterator[Callable[[str], None]]:
+    """Yield a function that shows a text as progress.
 
-    On a terminal the text replaces one line. Elsewhere it is printed at most every ten seconds.
+    On a terminal each text replaces the last. Elsewhere a text is printed at most every ten seconds.
     """
     with _line("") as line:
         if line is not None:
@@ -198,18 +198,18 @@ _EVERY = 10.0  # seconds between lines that nobody watches
 @contextmanager
 def solving() -> Iterator[None]:
     """Show a line with a clock, compiled kernels and solver residuals on the terminal until the block ends."""
-    with _line("Solving") as line, _saying_what_goes_on(line, "Solving"):
+    with _line("Solving") as line, _showing_solver_state(line, "Solving"):
         yield
 
 
 def bar(text: str):
-    """Return a function that wraps a list and shows a progress bar while a loop reads it.
+    """Return a function that takes a list and yields its items, while a progress bar is shown.
 
     text: label of the bar.
     """
 
     def wrapped(steps):
-        with _line(text) as line, _saying_what_goes_on(line, text):
+        with _line(text) as line, _showing_solver_state(line, text):
             yield from line.over(steps) if line else steps
 
     return wrapped
@@ -246,7 +246,7 @@ def _line(text: str) -> Iterator[_Line | None]:
 
 
 @contextmanager
-def _saying_what_goes_on(line: _Line | None, text: str) -> Iterator[None]:
+def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
     """Show the number of compiled kernels and the residual of the map solver in a progress line."""
     if line is None:
         yield

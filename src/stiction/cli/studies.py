@@ -25,7 +25,7 @@ from stiction.cli.options import (
     option,
 )
 from stiction.cli.output import print_json
-from stiction.cli.program import app, bar, busy, console, present, telling_how_far
+from stiction.cli.program import app, bar, busy, console, present, progress_text
 from stiction.studies.study import Study, studies
 
 # Options that need no description in a study, by the name of the parameter.
@@ -48,7 +48,7 @@ def _add_command(folder: str, study: Study) -> None:
         with busy("Reading the case"):
             plan = study.plan(**{name: arguments[name] for name in own})
         if "tell" in inspect.signature(study.run).parameters:
-            with telling_how_far() as tell:
+            with progress_text() as tell:
                 result = study.run(plan, tell)
         else:
             result = study.run(plan, bar)

@@ -5,7 +5,7 @@ from pathlib import Path
 from time import monotonic
 
 from stiction.cli.options import Details, Json, argument, folder, option
-from stiction.cli.program import app, busy, present, telling_how_far
+from stiction.cli.program import app, busy, present, progress_text
 
 
 @app.command()
@@ -56,7 +56,7 @@ class _Shown:
     def __call__(self, done: int, size: int, steps: Iterable[int]) -> Iterator[int]:
         self.done, self.size = done, size
         begun = monotonic()
-        with telling_how_far() as tell:
+        with progress_text() as tell:
             tell(f"{done} of {size} points")
             for points in steps:
                 self.done += points

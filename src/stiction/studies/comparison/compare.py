@@ -143,8 +143,8 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 class _Situation:
     """The points at which all models are evaluated, in the units of the contact.
 
-    h: separations (h,) over the sigma of each model; loads: (1, h), for theories without separations; target: working load,
-    or None.
+    h: separations over the height deviation sigma that each model uses, (points,); loads: (1, points), for theories without
+    separations; target: working load, or None.
     """
 
     contact: Subject
@@ -291,7 +291,10 @@ def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[s
 
 
 def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Return the results, or None after adding a reason if the contact area is over 100 times the nominal area."""
+    """Return the results of a model, or None if the contact area is over 100 times the nominal area.
+
+    The reason is then added to the answer.
+    """
     fraction = state_of(problem, results).get("area_fraction")
     if fraction is None or not fraction.item() > _MOST_AREA:
         return results

@@ -134,7 +134,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
         where = f"design.choose.{name}"
         path = _path(name, content, where)
         if path in [one.path for one in free] + [one.path for one in options]:
-            raise InputError(where, name, "each once")
+            raise InputError(where, name, "each number only once; delete the repetition")
         if isinstance(entry, list):
             options.append(_options(path, entry, where))
         elif path[-1] in _NAMED:

@@ -90,7 +90,7 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
     if refused.size:
         line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
-        allowed = f"what {forward.choice.model_key} carries with numbers between the ends of [fit.free]"
+        allowed = f"a load that {forward.choice.model_key} can carry; widen the ends of [fit.free], or leave the line out"
         raise InputError(f"line {line}, load", show(load, "load"), allowed)
     return _scaled(name, forward, best, (errors, stated), with_profiles)
 
@@ -192,7 +192,7 @@ def _given(content, path):
 def verdicts(fit: Fitted) -> list[str]:
     """Return sentences on the free numbers that these data determine badly or not at all."""
     found = []
-    groups = _not_told_apart(fit)
+    groups = _indistinguishable(fit)
     for group in groups:
         names = [fit.parameters[at].name for at in group]
         told = f"{names[0]} from {names[1]}" if len(names) == 2 else f"{', '.join(names[:-1])} and {names[-1]} apart"
@@ -232,7 +232,7 @@ def _is_wide(fit: Fitted, at: int) -> bool:
     return high > _WIDE * low if free.log else high - low > abs(float(fit.values[at]))
 
 
-def _not_told_apart(fit: Fitted) -> list[list[int]]:
+def _indistinguishable(fit: Fitted) -> list[list[int]]:
     """Return groups of free numbers that are badly determined because they can change together.
 
     Two numbers are grouped if, along the profile of either, the other moves several times as far as it could alone.

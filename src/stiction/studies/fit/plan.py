@@ -114,7 +114,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
         where = f"fit.free.{name}"
         path = RESISTANCE if name == RESISTANCE[1] else placed(name, content, where)
         if path in found:
-            raise InputError(where, name, "each number once")
+            raise InputError(where, name, "each number only once; delete the repetition")
         found[path] = read_free(path, entry, where)
     if not 1 <= len(found) <= _MOST_FREE:
         raise InputError(
@@ -129,7 +129,9 @@ def _check(plan: FitPlan) -> None:
     for one in plan.free:
         if one.path in known:
             raise InputError(
-                f"fit.free.{one.name}", "free", f"a number that the data do not state; they have a column {one.name}"
+                f"fit.free.{one.name}",
+                "free",
+                "a number that is no column of the data; delete one of the two",
             )
         if one.path[:2] == ("contact", "roughness") and _has_scans(plan.given):
             raise InputError(f"fit.free.{one.name}", "free", "a number other than roughness, which is measured by scans")
@@ -140,7 +142,7 @@ def _check(plan: FitPlan) -> None:
             ".".join(RESISTANCE), None, "a number with its unit, or a free number, because resistance was measured"
         )
     if not resistance and has:
-        raise InputError(".".join(RESISTANCE), "given", "nothing: no contact_resistance was measured")
+        raise InputError(".".join(RESISTANCE), "given", "no value, because the data have no contact_resistance; delete it")
     count = sum(len(plan.data.samples) if one.each_sample else 1 for one in plan.free)
     if len(plan.data) < count:
         raise InputError("--data", InWords(f"{len(plan.data)} values"), f"at least {count}, as many as there are free numbers")

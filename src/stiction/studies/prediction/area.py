@@ -184,8 +184,8 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
     """Return the area by one model; weight: its weight in the combination.
 
-    Contacts whose N R sigma is too small for any Gaussian surface get the weight 0, if the model refuses these but not all.
-    Raises InputError or ArithmeticError.
+    Contacts whose product of asperity density, radius and height deviation is too small for any Gaussian surface get the
+    weight 0, if the model refuses these but not all. Raises InputError or ArithmeticError.
     """
     try:
         points, tables = _solved(sampled, choice)
@@ -235,7 +235,7 @@ def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
 
 
 def _too_sharp(sampled: SampledCase) -> np.ndarray:
-    """Return which samples (n or 1, m or 1) have an impossible surface, with sigma above R.
+    """Return which samples (n or 1, m or 1) have an impossible surface: asperity heights that deviate by more than the radius.
 
     All are False where every sample is like that, so that the contact still has a result.
     """

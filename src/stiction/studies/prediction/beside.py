@@ -25,8 +25,9 @@ _WIDE = 1.5  # factor of the area from which on it is no percentage
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
     """Return the interval of mu if two metals touch without the film or surface layer between them.
 
-    [] if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the shear strength of
-    clean metal, and grow under shear. Then mu is tau_0/H times the junction growth, and does not depend on the hardness H.
+    [] if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the shear strength
+    tau_0 of clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction
+    growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)

@@ -19,9 +19,9 @@ _ROWS, _SEED = 512, 1
 
 
 def with_finish(case: Case) -> Case:
-    """Return the case with sigma, R and N as uncertain numbers, sampled together from the surface finish.
+    """Return the case with asperity height deviation, radius and density as uncertain numbers of its surface finish.
 
-    A case that states all of them is returned unchanged.
+    They are sampled together. A case that states all of them is returned unchanged.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:

@@ -1,16 +1,16 @@
 """Changes of plastic contact spots: junctions grow under shear, and a soft film is squeezed out.
 
-Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959). Its pressure falls, and
-its area grows by 1/sqrt(1 - c^2), where c = tau_0/tau_b is the shear strength of the interface over that of the body. A
-junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three assumptions have prior weights by
-judgement (grade C): no growth; a bulk that shears at Y/sqrt(3) (von Mises); and a bulk of the junction that hardens up to
-H/3 if the interface is as strong as the body (alpha = 9, Tabor's experiments, the largest weight). None of them limits
-growth for c near 1, so that c is limited to 0.999.
+Growth: a plastic junction under the shear stress tau obeys p^2 + alpha tau^2 = H^2 (Tabor 1959), with its mean pressure p and
+the hardness H. The pressure falls, and the area grows by 1/sqrt(1 - c^2), where c = tau_0/tau_b is the shear strength of the
+interface over that of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three
+assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
+and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
+experiments, the largest weight). None of them limits growth for c near 1, so that c is limited to 0.999.
 
-Squeeze: a soft film between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius a, the pressure of a plastic
-layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body, and by the pressure of
-elastic bodies that touch through the film, so that the area is at least the elastic area. A uniform random number sets how
-much of this increase is applied.
+Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
+a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,
+and by the pressure of elastic bodies that touch through the film, so that the area is at least the elastic area. A uniform
+random number sets how much of this increase is applied.
 """
 
 import numpy as np
@@ -33,7 +33,7 @@ def grown(level: np.ndarray, pressure: np.ndarray, strength: np.ndarray, hardnes
     pressure : numpy.ndarray, shape (n, m)
         Mean pressure of contact spots [Pa].
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
-        tau_0, and hardness and shear strength of the weaker body [Pa].
+        Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
     """
     share = np.minimum(strength / shear_strength, _MOST)
     hardened = (hardness / shear_strength) ** 2 / _TABOR

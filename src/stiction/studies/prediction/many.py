@@ -148,9 +148,10 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers with a single height of a surface finish as a float.
+    """Return the numbers, with an array of one roughness height as a float if the surface has a finish.
 
-    `with_finish` refuses several heights, because it samples one surface only; they are then predicted one by one.
+    `with_finish` refuses arrays of heights, because it samples one surface only. Contacts with other heights are predicted
+    one by one.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
     found = dict(numbers)

@@ -31,8 +31,8 @@ class Samples:
     """Results of the samples, arrays (n, m) over samples and loads; NaN for an impossible sample.
 
     force [N]; area: real contact area [m2]; pull: factor of the area due to adhesion and menisci; growth: factor due to
-    junction growth; strength: tau_0 [Pa], (n, 1); pressure: mean pressure of contact spots over the hardness, before shear;
-    efficiency: force over the sum of the strengths of all spots, 1 unless strength falls with slip.
+    junction growth; strength: shear strength of the interface [Pa], (n, 1); pressure: mean pressure of contact spots over the
+    hardness, before shear; efficiency: force over the sum of the strengths of all spots, 1 unless strength falls with slip.
     """
 
     force: np.ndarray
@@ -122,7 +122,7 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return these rows of a column (n, 1); a column with a single row is repeated."""
+        """Return the entries of a column (n, 1) of sampled inputs for these sample indices; one entry serves all samples."""
         return column[inputs % len(column)]
 
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:

@@ -26,10 +26,10 @@ _MAP = "boundary_elements"
 
 @dataclass(frozen=True)
 class MapSpots:
-    """The spots of a solved map.
+    """Contact spots of one solved height map, at k contact areas.
 
-    share: real over nominal area (k,); spread: s/tau_p (k,) [m/Pa]; compliance: S of the bodies [1/Pa] that were solved; side:
-    side of the map [m], whose spots are known.
+    share: real over nominal area (k,). spread: standard deviation of the spots' displacement over their shear strength (k,)
+    [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the map [m].
     """
 
     share: np.ndarray
@@ -38,7 +38,10 @@ class MapSpots:
     side: float
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Return s/(tau_p S) [m] at real over nominal areas of any shape."""
+        """Return the standard deviation of the spots' displacement over shear strength and tangential compliance [m].
+
+        share: real over nominal area, of any shape; the result has the same shape.
+        """
         return np.interp(np.log(share), np.log(self.share), self.spread) / self.compliance
 
 
@@ -46,10 +49,9 @@ class MapSpots:
 class Onset:
     """The inputs of the onset of sliding, arrays (n or 1, m or 1) over samples and points.
 
-    slip: weakening slip [m]; residual: residual strength (fraction); deviation [m], radius [m], density [1/m2]: sigma, R
-    and N of the asperities; side: side of the nominal area [m]; compliance: tangential compliance S [1/Pa] of the touching
-    surfaces, and of the bodies below them; thickness: film thickness [m], 0 without a film; spots: of a solved map, None
-    without a map.
+    slip: weakening slip [m]; residual: residual strength (fraction); deviation [m], radius [m], density [1/m2]: of the
+    asperities; side: side of the nominal area [m]; compliance: tangential compliance [1/Pa] of the touching surfaces, and of
+    the bodies below them; thickness: film thickness [m], 0 without a film; spots: of a solved map, None without a map.
     """
 
     slip: np.ndarray
@@ -102,9 +104,10 @@ class Onset:
         return np.clip(efficiency(strength * spread / slip, residual) * np.exp(-LAW_ERROR * score), residual, 1.0)
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return s/tau_p (n, m) [m/Pa] of spots by the numbers of the asperities.
+        """Return the standard deviation of the spots' displacement over their shear strength (n, m) [m/Pa], without a map.
 
-        Spots wider than a film is thick have the compliance of the body below it.
+        It follows from asperity density, radius and height deviation. Spots much wider than the film is thick have the
+        compliance of the bodies below it.
         """
         deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
         spots = spot_radius(share, deviation, radius, density)
@@ -120,7 +123,7 @@ def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def _compliance(pair):
-    """Return the tangential compliance S [1/Pa] of two bodies."""
+    """Return the tangential compliance [1/Pa] of two bodies: the sum of (2 - nu)/(2 G)."""
     return sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair)
 
 

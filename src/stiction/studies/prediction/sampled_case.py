@@ -119,7 +119,7 @@ class SampledCase:
         return np.broadcast_to(table, (len(levels), *self.dims.values())).reshape(len(levels), -1)
 
     def by_numbers(self) -> "SampledCase":
-        """Return the same with roughness parameters instead of a height map.
+        """Return the case with roughness parameters instead of a height map.
 
         A map would have to be solved again for each sample.
         """
@@ -133,7 +133,7 @@ class SampledCase:
         return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
 
     def as_gaussian(self) -> "SampledCase":
-        """Return the same with the asperity density raised to the lowest that a Gaussian surface can have."""
+        """Return the case with the asperity density raised to the lowest that a Gaussian surface can have."""
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
         density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
@@ -224,6 +224,6 @@ _FAINT = 1e-6  # of the work of adhesion
 def _faint(case: Case) -> Case:
     """Return the case with a millionth of its work of adhesion.
 
-    Its adhesion has no effect, but adhesive models, which refuse 0, still apply.
+    Adhesion then has no effect, but adhesive models, which refuse 0, still apply.
     """
     return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(_contact(case).work_of_adhesion))})

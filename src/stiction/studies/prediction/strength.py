@@ -1,6 +1,6 @@
-"""The shear strength of the interface: tau_0 and its increase with pressure.
+"""The shear strength of the interface at zero pressure, tau_0, and its increase with pressure.
 
-It is stated, given by the state of the interface, or a mixture over all states that the pair of materials allows.
+tau_0 is stated, given by the state of the interface, or a mixture over all states that the pair of materials allows.
 """
 
 import numpy as np
@@ -60,10 +60,10 @@ class Strength:
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
-        """Return tau_0 [Pa] and the pressure coefficient of each sample, arrays (n, m or 1).
+        """Return the shear strength tau_0 [Pa] and the pressure coefficient of each sample, arrays (n, m or 1).
 
-        state, strength, coefficient: quantile levels (n,); rows: rows (n,) of the sampled inputs. tau_0 is at most the
-        shear strength of the weaker body.
+        state, strength, coefficient: quantile levels (n,) that select them; rows: rows (n,) of the sampled inputs. tau_0 is
+        at most the shear strength of the weaker body.
         """
         bodies = self.bodies
         hardness, shear, modulus = (
@@ -90,7 +90,7 @@ class Strength:
 
 
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
-    """Return tau_0, limited by the shear strength of the weaker body.
+    """Return the shear strength tau_0 of the interface, limited by the shear strength of the weaker body.
 
     For metals the limit is the von Mises value. For others it lies between the values of Tresca and von Mises, at this
     quantile level; the full range applies if tau_0 is twice the limit or more, and none of it if tau_0 is just above.

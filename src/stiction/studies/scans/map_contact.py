@@ -73,7 +73,7 @@ def contact_of_map(
     sampled: use only as many points as the contact area needs. Raises InputError for a profile, missing points, or pressures
     above the hardness.
     """
-    allowed = "a row of numbers > 0, nominal pressures over E* h'"
+    allowed = "a list of numbers > 0, nominal pressures over E* h'"
     wanted = floats(list(pressures), "pressures", allowed)
     if wanted.ndim != 1 or not wanted.size or not (np.isfinite(wanted) & (wanted > 0.0)).all():
         raise InputError("pressures", pressures, allowed)

@@ -59,7 +59,7 @@ class Realisations(Input):
         spectrum = SelfAffine(self.hurst, self.rolloff, self.shortest, self.deviation)  # type: ignore[arg-type]  # read there
         grid: Any = ((self.points, self.points), (self.size, self.size), spectrum, self.seed + index)
         if (self.skewness is None) != (self.kurtosis is None):
-            raise InputError("skewness", self.skewness, "a number, beside kurtosis; or neither")
+            raise InputError("skewness", self.skewness, "both skewness and kurtosis, or neither")
         if self.skewness is None or self.kurtosis is None:
             return gaussian_surface(*grid)
         return non_gaussian_surface(*grid, skewness=self.skewness, kurtosis=self.kurtosis)
@@ -124,7 +124,7 @@ def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlac
     are relative to it. Raises InputError.
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
-        raise InputError("contact.roughness", shared, "what holds for every map, as size, unit and form; [sweep] has the files")
+        raise InputError("contact.roughness", shared, "settings of all maps, e.g. size, unit; name scans in sweep.roughness")
     return tuple(one for entry in listed for one in _of_entry(entry, dict(shared or {}), folder.resolve()))
 
 
@@ -133,7 +133,7 @@ def _of_entry(entry: Any, shared: dict[str, Any], folder: Path) -> Iterator[MapO
         if isinstance(entry, str):
             entry = {"file": entry}
         if not isinstance(entry, Mapping) or not entry.keys() & {"file", "hurst"}:
-            raise InputError("", entry, "a file, or a table with file, or with hurst and what else a spectrum has")
+            raise InputError("", entry, "a scan file, a table with file, or a table with hurst and spectrum numbers")
         if "file" not in entry:
             made = Realisations(**{**shared, **entry})
             yield from (MapOfPlace(made, index, folder) for index in range(made.realisations))

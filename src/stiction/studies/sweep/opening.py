@@ -99,7 +99,7 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
         beside.rename(path)
     except OSError as error:
         shutil.rmtree(beside, ignore_errors=True)
-        raise InputError("--out", str(path), f"a place that can be written ({error.strerror or error})") from None
+        raise InputError("--out", str(path), f"a folder that can be written ({error.strerror or error})") from None
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:

@@ -171,11 +171,11 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
     opened_content, several = opened(with_roughness(content, first), folder)
     if several:
         one = next(iter(several.values()))
-        raise InputError(one.where, one.words, "one number, where the sweep is over maps")
+        raise InputError(one.where, one.words, "a single number, because the sweep is over maps")
     if sweep.sample.method != "grid":
-        raise InputError("sweep.sample", sweep.sample.method, "nothing, where the sweep is over maps")
+        raise InputError("sweep.sample", sweep.sample.method, "grid or no value, because the sweep is over maps")
     if sweep.block is not None:
-        raise InputError("sweep.block", sweep.block, "nothing, where the sweep is over maps: each is a block")
+        raise InputError("sweep.block", sweep.block, "no value, because the sweep is over maps and each map is a block")
     case = case_of({key: value for key, value in opened_content.items() if key != "sweep"})
     scans = {"maps": "\n".join(one.name for one in maps)}
     points = case.load if case.load is not None else case.separation

@@ -123,5 +123,5 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
             yield from map(store.do, left)
     except OSError as error:
         full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-        why = "room on its disk, which is full" if full else f"a place that can be written ({error.strerror or error})"
+        why = "room on its disk, which is full" if full else f"a folder that can be written ({error.strerror or error})"
         raise InputError("--out", store.path, f"{why}; finished blocks are kept, run the sweep again to continue") from None
