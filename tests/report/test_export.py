@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -29,7 +30,12 @@ solve.load = "10 N"
 FILM = Path(__file__).parents[2] / "examples" / "soft_film.toml"
 AREA = 2e-4  # m^2
 # Pa in a unit of pressure, m in a unit of length and N in a unit of force, by hand.
-SYSTEMS = {"m-kg-s": (1.0, 1.0, 1.0), "mm-N-MPa": (1e6, 1e-3, 1.0), "in-lbf-psi": (6894.757293168, 0.0254, 4.4482216152605)}
+SYSTEMS = {
+    "m-kg-s": (1.0, 1.0, 1.0),
+    "um-uN-MPa": (1e6, 1e-6, 1e-6),
+    "mm-N-MPa": (1e6, 1e-3, 1.0),
+    "in-lbf-psi": (6894.757293168, 0.0254, 4.4482216152605),
+}
 LOADS = [0.17, 1.3, 10.0, 77.0, 610.0]
 
 
@@ -267,6 +273,96 @@ def test_a_block_sticks_and_slides_in_calculix(case, tmp_path, slips, expected):
     assert shear == pytest.approx(expected * float(row["friction_coefficient"]) * wanted, rel=5e-3)
 
 
+RADIUS, ADHESION = 50e-6, 0.05  # m, J/m^2
+STICKY = BARE.replace("2 cm^2", "4 um^2").replace("10 N", "10 uN") + f'contact.work_of_adhesion = "{ADHESION} J/m^2"\n'
+
+
+@pytest.fixture(scope="module")
+def sticky(tmp_path_factory):
+    path = tmp_path_factory.mktemp("sticky") / "spheres.toml"
+    path.write_text(STICKY, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def limit_force(sticky):
+    return float(st.predict(sticky).friction_force.squeeze())
+
+
+def lethe_parameters(text):
+    """Lethe: "set" in nested subsections; "#" begins a comment."""
+    found, path = {}, []
+    for line in text.splitlines():
+        word, _, rest = line.partition("#")[0].strip().partition(" ")
+        if word == "subsection":
+            path.append(rest.strip())
+        elif word == "end":
+            path.pop()
+        elif word == "set":
+            name, _, value = rest.partition("=")
+            found["/".join([*path, name.strip()])] = value.strip()
+    assert not path
+    return found
+
+
+@pytest.mark.parametrize("units", SYSTEMS)
+def test_lethe_slides_at_the_predicted_force(sticky, limit_force, units):
+    """The formulas are those of Lethe's theory guide: effective surface energy, pull-off force and Coulomb limit."""
+    of_pressure, length, force = SYSTEMS[units]
+    found = lethe_parameters(st.export(sticky, "lethe", units=units, radius=RADIUS).text)
+    place = "lagrangian physical properties"
+    particle = {
+        name: float(found[f"{place}/particle type 0/{name} particles"]) for name in ("surface energy", "friction coefficient")
+    }
+    wall = {name: float(found[f"{place}/{name} wall"]) for name in particle}
+    first, second = particle["surface energy"], wall["surface energy"]
+    energy = first + second - 2.0 * (math.sqrt(first) - math.sqrt(second)) ** 2
+    assert energy * force / length == pytest.approx(ADHESION, rel=1e-6)
+    pull_off = 1.5 * math.pi * energy * RADIUS / length
+    assert particle["friction coefficient"] == wall["friction coefficient"]
+    limit = particle["friction coefficient"] * (1e-5 / force + 2.0 * pull_off)
+    assert limit * force == pytest.approx(limit_force, rel=1e-3)
+    modulus = st.material("silicon").youngs_modulus / of_pressure
+    assert float(found[f"{place}/particle type 0/young modulus particles"]) == pytest.approx(modulus, rel=1e-6)
+    methods = {found[f"model parameters/particle {other} contact force method"] for other in ("particle", "wall")}
+    assert methods == {"hertz_JKR", "JKR"}
+
+
+@pytest.mark.parametrize("units", SYSTEMS)
+def test_liggghts_slides_at_the_predicted_force(sticky, limit_force, units):
+    """Hertz's force less k A, A = 2 pi delta 2 R*: its largest tension is JKR's, and mu times Hertz's force the limit."""
+    of_pressure, *_ = SYSTEMS[units]
+    text = st.export(sticky, "liggghts", units=units, radius=RADIUS).text
+    found = dict(re.findall(r"^variable (\w+) equal (\S+)$", text, flags=re.MULTILINE))
+    mu, cohesion = float(found["stictionFriction"]), float(found["stictionCohesion"]) * of_pressure
+    silicon = st.material("silicon")
+    modulus = silicon.youngs_modulus / 2.0 / (1.0 - silicon.poissons_ratio**2)
+
+    def hertz(overlap):
+        return 4.0 / 3.0 * modulus * math.sqrt(RADIUS * overlap) * overlap
+
+    def net(overlap):
+        return hertz(overlap) - cohesion * 2.0 * math.pi * overlap * 2.0 * RADIUS
+
+    overlaps = np.geomspace(1e-12, 1e-7, 20001)
+    forces = np.array([net(overlap) for overlap in overlaps])
+    assert -forces.min() == pytest.approx(1.5 * math.pi * ADHESION * RADIUS, rel=1e-5)
+    overlap = np.interp(1e-5, forces[forces.argmin() :], overlaps[forces.argmin() :])
+    assert mu * hertz(overlap) == pytest.approx(limit_force, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["lethe", "liggghts"])
+def test_spheres_need_a_radius_and_no_adhesion(case, predicted, name):
+    with pytest.raises(InputError, match="effective radius"):
+        st.export(case, name)
+    with pytest.raises(InputError) as refused:
+        st.export(case, name, radius=["1 um", "2 um"])
+    assert refused.value.field == "radius"
+    text = st.export(case, name, radius="50 um").text
+    coefficient = re.search(r"(?:friction coefficient particles =|stictionFriction equal) (\S+)", text)[1]
+    assert float(coefficient) == pytest.approx(predicted[LOADS.index(10.0)], rel=1e-6)
+
+
 def test_ansys_gets_the_stiffness_at_the_stated_load(case):
     table = st.export(case, "ansys", units="mm-N-MPa")
     told = re.search(r"FKT of the contact elements: (\S+), in N/mm\^3", table.text)
@@ -310,7 +406,7 @@ def test_formats_that_want_a_stiffness_refuse_a_film(name):
 
 
 def test_every_format_is_read_here():
-    assert {*READERS, "calculix", "lugre", "kratos"} == set(export_formats())
+    assert {*READERS, "calculix", "lugre", "kratos", "lethe", "liggghts"} == set(export_formats())
 
 
 def test_command(case, tmp_path):

@@ -16,6 +16,7 @@ def export(
     load: Load = None,
     level: float = option("Quantile of mu: 0.5 the median, 0.05 a lower bound, 0.95 an upper one.", 0.5),
     units: str = option(f"Consistent units of the file: {', '.join(UNITS)}.", "m-kg-s"),
+    radius: str | None = option('Effective radius of two spheres, e.g. "50 um", for lethe and liggghts.', metavar="LENGTH"),
     json: Json = False,
 ) -> None:
     """Write mu against nominal pressure, and the tangential stiffness before sliding, as input for another program.
@@ -26,7 +27,7 @@ def export(
     with solving():
         from stiction.report.export import export as write
 
-        table = write(case, to, out, load=load, level=level, units=units)
+        table = write(case, to, out, load=load, level=level, units=units, radius=radius)
     ends = [float(table["nominal_pressure"][place]) for place in (0, -1)]
     content = {"file": str(out), "format": to, "units": units, "level": level, "comments": table.attrs["comments"]}
     if json:

@@ -2,12 +2,17 @@
 
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from stiction.quantities.errors import InputError
+import numpy as np
+
+from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.paths import require_place
+from stiction.quantities.units import to_si
 from stiction.report.exports import UNITS, export_formats
+from stiction.report.spheres import spheres_of
 from stiction.studies.prediction.friction_table import friction_table
+from stiction.studies.prediction.predict import case_given
 
 if TYPE_CHECKING:
     import xarray
@@ -27,6 +32,7 @@ def export(
     load: "QuantityLike | None" = None,
     level: float = 0.5,
     units: str = "m-kg-s",
+    radius: "QuantityLike | None" = None,
 ) -> "xarray.Dataset":
     """Write the predicted friction of a contact as a table for another program.
 
@@ -47,6 +53,9 @@ def export(
         Quantile of mu to write, between 0 and 1: 0.5 is the median, 0.05 a lower bound.
     units : str
         Consistent units of the file, e.g. "mm-N-MPa". The error for unknown units lists all choices.
+    radius : float [m] or str with a unit, optional
+        Effective radius of two spheres, 1/R = 1/R_1 + 1/R_2, for the formats "lethe" and "liggghts", which require it. The load
+        is then the force between them, and the nominal area that of their contact.
 
     Returns
     -------
@@ -58,7 +67,8 @@ def export(
     Raises
     ------
     InputError
-        If the format or the units are unknown, the contact has no prediction, or the file cannot be written.
+        If the format or the units are unknown, the format needs a radius, the contact has no prediction, or the file cannot be
+        written.
 
     Notes
     -----
@@ -83,7 +93,8 @@ def export(
     if out is not None:
         require_place(Path(out), "a file, new or existing")
     table = _in_units(friction_table(contact, load=load, level=level), units)
-    content = import_module(f"stiction.report.exports.{to}").content(table)
+    described = table if radius is None else table.assign_attrs(spheres=_spheres(contact, load, radius, units))
+    content = import_module(f"stiction.report.exports.{to}").content(described)
     if out is not None:
         data = content.encode() if isinstance(content, str) else content
         try:
@@ -91,6 +102,16 @@ def export(
         except OSError as error:
             raise InputError("out", str(out), f"a file that can be written; the system reports: {error.strerror}") from None
     return table.assign_attrs(text=content)
+
+
+def _spheres(contact: "Contact | CaseLike", load: "QuantityLike | None", radius: "QuantityLike", units: str) -> dict[str, Any]:
+    """Return what discrete-element formats need of two spheres, in the named system of units."""
+    with field_named("radius"):
+        effective_radius = to_si(radius, "asperity_radius")
+        if np.ndim(effective_radius):
+            raise InputError("radius", radius, 'a single length, e.g. "50 um"')
+    length, force, _ = UNITS[units]
+    return spheres_of(case_given(contact, load).subject.as_numbers(), float(effective_radius), length, force)
 
 
 def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
