@@ -347,6 +347,34 @@ def test_a_damaged_file_is_solved_again(contact, tmp_path):
     assert float(st.solve(contact, load="1 mN", model=MODEL)["contact_area"]) == float(first["contact_area"])
 
 
+def test_a_file_of_another_contact_is_solved_again(contact, tmp_path):
+    first = st.solve(contact, load="1 mN", model=MODEL)
+    (path,) = (tmp_path / "kept").iterdir()
+    content = path.read_bytes()
+    other = contact.replace(second="iron")
+    right = float(st.solve(other, load="1 mN", model=MODEL)["contact_area"])
+    assert right != float(first["contact_area"])
+    (exchanged,) = set((tmp_path / "kept").iterdir()) - {path}
+    exchanged.write_bytes(content)
+    assert float(st.solve(other, load="1 mN", model=MODEL)["contact_area"]) == right
+
+
+def test_no_changed_byte_of_a_file_changes_a_solution(tmp_path):
+    """Every eleventh byte of the file in turn, and the file cut off there: read as it was written, or not read."""
+    heights = np.zeros((8, 8))
+    heights[4, 4] = 1e-8
+    (solution,) = kept.solve_kept(heights, (1e-6, 1e-6), modulus=1e9, loads=[1e-9], periodic=True)
+    (path,) = (tmp_path / "kept").iterdir()
+    content = path.read_bytes()
+    for place in range(0, len(content), 11):
+        for spoilt in (content[:place] + bytes([content[place] ^ 0x21]) + content[place + 1 :], content[:place]):
+            path.write_bytes(spoilt)
+            contact = kept._read(path, heights.shape)
+            assert contact is None or (contact.area == solution.area and np.array_equal(contact.pressure, solution.pressure)), (
+                place
+            )
+
+
 def test_the_oldest_files_make_room(contact, tmp_path, monkeypatch):
     st.solve(contact, load="1 mN", model=MODEL)
     monkeypatch.setattr(kept, "_MOST", 1)

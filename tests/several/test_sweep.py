@@ -17,6 +17,7 @@ from typer.testing import CliRunner
 
 from refusals import refusal
 from stiction import cli
+from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies import evaluate_many
@@ -344,6 +345,73 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(tmp_path, monkeypatch):
     assert same(tmp_path / "whole", tmp_path / "store")
 
 
+def test_a_disk_that_fills_up_while_statistics_are_merged_is_one_line(tmp_path, monkeypatch):
+    case = changed(DRAWN, sweep={"statistics": ["mean"]})
+
+    def full(store):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with monkeypatch.context() as patched:
+        patched.setattr(sweep_store.Store, "finish", full)
+        with refusal("--out", "full"):
+            sweep(case, tmp_path / "store")
+    sweep(case, tmp_path / "store")
+    sweep(case, tmp_path / "whole")
+    assert same(tmp_path / "whole", tmp_path / "store")
+
+
+LIMITED = """
+import resource, sys
+import xarray, zarr
+from stiction import cli
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[3]), int(sys.argv[3])))
+cli.app(["sweep", sys.argv[1], "--out", sys.argv[2]])
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such limit")
+@pytest.mark.parametrize("limit", [10, 108])  # bytes: before the store is there, and at the first block
+def test_a_file_that_grows_beyond_a_limit_is_one_line_and_nothing_is_lost(tmp_path, limit):
+    """By the limit of the operating system, which stands for a disk that is full."""
+    case, store = tmp_path / "case.toml", tmp_path / "store"
+    case.write_text(as_toml(DRAWN), encoding="utf-8")
+    if limit > 100:
+        sweep_opening.create(store, make_plan(DRAWN), "", as_toml(DRAWN))
+    words = [sys.executable, "-c", LIMITED, str(case), str(store), str(limit)]
+    ended = subprocess.run(words, capture_output=True, text=True)
+    errors = [line for line in ended.stderr.splitlines() if line.startswith("stiction: ")]
+    assert ended.returncode == 2 and len(errors) == 1 and "--out" in errors[0], ended.stderr
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
+    np.testing.assert_array_equal(sweep(case, store).contact_area, sweep(case, tmp_path / "whole").contact_area)
+
+
+def test_a_store_that_another_process_creates_meanwhile_is_used(tmp_path, monkeypatch):
+    """The other process is faster while this one writes its store beside the place."""
+    fill = sweep_opening._fill
+    begun = []
+
+    def beaten(*arguments):
+        fill(*arguments)
+        if not begun:
+            begun.append(True)
+            sweep(DRAWN, tmp_path / "store")
+
+    monkeypatch.setattr(sweep_opening, "_fill", beaten)
+    sweep(DRAWN, tmp_path / "store")
+    sweep(DRAWN, tmp_path / "whole")
+    assert same(tmp_path / "whole", tmp_path / "store")
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
+
+
+def test_a_clock_that_jumps_changes_nothing(tmp_path, monkeypatch):
+    sweep(DRAWN, tmp_path / "whole")
+    interrupted(DRAWN, tmp_path / "store", after=2)
+    jumps = iter(np.random.default_rng(0).uniform(0.0, 4e9, 1_000_000))
+    monkeypatch.setattr(time, "time", lambda: next(jumps))
+    sweep(DRAWN, tmp_path / "store")
+    assert same(tmp_path / "whole", tmp_path / "store")
+
+
 @pytest.mark.parametrize(
     ("other", "where"),
     [
@@ -406,6 +474,15 @@ def test_blocks_whose_files_were_spoilt_are_done_again(tmp_path, case, array, sp
     spoil(sorted(path for path in (spoilt / array / "c").rglob("*") if path.is_file()))
     sweep(case, spoilt)
     assert same(whole, spoilt)
+
+
+@pytest.mark.parametrize("spoil", [_damage, _exchange])
+def test_a_store_whose_coordinates_were_changed_is_refused_in_one_line(tmp_path, spoil):
+    sweep(GRID, tmp_path / "store")
+    chunks = [path for name in ("lam", "theta") for path in (tmp_path / "store" / name / "c").rglob("*") if path.is_file()]
+    spoil(chunks)
+    with refusal("--out", "changed or deleted"):
+        sweep(GRID, tmp_path / "store")
 
 
 def test_a_list_of_blocks_that_cannot_be_read_is_refused_in_one_line(tmp_path):

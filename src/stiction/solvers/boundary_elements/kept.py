@@ -7,7 +7,6 @@ continues where it stopped. When the cache is full, the files not used for longe
 import hashlib
 import json
 import os
-import zipfile
 from collections.abc import Sequence
 from dataclasses import fields
 from functools import cache
@@ -89,16 +88,18 @@ def _file(name: str, load: float) -> Path:
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
-    """Return the contact read from a file, or None if the file is missing or damaged."""
+    """Return the contact read from a file, or None if the file is missing, damaged, or was written under another name."""
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
+            if file["name"].item() != path.name:
+                return None
             numbers = json.loads(file["numbers"].item())
             validity_warnings = tuple(ValidityWarning.from_data(row) for row in json.loads(file["validity_warnings"].item()))
             pressure = np.zeros(shape)
             pressure[np.unpackbits(file["where"], count=pressure.size).reshape(shape).astype(bool)] = file["pressure"]
         os.utime(path)
         return MapContact(**numbers, validity_warnings=validity_warnings, pressure=pressure)
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
+    except Exception:  # numpy and zipfile raise many kinds of errors for damaged files
         return None
 
 
@@ -120,7 +121,12 @@ def _keep(path: Path, contact: MapContact) -> None:
 
     def write(file: BinaryIO) -> None:
         np.savez(
-            file, numbers=json.dumps(numbers), validity_warnings=validity_warnings, where=where, pressure=pressure[touched]
+            file,
+            name=path.name,
+            numbers=json.dumps(numbers),
+            validity_warnings=validity_warnings,
+            where=where,
+            pressure=pressure[touched],
         )
 
     keep_file(path, write, _MOST)

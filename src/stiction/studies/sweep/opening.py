@@ -8,6 +8,8 @@ from importlib.metadata import version
 from itertools import islice
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
+from zlib import crc32
 
 import numpy as np
 
@@ -26,6 +28,7 @@ from stiction.studies.sweep.store import CHECKSUMS, COUNTS, DONE, NOT_DONE, PART
 _LAWS = ("title", "model", "asperity", "tangential", "film", "options", "heights", "grade", "sources", "friction_law")
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "zarr")
 _MOST_RULES = 31 - len(WHY_NOT)
+_COORDINATE_CHECKSUMS = "coordinate_checksums"
 _SIZES = 2048  # of a point that one file holds; few results have more
 
 
@@ -52,15 +55,22 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
 
 
 def _check_whole(store: Store, path: Path) -> None:
-    """Raise InputError if an array of the store is absent, or if its list of finished blocks cannot be read."""
+    """Raise InputError if an array is absent, if the list of finished blocks cannot be read, or if a coordinate was changed."""
     try:
         absent = ({DONE, CHECKSUMS} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
         store.left()
+        written = json.loads(store.group.attrs[_COORDINATE_CHECKSUMS])
+        whole = not absent and all(_checksum(store._arrays[name][...]) == total for name, total in written.items())
     except Exception:  # zarr raises many kinds of errors for damaged files
-        absent = {"a readable array"}
-    if absent:
+        whole = False
+    if not whole:
         allowed = "an undamaged store: files of this one were changed or deleted; delete it and run the sweep again"
         raise InputError("--out", str(path), allowed)
+
+
+def _checksum(coordinate: np.ndarray) -> int:
+    """Return the CRC-32 of a coordinate of numbers or texts."""
+    return crc32(repr(np.asarray(coordinate).tolist()).encode())
 
 
 def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
@@ -86,12 +96,12 @@ def _difference(one: Any, other: Any, path: str = "") -> str:
 def create(path: Path, plan: Plan, title: str, text: str) -> None:
     """Create an empty store at a path; it is prepared beside the path and moved there at the end.
 
-    Raises InputError if the first contacts cannot be solved, or if the path cannot be written.
+    A store that another process created meanwhile stays. Raises InputError if the first contacts cannot be solved, or if the
+    path cannot be written.
     """
     choice, first = _first(plan)
-    beside = path.resolve().parent / f".{path.resolve().name}.begun"
+    beside = path.resolve().parent / f".{path.resolve().name}.{uuid4().hex}.begun"
     try:
-        shutil.rmtree(beside, ignore_errors=True)
         beside.parent.mkdir(parents=True, exist_ok=True)
         _fill(beside, plan, first, {"case": title, "case_file": text, "choice": json.dumps(vars(choice), default=dict)})
         if path.exists():
@@ -99,6 +109,8 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
         beside.rename(path)
     except OSError as error:
         shutil.rmtree(beside, ignore_errors=True)
+        if path.is_dir() and any(path.iterdir()):
+            return
         raise InputError("--out", str(path), f"a folder that can be written ({error.strerror or error})") from None
 
 
@@ -162,6 +174,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     coordinates = _coordinates(group, plan, case, points)
     xarray.Dataset(coords=coordinates).to_zarr(path, mode="a", consolidated=False, zarr_format=3)
     own = [one.name for one in plan.several.values() if one.name != one.dimension or one.name not in coordinates]
+    group.attrs[_COORDINATE_CHECKSUMS] = json.dumps({name: _checksum(values) for name, (_, values, _) in coordinates.items()})
     group.attrs["coordinates"] = " ".join(() if plan.sweep.statistics else own)
     meanings = meanings_of(solved.rules)
     done = group.create_array(

@@ -3,6 +3,7 @@
 import errno
 import json
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -105,14 +106,15 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
         done = _done(store, left, workers, scheduler)
         for _ in (progress or (lambda done, size, steps: steps))(plan.size - sum(points), plan.size, done):
             pass
-        store.finish()
+        with _refused_where_not_writable(store):
+            store.finish()
     return store
 
 
 def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) -> Iterator[int]:
     from stiction.studies.sweep import workers as sweep_workers
 
-    try:
+    with _refused_where_not_writable(store):
         if not left:
             return
         if scheduler is not None:
@@ -121,6 +123,13 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
             yield from sweep_workers.done_in_processes(store, left, min(workers, len(left)))
         else:
             yield from map(store.do, left)
+
+
+@contextmanager
+def _refused_where_not_writable(store: "Store") -> Iterator[None]:
+    """Raise InputError, in one line, where a file of the store cannot be written."""
+    try:
+        yield
     except OSError as error:
         full = error.errno in (errno.ENOSPC, errno.EDQUOT)
         why = "room on its disk, which is full" if full else f"a folder that can be written ({error.strerror or error})"
