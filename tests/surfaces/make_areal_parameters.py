@@ -22,8 +22,12 @@ def row(path: Path) -> dict[str, float]:
     scan = level(read_scan(path))
     surface = Surface(scan.heights * 1e6, *(step * 1e6 for step in scan.pitch[::-1]))
     curve = AbbottFirestoneCurve(surface.center(), nbins=10_001)
+    shape = {"Ssk": surface.Ssk(), "Sku": surface.Sku()}
     ratios = {"Sdr": surface.Sdr() / 100, "Str": surface.Str(), "Smr1": curve.mr1() / 100, "Smr2": curve.mr2() / 100}
     lengths = {
+        "Sq": surface.Sq(),
+        "Sa": surface.Sa(),
+        "Sz": surface.Sz(),
         "Sp": surface.Sp(),
         "Sv": surface.Sv(),
         "Sal": surface.Sal(),
@@ -31,7 +35,7 @@ def row(path: Path) -> dict[str, float]:
         "Spk": curve.pk(),
         "Svk": curve.vk(),
     }
-    return ratios | {name: value * 1e-6 for name, value in lengths.items()}
+    return shape | ratios | {name: value * 1e-6 for name, value in lengths.items()}
 
 
 if __name__ == "__main__":
