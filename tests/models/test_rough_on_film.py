@@ -228,3 +228,14 @@ def test_many_contacts_are_each_by_itself():
     assert_allclose(whole, alone, rtol=1e-12)
     assert (np.diff(area_at_load(np.sort(load, axis=1), given), axis=1) >= 0.0).all()
     assert isinstance(given, Groups) and persson_2001.RECORD.on_film is False
+
+
+@pytest.mark.parametrize("decades", [4.0, 40.0])
+def test_many_loads_are_each_by_itself(decades):
+    """Many loads share an interpolated modulus, as far as it is accurate; one load does not; a load of 0 has no area."""
+    n_E, aspect = (one.ravel() for one in np.meshgrid([0.02, 0.5, 30.0], [0.01, 0.3, 10.0]))
+    given = groups(roughness_parameter=0.05, hardness_group=1e9, n_H=1.0, tau=1.0, n_E=n_E, film_aspect=aspect)
+    load = np.broadcast_to(np.concatenate([[0.0], 10.0 ** np.linspace(-decades, 0.0, 40)]), (len(given), 41))
+    alone = np.hstack([area_at_load(load[:, [at]], given) for at in range(41)])
+    assert_allclose(area_at_load(load, given), alone, rtol=2e-13)
+    assert (alone[:, 0] == 0.0).all() and (np.diff(alone) > 0.0).all()

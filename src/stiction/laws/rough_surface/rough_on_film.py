@@ -68,7 +68,7 @@ _SLOPES = -2.0, -0.5  # between which a secant is believed: near convergence it 
 _STEPS, _PER_POINT = 40, 10  # fixed-point steps; what a load takes, as a number of points: bounds the memory
 # Points at which the modulus is interpolated over the area, last terms that are negligible, and factor by which the modulus may
 # lie beyond those of film and bodies.
-_POINTS, _ROUND_OFF, _BEYOND = 16, 2e-14, 0.5
+_POINTS, _ROUND_OFF, _BEYOND = 20, 2e-14, 0.5
 STIFF = 5.0  # over the modulus of the bodies: under such films, where they are thin, it is weak
 
 
@@ -155,7 +155,7 @@ def area_of_waves(
     def log_bare(pressure: np.ndarray) -> np.ndarray:
         return np.log(np.maximum(bare(pressure), _LEAST_AREA))
 
-    if pressure.shape[1] > _POINTS:
+    if pressure.shape[1] > _POINTS // 2:  # for fewer it is quicker to compute the modulus in every step
         least, most = _BEYOND * np.minimum(n_E, 1.0)[:, None], np.maximum(n_E, 1.0)[:, None] / _BEYOND
         smallest = np.where(pressure > 0.0, pressure, np.inf).min(axis=1, keepdims=True)
         largest = pressure.max(axis=1, keepdims=True)
