@@ -255,7 +255,7 @@ def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
     from stiction.solvers.boundary_elements.telling import telling as telling_steps
 
     with (
-        telling(lambda done: line.say(f"{text}: compiling kernels, once per installation ({done} done)")),
+        telling(lambda done, name: line.say(f"{text}: compiling {name}, once per installation ({done} kernels done)")),
         telling_steps(lambda step: line.say(f"{text}: load {step.load + 1} of {step.loads}, residual {step.residual:.1e}")),
     ):
         yield

@@ -3,11 +3,13 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+Tell = Callable[[int, str], None]  # from the number of kernels compiled so far, and the name of the kernel
+
 
 class _Listener:
     """Count the kernels compiled since the listener was installed."""
 
-    def __init__(self, tell: Callable[[int], None]):
+    def __init__(self, tell: Tell):
         self.tell, self.done = tell, 0
 
 
@@ -15,10 +17,11 @@ _listeners: list[_Listener] = []
 
 
 @contextmanager
-def telling(tell: Callable[[int], None]) -> Iterator[None]:
-    """Within the context, call tell(number of kernels compiled so far) whenever a kernel starts or finishes compiling.
+def telling(tell: Tell) -> Iterator[None]:
+    """Within the context, call tell(number of kernels compiled so far, name) whenever a kernel starts or finishes compiling.
 
-    `tell` is not called for kernels that are loaded from the cache.
+    name: key of the law whose formulas are in the kernel, or name of a kernel that all laws share. `tell` is not called for
+    kernels that are loaded from the cache.
     """
     listener = _Listener(tell)
     _listeners.append(listener)
@@ -28,8 +31,8 @@ def telling(tell: Callable[[int], None]) -> Iterator[None]:
         _listeners.remove(listener)
 
 
-def report(finished: int) -> None:
-    """Tell all listeners that a kernel starts compiling (0) or has been compiled (1)."""
+def report(finished: int, name: str) -> None:
+    """Tell all listeners that the kernel of this name starts compiling (0) or has been compiled (1)."""
     for listener in tuple(_listeners):
         listener.done += finished
-        listener.tell(listener.done)
+        listener.tell(listener.done, name)

@@ -9,8 +9,9 @@ import hashlib
 import os
 import pickle
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 import numba
@@ -41,6 +42,7 @@ class _KernelCache(NullCache):
 
     def __init__(self, compiled: Any, digest: Callable[[Any], str]):
         self._compiled, self._digest_of, self._digest = compiled, digest, ""
+        self._name = next(_laws_of(compiled.py_func), compiled.py_func.__name__.strip("_"))
 
     @property
     def cache_path(self) -> str:
@@ -58,7 +60,7 @@ class _KernelCache(NullCache):
         target_context.refresh()
         loaded = self._loaded(sig, target_context) if _is_trusted() else None
         if loaded is None:
-            report(finished=0)
+            report(0, self._name)
         return loaded
 
     def _loaded(self, sig: Any, target_context: Any) -> Any:
@@ -77,7 +79,7 @@ class _KernelCache(NullCache):
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        report(finished=1)
+        report(1, self._name)
         if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted) or not _is_trusted():
             return
         file = self._file(sig, data.codegen)
@@ -89,6 +91,16 @@ class _KernelCache(NullCache):
         key = hashlib.sha256(repr((self._digest, sig, made_by)).encode()).hexdigest()[:24]
         function = self._compiled.py_func
         return cache_folder("kernels") / f"{function.__module__}.{function.__name__}-{key}.nbi"
+
+
+def _laws_of(function: Any) -> Iterator[str]:
+    """Yield the keys of the laws whose formulas are in the closure of a kernel or formula."""
+    *folders, name = function.__module__.split(".")
+    if folders[:2] == ["stiction", "laws"] and len(folders) == 3:
+        yield name
+    for cell in function.__closure__ or ():
+        if isinstance(cell.cell_contents, FunctionType):
+            yield from _laws_of(cell.cell_contents)
 
 
 def _is_trusted() -> bool:
