@@ -112,7 +112,7 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
     -------
     xarray.Dataset
         Over `design` the best design of each combination of listed choices, the best of all first: chosen numbers, objective,
-        limited quantities, `feasible` (all constraints met), `violated` (names of constraints, one a line) and
+        limited quantities, `feasible` (all constraints met), `violated` (the violated constraints as text, one a line) and
         `constraint_violation` (relative). With two objectives also the Pareto front, over `pareto`.
 
     Raises
