@@ -265,7 +265,7 @@ def rms_slope(surface: HeightMap) -> float:
 def _check_grid(shape, seed) -> None:
     whole = len(shape) == 2 and all(isinstance(count, int | np.integer) and count > 0 for count in shape)
     if not whole or shape[1] < _LEAST_POINTS or 1 < shape[0] < _LEAST_POINTS:
-        raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) of a profile")
+        raise InputError("shape", shape, f"(rows, columns), at least {_LEAST_POINTS} each, or (1, columns) for a profile")
     require_arrays(shape, _ARRAYS)
     if not isinstance(seed, int | np.integer) or seed < 0:
         raise InputError("seed", seed, "an integer >= 0")

@@ -68,7 +68,7 @@ def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tu
 def _of_pair(value: Any) -> tuple[np.ndarray, tuple[float, float]]:
     heights, size = np.atleast_2d(value[0]), value[1]
     if heights.ndim != 2:
-        raise InputError("heights", f"array of shape {heights.shape}", "heights (rows, columns), or (columns,) of a profile")
+        raise InputError("heights", f"array of shape {heights.shape}", "heights (rows, columns), or (columns,) for a profile")
     rows, columns = heights.shape
     lengths = list(size) if isinstance(size, tuple | list) else [size]
     if len(lengths) not in (1, 2):
@@ -91,7 +91,7 @@ def _of_topography(topography: Any) -> HeightMap:
 
 def _of_labelled(array: Any) -> HeightMap:
     if array.ndim not in (1, 2):
-        raise InputError("scan", f"DataArray of shape {array.shape}", "heights (y, x), or (x,) of a profile")
+        raise InputError("scan", f"DataArray of shape {array.shape}", "heights (y, x), or (x,) for a profile")
     if array.dims == ("x", "y"):
         array = array.transpose("y", "x")
     pitches = [_pitch(array, str(dim)) for dim in array.dims]

@@ -62,11 +62,9 @@ def _body(value):
         return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
     numbers = Roughness(**value)
     if numbers.surface is not None:
-        raise InputError("surface", "a table", "no value for a body whose counterpart is a measured surface")
+        raise InputError("surface", "a table", "no `surface` for this body, because the other body is a scan")
     if numbers.height_distribution != "gaussian":
-        raise InputError(
-            "height_distribution", numbers.height_distribution, "gaussian for a body whose counterpart is a measured surface"
-        )
+        raise InputError("height_distribution", numbers.height_distribution, "gaussian, because the other body is a scan")
     return numbers
 
 

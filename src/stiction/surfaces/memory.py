@@ -52,5 +52,5 @@ def require_arrays(shape: tuple[int, int], arrays: int) -> None:
 def _require(shape: tuple[int, int], needed: int) -> None:
     there = available_memory()
     if there is not None and needed > there:
-        allowed = f"a map for which the {there / _GIGA:.2g} GB of free memory are enough; it needs {needed / _GIGA:.2g} GB"
+        allowed = f"a smaller map: this one needs {needed / _GIGA:.2g} GB of memory, and {there / _GIGA:.2g} GB are free"
         raise InputError("heights", f"{shape[0]} x {shape[1]} points", allowed)

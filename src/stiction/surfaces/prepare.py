@@ -124,7 +124,7 @@ def _check_left(raw: HeightMap, surface: HeightMap) -> None:
     before, after = (float(np.nanmax(one.heights) - np.nanmin(one.heights)) for one in (raw, surface))
     offset = max(abs(float(np.nanmax(raw.heights))), abs(float(np.nanmin(raw.heights))))
     if after <= 1e-12 * before + 8.0 * np.finfo(float).eps * offset:
-        raise InputError("scan", f"{surface.name}, flat without its form", "a scan with roughness beside its form")
+        raise InputError("scan", f"{surface.name} is flat once its form is removed", "a scan that is rough after form removal")
 
 
 # ---- form

@@ -46,7 +46,11 @@ class SolvableMaps:
         Raises InputError if a rough body has no map, a map is a profile or has missing points, or two maps differ in size.
         """
         if self.some_numbers or not self.maps:
-            raise InputError("roughness", "numbers of a rough body", "a measured map of every rough body")
+            raise InputError(
+                "roughness",
+                "a body stated by sigma, R and N",
+                "a scan of every rough body, because the heights are solved point by point",
+            )
         for body, each in self.maps.items():
             if each.is_profile:
                 raise InputError(
@@ -71,7 +75,7 @@ def _sum(first: "HeightMap", second: "HeightMap") -> "HeightMap":
     """
     same = all(math.isclose(one, other, rel_tol=_ALIKE) for one, other in zip(first.size, second.size, strict=True))
     if first.heights.shape != second.heights.shape or not same or first.periodic != second.periodic:
-        allowed = "the points, size and periodicity of the first map, because the two are added"
+        allowed = "a map with the points, size and periodicity of the first, because both are added"
         raise InputError("roughness.second", _said(second), f"{allowed} ({_said(first)})")
     heights = np.add(first.heights, second.heights[:, ::-1])
     return first.with_heights(heights, f"heights of {second.name or 'the second body'}, turned over, added")

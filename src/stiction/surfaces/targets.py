@@ -95,7 +95,7 @@ class SelfAffine:
         if not (isinstance(self.hurst, Real) and 0.0 <= self.hurst <= 1.0):
             raise InputError("hurst", self.hurst, "0 to 1")
         if not isinstance(self.dimensions, Real) or self.dimensions not in _SHARES:
-            raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
+            raise InputError("dimensions", self.dimensions, "2 for a surface, 1 for a profile")
         require_positive(shortest=self.shortest, deviation=self.deviation, rolloff=self.rolloff)
         if not self.shortest <= self.rolloff < math.inf:
             raise InputError("rolloff", self.rolloff, f"a wavelength in m, not below the shortest, {self.shortest:g} m")
@@ -169,7 +169,7 @@ class GaussianCorrelation:
         _to_metres(self, "deviation", "length")
         require_positive(deviation=self.deviation, length=self.length)
         if self.dimensions not in _SHARES:
-            raise InputError("dimensions", self.dimensions, "2 of a surface, 1 of a profile")
+            raise InputError("dimensions", self.dimensions, "2 for a surface, 1 for a profile")
 
     def __str__(self) -> str:
         length, deviation = (show(value, "mean_separation") for value in (self.length, self.deviation))

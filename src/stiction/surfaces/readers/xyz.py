@@ -21,7 +21,7 @@ def read(path: Path, channel) -> RawScan | None:
 
 
 def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawScan:
-    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z of a profile")
+    raise InputError("scan", f"{name} with {table.shape[1]} columns", "columns x y z, or x z for a profile")
 
 
 READER = Reader(

@@ -23,5 +23,5 @@ def checked(heights: np.ndarray, name: str) -> np.ndarray:
     """
     if heights.dtype.kind not in "iuf" or heights.ndim not in (1, 2):
         told = f"{name}: {heights.dtype} of shape {heights.shape}"
-        raise InputError("scan", told, "real numbers of shape (rows, columns), or (points,) of a profile")
+        raise InputError("scan", told, "real numbers of shape (rows, columns), or (points,) for a profile")
     return np.atleast_2d(heights)

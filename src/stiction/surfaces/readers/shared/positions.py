@@ -28,7 +28,7 @@ def equally_spaced(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tuple[floa
     if off <= max(_ROUNDED * _last_digit(x), 1e-6 * pitch):
         return z[None, :], (pitch, pitch * count), _rounding(off, pitch)
     if not (np.diff(x) > 0.0).all():
-        raise InputError("scan", "positions that go back", "positions x that increase along the profile")
+        raise InputError("scan", "positions x that decrease", "positions x that increase along the profile")
     pitch = float(x[-1] - x[0]) / (count - 1)
     heights = np.interp(np.linspace(x[0], x[-1], count), x, z)
     note = f"positions not equally spaced: resampled by linear interpolation to {count} points with equal spacing"

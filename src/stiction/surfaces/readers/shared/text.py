@@ -69,7 +69,7 @@ def _no_numbering(table: np.ndarray, name: str) -> None:
         and np.array_equal(table[0, 1:], np.arange(columns - 1))
         and np.array_equal(table[1:, 0], np.arange(rows - 1))
     ):
-        raise InputError("scan", f"{name} with numbers of its rows and columns", "heights only")
+        raise InputError("scan", f"{name} with row and column numbers", "heights only; delete the first row and column")
 
 
 # ---- layout
@@ -105,7 +105,7 @@ def _layout(path: Path) -> _Layout | None:
     if len(names) != len(cells) or not any(map(_is_number, cells)):
         return None
     if not names[0]:
-        raise InputError("scan", f"{path.name} with numbers of its rows", "columns x z, x y z, or heights only")
+        raise InputError("scan", f"{path.name} with row numbers", "columns x z, x y z, or heights only")
     return _surveyed(path, delimiter, first)
 
 
@@ -159,7 +159,7 @@ def _numbers(path: Path, layout: _Layout) -> tuple[np.ndarray, tuple[str, ...]]:
         table = np.loadtxt(_rows(path, layout), delimiter=layout.delimiter, ndmin=2, comments=None)
     except ValueError as error:
         problem = str(error).partition(";")[0].rstrip(".")
-        raise InputError("scan", path.name, f"rows of numbers, equally many in each ({problem})") from None
+        raise InputError("scan", path.name, f"the same number of values in every row ({problem})") from None
     notes: tuple[str, ...] = ("decimal commas",) if layout.commas else ()
     if layout.heading:
         notes += (f"heading {layout.heading[:60]!r} passed over, not read for units",)
