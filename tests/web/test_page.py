@@ -99,7 +99,7 @@ async def test_the_first_screen_shows_the_prediction():
         low, high = (f"{float(here[f'friction_coefficient_{end}']):.2g}" for end in ("low", "high"))
         card = _card(user)
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
-        assert f"mostly interface strength ({found.shares['interface']:.0%})</dd>" in card
+        assert f"interface strength {found.shares['interface']:.0%}</dd>" in card
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == found.attrs["regime"] and rows["next"] == found.attrs["next_step"]  # below "Why"
 

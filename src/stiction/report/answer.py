@@ -121,7 +121,7 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 def confidence_in_words(mu: float, low: float, high: float) -> str:
     """Return the confidence in mu as a word, with the factors from mu up and down to its interval ends."""
     word = confidence(mu, low, high)
-    return f"{word}: up to {number(high / mu)} times higher, {number(mu / low)} times lower" if low > 0.0 else word
+    return f"{word}: interval 1/{number(mu / low)} to {number(high / mu)} times mu" if low > 0.0 else word
 
 
 def headline(data: "xarray.Dataset") -> str:

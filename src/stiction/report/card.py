@@ -12,13 +12,14 @@ if TYPE_CHECKING:
     import xarray
 
 _WORDS = 12  # of a warning
+_NOTICED = 0.25  # share of the variance from which on the second largest part is shown too
 _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches from .01 to 10 at least
 
 
 class Card(NamedTuple):
     """The content of the answer card of a prediction.
 
-    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. decides: main source of
+    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. decides: main sources of
     uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that the user named,
     in words, or "".
     """
@@ -49,7 +50,7 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
-        rows = [("Confidence", self.confidence), ("Uncertainty", f"mostly {self.decides}" if self.decides else "")]
+        rows = [("Confidence", self.confidence), ("Uncertainty", self.decides)]
         rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
@@ -97,8 +98,8 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     """
     point, attrs = at_working_load(data), data.attrs
     mu, low, high = (float(point[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
-    largest = max(attrs["shares"], key=attrs["shares"].get, default="")
-    decides = f"{part_name(largest)} ({attrs['shares'][largest]:.0%})" if largest else ""
+    shares = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])[:2]
+    decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in shares if share > _NOTICED or share == shares[0][1])
     warning = briefly(next(iter(attrs["warnings"]), ""))
     load = show(float(point["load"]), "load", 3)
     bare = attrs["bare_metal"]

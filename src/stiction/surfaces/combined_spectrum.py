@@ -104,6 +104,8 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     of several scans, wavelengths 103.84 nm to 16.4569 µm
     >>> surface = st.gaussian_surface((512, 512), ("12 um", "12 um"), spectrum, seed=3)
     """
+    if not isinstance(scans, Iterable) or isinstance(scans, str):
+        raise InputError("scans", scans, "a list of maps, e.g. [st.read_scan(FILE), ...]")
     maps = [as_height_map(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
     if not maps:
         raise InputError("scans", 0, "at least one scan")
