@@ -64,7 +64,10 @@ def alike(found: xarray.Dataset, expected: xarray.Dataset) -> None:
     """The same variables and validity warnings; what differs is how the scan came."""
     assert set(found.variables) == set(expected.variables)
     for name in expected.variables:
-        np.testing.assert_array_equal(found[name].values, expected[name].values, err_msg=str(name))
+        if expected[name].dtype.kind == "f":  # plain Python at first, compiled loops later: the last digit may differ
+            np.testing.assert_allclose(found[name].values, expected[name].values, rtol=1e-13, err_msg=str(name))
+        else:
+            np.testing.assert_array_equal(found[name].values, expected[name].values, err_msg=str(name))
         assert found[name].dims == expected[name].dims
     for name in ("roughness_method", "outside_validity", "validity_warnings", "sources", "model"):
         assert found.attrs.get(name) == expected.attrs.get(name), name
@@ -96,7 +99,7 @@ def test_a_scan_is_compared_as_from_a_case(scan, case):
     found = st.compare(st.Contact(**BODIES, roughness=scan), load="1 N")
     expected = st.compare_case(case(), load=1.0)
     name = "friction_coefficient_at_load_by_method"
-    np.testing.assert_array_equal(found[name].values, expected[name].values)
+    np.testing.assert_allclose(found[name].values, expected[name].values, rtol=1e-13)
     assert found[name].sizes["asperity_method"] == 5
     assert found.attrs["roughness_method"] == expected.attrs["roughness_method"]
 
