@@ -120,11 +120,12 @@ def _at_points(
     coords = points.coords
     if given in getattr(points.value, "dims", ()):
         coords[given] = coordinate(given, points.value.values, variables.pop(given)[2])
-    data = as_dataset(variables, coords).assign_attrs(summary_of(problem.subject, problem, tables))
+    data = as_dataset(variables, coords)
+    data.attrs |= summary_of(problem.subject, problem, tables)  # in place: every copy of a dataset takes a millisecond
     if solved.found is None or solved.carried is None:
         return data if problem.record.of_map is None else _with_interruption(data)
-    data = _with_carried(data, points, solved.carried)
-    return data.assign_attrs(convergence=f"all separations converged in at most {solved.found.evaluations} evaluations")
+    data.attrs["convergence"] = f"all separations converged in at most {solved.found.evaluations} evaluations"
+    return _with_carried(data, points, solved.carried)
 
 
 def _with_interruption(data: "xarray.Dataset") -> "xarray.Dataset":
@@ -142,7 +143,9 @@ def _with_carried(data: "xarray.Dataset", points: Points, carried: np.ndarray) -
     If loads are a coordinate, the computed loads are added.
     """
     validity_warnings = warnings_of_rounding(carried, points.wanted)
-    if validity_warnings and "load" in data.coords:
+    if not validity_warnings:
+        return data
+    if "load" in data.coords:
         beside = as_variables(points.problem.subject, {"load": carried}, points.factors, points.dims)["load"]
         data["load_carried"] = (*beside[:2], beside[2] | {"long_name": "normal load that is carried"})
     return with_warnings(data, validity_warnings)
