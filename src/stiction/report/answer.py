@@ -182,7 +182,7 @@ def _along(data: "xarray.Dataset") -> str:
     """State mu with its interval at the smallest and the largest load; "" for a single load."""
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
-    ordered = data.sortby("load")
+    ordered = data[[_MU, f"{_MU}_low", f"{_MU}_high"]].sortby("load")  # not the samples, which are many
     ends = (ordered.isel(load=place) for place in (0, -1))
     texts = [f"mu = {number(float(end[_MU]))} ({span(end, _MU)}) at {show(float(end['load']), 'load', 3)}" for end in ends]
     ratios = (ordered[f"{_MU}_high"] / ordered[f"{_MU}_low"]).values

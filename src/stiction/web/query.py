@@ -4,6 +4,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ class Answer:
         """Return whether the result is a prediction, which it is if the case names no model."""
         return is_predicted(self.case)
 
-    @property
+    @cached_property
     def curve(self) -> xarray.Dataset:
         """Return the result over its loads or separations; for a parameter sweep, at the first value of each array."""
         *arrays, along = self.data["load"].dims or (None,)
