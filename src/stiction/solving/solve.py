@@ -121,7 +121,7 @@ def _at_points(
     if given in getattr(points.value, "dims", ()):
         coords[given] = coordinate(given, points.value.values, variables.pop(given)[2])
     data = as_dataset(variables, coords)
-    data.attrs |= summary_of(problem.subject, problem, tables)  # in place: every copy of a dataset takes a millisecond
+    data.attrs |= summary_of(problem.subject, problem, tables)  # in place, because assign_attrs copies the dataset
     if solved.found is None or solved.carried is None:
         return data if problem.record.of_map is None else _with_interruption(data)
     data.attrs["convergence"] = f"all separations converged in at most {solved.found.evaluations} evaluations"

@@ -47,10 +47,14 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
     reference: ln mu (n,) of all samples before the exchange.
     """
     every = range(len(levels))
-    rows = np.tile(every, len(_EXCHANGES))
-    moved = np.concatenate([np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES])
-    other = log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
-    return 0.5 * float(np.nanmean((reference[rows] - other) ** 2))
+    orders = [np.random.default_rng(seed).permutation(every) for seed in _EXCHANGES]
+
+    def change(moved: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        return reference[rows] - log_mu(levels.with_rows(part, moved, rows), moved if part == "inputs" else rows)
+
+    if not np.nan_to_num(change(orders[0], np.array(every))).any():  # the part has no effect on this contact
+        return 0.0
+    return 0.5 * float(np.nanmean(change(np.concatenate(orders), np.tile(every, len(_EXCHANGES))) ** 2))
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
