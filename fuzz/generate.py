@@ -42,6 +42,58 @@ def case_of(seed: int) -> dict[str, Any]:
     return tables
 
 
+def suited_to(command: str, tables: dict[str, Any], chance: random.Random) -> dict[str, Any]:
+    """Return a case with what a command needs, as far as the case itself allows it: a random case is refused almost always."""
+    tables = {name: part for name, part in copy.deepcopy(tables).items() if name not in SECTIONS}
+    contact, solve = tables.get("contact"), tables.get("solve")
+    if not isinstance(contact, dict) or not isinstance(solve, dict):
+        return tables
+    if command == "validate":  # loads are those of the measured table
+        del tables["solve"]
+    elif contact.pop("interface", None) is not None and command not in ("film", "slide"):
+        contact["interfacial_shear_strength"] = f"{10 ** chance.uniform(6, 9):.3g} Pa"
+    if command in _SECTION_OF and solve.pop("separation", None) is not None:
+        solve["load"] = [f"{10 ** chance.uniform(-6, 2):.3g} N" for _ in range(chance.randint(1, 3))]
+    if command in ("film", "slide"):
+        contact.setdefault("work_of_adhesion", f"{10 ** chance.uniform(-3, 0.3):.3g} J/m^2")
+    if command == "slide":
+        contact.pop("coating", None)
+    if command == "film":
+        contact.setdefault("coating", {"material": "silver", "thickness": f"{10 ** chance.uniform(0, 4):.3g} nm"})
+    if command in _SECTION_OF:
+        tables[command] = _SECTION_OF[command](contact, chance)
+    return tables
+
+
+def _sweep(contact: dict[str, Any], chance: random.Random) -> dict[str, Any]:
+    contact["interfacial_shear_strength"] = [f"{10 ** chance.uniform(5, 9):.3g} Pa" for _ in range(chance.randint(2, 4))]
+    kept: tuple[dict[str, Any], ...] = ({}, {"statistics": ["mean", "median"]}, {"precision": "float32"}, {"block": 2})
+    return dict(chance.choice(kept))
+
+
+def _fit(contact: dict[str, Any], chance: random.Random) -> dict[str, Any]:
+    contact["interfacial_shear_strength"] = "50 MPa"
+    return {"free": {"interfacial_shear_strength": {"low": "1 MPa", "high": "1 GPa"}}}
+
+
+def _design(contact: dict[str, Any], chance: random.Random) -> dict[str, Any]:
+    choose: dict[str, Any] = {"interfacial_shear_strength": {"low": "1 MPa", "high": "1 GPa"}}
+    rough = contact.get("roughness")
+    if isinstance(rough, dict) and "asperity_height_deviation" in rough:
+        choose["roughness"] = {"asperity_height_deviation": {"low": "20 nm", "high": "80 nm"}}
+    return {"objective": {"minimise": "friction_coefficient"}, "choose": choose}
+
+
+_SECTION_OF = {"sweep": _sweep, "fit": _fit, "design": _design}
+
+
+def measured_text(chance: random.Random) -> str:
+    """Return a table of friction measured at some loads, with errors of about a tenth."""
+    rows = [(10 ** chance.uniform(-4, 1), 10 ** chance.uniform(-2, 0.3)) for _ in range(chance.randint(1, 6))]
+    lines = [f"{load:.3g},{mu:.3g},{mu * chance.uniform(0.01, 0.2):.2g}" for load, mu in sorted(rows)]
+    return "\n".join(["load [N],friction_coefficient,friction_coefficient_error", *lines, ""])
+
+
 def _is_read(tables: dict[str, Any]) -> bool:
     try:
         case_in(tables, Path())

@@ -28,15 +28,25 @@ from typer.testing import CliRunner
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from generate import case_of
+from generate import case_of, measured_text, suited_to
 from inputs import TARGETS
 
 from stiction import cli
 from stiction.case.text import as_toml
 
 # Commands that every case may be asked, and those that read a section of it; each with the share of cases that run it.
-COMMANDS = {"run": 1.0, "compare": 0.15, "sensitivity": 0.05, "film": 0.1, "slide": 0.1, "export": 0.1, "report": 0.03}
-SECTION_COMMANDS = {"sweep": "sweep", "design": "design"}
+COMMANDS = {"run": 1.0, "compare": 0.15, "sensitivity": 0.05, "film": 0.1, "slide": 0.1, "export": 0.1, "report": 0.03,
+            "fit": 0.03, "validate": 0.05, "sweep": 0.05, "design": 0.02}  # fmt: skip
+SECTION_COMMANDS = {"sweep": "sweep", "design": "design", "fit": "fit"}
+_MEASURED = {
+    "file": "measured.csv",
+    "kind": "measured",
+    "read": "printed",
+    "source": "Somebody, Journal 1 (2000)",
+    "place": "p. 2",
+}
+# Keys that say why a number is absent, in its table or in one that holds it.
+_REASONS = ("warnings", "validity_warnings", "outside_validity", "why_not", "notes")
 
 
 class TooLong(BaseException):
@@ -56,16 +66,16 @@ def failures_of_inputs(seed: int, name: str, seconds: int) -> Iterator[str]:
 
 def failures_of(seed: int, seconds: int, outcomes: Counter[str]) -> Iterator[str]:
     """Yield what fails among the commands on the case of a seed."""
-    tables = case_of(seed)
-    try:
-        text = as_toml(tables)
-    except Exception:  # what TOML cannot say
-        return
+    case = case_of(seed)
+    chance = random.Random(f"{seed} commands")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "case.toml"
-        path.write_text(text, encoding="utf-8")
-        for command in commands_of(seed, tables):
+        path.with_name("measured.csv").write_text(measured_text(chance), encoding="utf-8")
+        for command in commands_of(seed, case):
             where = f"seed {seed}, {command}"
+            tables = suited_to(command, case, chance) if command != "run" and chance.random() < 0.8 else case
+            if not written(tables, path, command):
+                continue
             found = said_of(command, path, seconds)
             if isinstance(found, str):
                 yield f"{where}: {found}"
@@ -80,6 +90,15 @@ def failures_of(seed: int, seconds: int, outcomes: Counter[str]) -> Iterator[str
                     yield f"{where}: another number in a second run"
 
 
+def written(tables: dict[str, Any], path: Path, command: str) -> bool:
+    """Write the case of a command; return whether TOML can say it."""
+    try:
+        path.write_text(as_toml(tables | ({"measured": _MEASURED} if command == "validate" else {})), encoding="utf-8")
+    except Exception:
+        return False
+    return True
+
+
 def commands_of(seed: int, tables: dict[str, Any]) -> Iterator[str]:
     """Yield the commands of a case: `run`, some others, and those of its sections."""
     share = (seed * 0.6180339887498949) % 1.0
@@ -92,22 +111,14 @@ def commands_of(seed: int, tables: dict[str, Any]) -> Iterator[str]:
 
 def said_of(command: str, path: Path, seconds: int) -> tuple[int, str] | str:
     """Return exit code and standard output of a command, or what is wrong with how it ended."""
-    words = [command, str(path)]
     out = path.parent / "out"
-    if command in ("run", "sweep"):
-        words += ["--out", str(out)]
-    if command == "export":
-        words += ["--to", "csv", "--out", str(path.parent / "table.csv")]
-    if command == "report":
-        words += ["--out", str(path.parent / "report.html")]
-    words += ["--json"]
     try:
         with at_most(seconds):
-            result = CliRunner().invoke(cli.app, words)
+            result = CliRunner().invoke(cli.app, _words(command, path, out))
     except TooLong:
         return f"more than {seconds} s"
     finally:
-        if command == "sweep":
+        if out.exists():
             shutil.rmtree(out, ignore_errors=True)
     if isinstance(result.exception, TooLong):
         return f"more than {seconds} s"
@@ -121,6 +132,20 @@ def said_of(command: str, path: Path, seconds: int) -> tuple[int, str] | str:
     if result.exit_code not in (0, 1, 2):
         return f"exit code {result.exit_code}"
     return result.exit_code, result.stdout
+
+
+def _words(command: str, path: Path, out: Path) -> list[str]:
+    """Return the words of a command that writes all that it can write."""
+    words = [command, str(path), "--json"]
+    if command in ("run", "sweep", "compare", "film", "slide", "fit", "validate", "design"):
+        words += ["--out", str(out)]
+    if command == "fit":
+        words += ["--data", str(path.with_name("measured.csv"))]
+    if command == "export":
+        words += ["--to", "csv", "--out", str(path.with_name("table.csv"))]
+    if command == "report":
+        words += ["--out", str(path.with_name("report.html"))]
+    return words
 
 
 @contextmanager
@@ -147,9 +172,8 @@ def faults_of(out: str) -> Iterator[str]:
         yield f"no JSON: {out[:200]!r}"
         return
     yield from _not_finite(result, "")
+    yield from _without_reason(result, "", explained=False)
     answer = result.get("answer") if isinstance(result, dict) else None
-    if isinstance(answer, dict) and "warnings" in answer and answer["friction_coefficient"] is None and not answer["warnings"]:
-        yield "a prediction without mu and without a warning"
     if not isinstance(answer, dict) or answer.get("interval") is None or answer.get("friction_coefficient") is None:
         return
     mu, (low, high) = answer["friction_coefficient"], answer["interval"]
@@ -182,6 +206,22 @@ def _not_finite(value: Any, place: str) -> Iterator[str]:
     elif isinstance(value, list):
         for one in value[:50]:
             yield from _not_finite(one, place)
+
+
+def _without_reason(value: Any, place: str, explained: bool) -> Iterator[str]:
+    """Yield coefficients of friction that are null where neither their table nor one that holds it gives a reason."""
+    if isinstance(value, list):
+        for one in value:
+            yield from _without_reason(one, place, explained)
+    if not isinstance(value, dict):
+        return
+    answer = value.get("answer")
+    explained = explained or any(table.get(name) for table in (value, answer) if isinstance(table, dict) for name in _REASONS)
+    mu = value.get("friction_coefficient", 0.0)
+    if not explained and (mu is None or (isinstance(mu, list) and None in mu)):
+        yield f"{place or 'result'}: mu is null without a warning"
+    for name, one in value.items():
+        yield from _without_reason(one, f"{place}.{name}", explained)
 
 
 def main() -> int:

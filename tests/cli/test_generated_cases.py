@@ -48,12 +48,30 @@ def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
         ('{"answer": {"friction_coefficient": 1.0, "interval": [NaN, 2.0]}}', "interval is nan"),
         ('{"answer": {"friction_coefficient": 3.0, "interval": [1.0, 2.0]}}', "not in 0 to its interval"),
         ('{"answer": {"friction_coefficient": 1.0, "interval": [1.0, 1.0]}}', "without width"),
+        ('{"answer": {"friction_coefficient": null, "warnings": []}}', "answer: mu is null without a warning"),
+        ('{"curve": {"load": [1.0, 2.0], "friction_coefficient": [0.2, null]}}', "curve: mu is null without a warning"),
+        ('{"models": [{"why_not": "no film", "x": {}}, {"friction_coefficient": null}]}', "models: mu is null without"),
         ('{"curve": {"load": [1.0, Infinity]}}', "load is inf"),
         ("no result", "no JSON"),
     ],
 )
 def test_a_fault_in_a_result_is_found(result, fault):
     assert any(fault in found for found in run.faults_of(result))
+
+
+def test_a_null_with_a_reason_is_no_fault():
+    said = '{"answer": {"friction_coefficient": null, "warnings": ["no load"]}, "curve": {"friction_coefficient": [null]}}'
+    assert not list(run.faults_of(said))
+
+
+@pytest.mark.parametrize("command", ["validate", "sweep", "film", "slide"])
+def test_a_command_answers_the_case_that_is_suited_to_it(command, tmp_path):
+    case = generate.example_cases()["Silver film, 200 nm, on hardened steel, with adhesion"]
+    path, chance = tmp_path / "case.toml", random.Random(1)
+    path.with_name("measured.csv").write_text(generate.measured_text(chance), encoding="utf-8")
+    assert run.written(generate.suited_to(command, case, chance), path, command)
+    code, out = run.said_of(command, path, 600)
+    assert code == 0 and not list(run.faults_of(out))
 
 
 def test_several_heights_of_a_finish_are_predicted_one_by_one():

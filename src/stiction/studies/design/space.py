@@ -75,7 +75,7 @@ class Space:
             ends = ("friction_coefficient_low", "friction_coefficient_high")
             self.names = list(dict.fromkeys([*self.names, *ends]))
         if self.case.load is None and LOAD not in (one.path for one in self.plan.unknowns):
-            raise InputError("solve.separation", self.case.separation, "a load, stated in [solve] or chosen in [design.choose]")
+            raise InputError("solve.separation", "given", "a load, stated in [solve] or chosen in [design.choose]")
         self.choice = self._choice()
 
     @property
