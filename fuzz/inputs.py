@@ -7,6 +7,7 @@ wrong number.
 import inspect
 import io
 import math
+import os
 import random
 import warnings
 from collections.abc import Callable, Iterator
@@ -18,6 +19,7 @@ from generate import case_of
 
 import stiction as st
 from stiction.case.measurements import read_measurements
+from stiction.engine.tiers import VARIABLE
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import candidates
 from stiction.web.address import packed, unpacked
@@ -30,7 +32,7 @@ _ARGUMENTS: tuple[Any, ...] = (
     np.zeros((0,)), np.zeros((2, 0, 3)), np.array([1.0, math.nan]), np.array("x"), np.ones((2, 3, 4)), 1j, {"load": {"a": []}},
 )  # fmt: skip
 _CALLS_APART = ("sweep", "fit", "cite", "export", "write_report", "axis")  # write files, or take what has no bad value
-_CLOSES = 1e-10
+_CLOSES, _AGREES = 1e-10, 1e-12
 
 
 def refused_or_fine(where: str, work: Callable[[], object]) -> Iterator[str]:
@@ -164,6 +166,39 @@ def solved_again(chance: random.Random, folder: Path) -> Iterator[str]:
                 yield f"{where}: {name} {before} is {after} at the separations that were found"
 
 
+def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
+    """Solve in plain Python, in compiled loops, and with eight threads: all must agree."""
+    subject = _contact(chance) if chance.random() < 0.6 else _indices(chance)
+    model = chance.choice([one.name for one in candidates(subject)])
+    loads = (1.0 if isinstance(subject, st.Contact) else 1e-6) * 10.0 ** np.linspace(-12.0, 9.0, 6)
+    where = f"{model} at {loads}"
+    found = []
+    before = os.environ.get(VARIABLE)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for loops, threads in (("interpreted", 1), ("shared", 1), ("shared", 8)):
+                os.environ[VARIABLE] = loops
+                found.append(st.solve(subject, load=loads, model=model, threads=threads))
+    except (InputError, ArithmeticError) as error:
+        if found:
+            yield f"{where}: refused by one means only: {error}"
+        return
+    except Exception as error:
+        yield f"{where}: {type(error).__name__}: {error}"
+        return
+    finally:
+        os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
+    pull_off = float(found[0].get("pull_off_force", 0.0))
+    for means, other in zip(("compiled", "eight threads"), found[1:], strict=True):
+        for name in ("load", "contact_area", "friction_force", "mean_separation"):
+            if name in other:
+                one, two = found[0][name].values, other[name].values
+                least = pull_off if name == "load" else 0.0
+                if not (np.isclose(one, two, rtol=0.0, atol=_AGREES * np.maximum(np.abs(one), least), equal_nan=True)).all():
+                    yield f"{where}: {name} {one} is {two} ({means})"
+
+
 def _faults(found: Any, where: str) -> Iterator[str]:
     """Yield areas that are negative or fall with load, and coefficients of friction that are negative."""
     area = found["contact_area"].values
@@ -224,4 +259,4 @@ def _damaged(chance: random.Random, content: bytes) -> bytes:
     return bytes(changed)
 
 
-TARGETS = (page_states, measured_tables, scans, calls, solved_again)
+TARGETS = (page_states, measured_tables, scans, calls, solved_again, other_means)

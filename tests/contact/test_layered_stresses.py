@@ -6,11 +6,12 @@ import math
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy import special
 
 from stiction.laws.tangential.shared.hamilton_field import stress
 from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.sphere import pressure, value_of
-from stiction.solvers.layered.stresses import Stresses, cartesian
+from stiction.solvers.layered.stresses import Stresses, _bessel, cartesian
 from stiction.solvers.layered.waves import CoatedBody
 from tables import read
 
@@ -135,3 +136,10 @@ def test_a_wide_contact_leaves_the_body_hertzs_stresses_and_stretches_the_film()
     exact = stress(np.array([0.0, 0.5]), 0.0, np.array([0.3, 0.6])[:, None], 0.0, nu_below)
     assert_allclose(body[2], 1.5 * exact[2], atol=3e-3)
     assert_allclose(body[0], 1.5 * exact[0], atol=3e-3)
+
+
+def test_bessel_functions_of_small_and_of_large_arguments():
+    """Both sides of the argument where series take over, against scipy's functions of integer order."""
+    x = np.array([1e-3, 0.01, 0.03, 0.0499, 0.0501, 0.2, 1.0, 7.0])
+    found = _bessel(np.array([1.0]), x)[:, 0]
+    assert_allclose(found, [special.jn(order, x) for order in range(4)], rtol=2e-8)
