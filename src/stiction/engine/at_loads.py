@@ -42,10 +42,10 @@ _PAIRS = 8
 
 @engine_kernel
 def _sample(way, w_top, nodes):
-    """Fill `loads` and `slopes` (n laws, H) with the load and its derivative by h.
+    """Fill `loads` and `slopes` (n laws, H) with the load and its derivative by the separation h.
 
-    way: (h, loads, slopes), where h (H,) is an even, falling grid of separations. w_top: displacement at which the recurrence
-    factors are scaled to 1, to avoid overflow. nodes: displacements, weights and number of nodes of each law.
+    way: tuple (h, loads, slopes), where h (H,) is an even, falling grid of separations. w_top: displacement at which the
+    recurrence factors are scaled to 1, to avoid overflow. nodes: displacements, weights and number of nodes of each law.
     """
     h, loads, slopes = way
     place, held, used = nodes
@@ -72,9 +72,10 @@ def _sample(way, w_top, nodes):
 
 @engine_kernel
 def _sums(h, place, held, count):
-    """Return the load of one law at h, its first and second derivative by h, and its size.
+    """Return the load of one law at the separation h, its first and second derivative by h, and its size.
 
-    The size is the sum of the absolute terms of the load. place, held: displacements and weights of the nodes.
+    The size is the sum of the absolute terms of the load. place, held: displacements and weights (each an array) of the
+    integration nodes. count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -111,11 +112,11 @@ def _turning_point(far, near, slope_far, slope_near, place, held, count):
 
 @engine_kernel
 def _find_lowest(way, lowest, nodes):
-    """Fill `lowest` with the largest tension of each law on the grid of separations.
+    """Fill the arrays of `lowest` with the largest tension (negative load) of each law on the grid of separations.
 
-    way: (h, loads, slopes), as in `_sample`. lowest: (tension, where, nearer), each (n,). tension is 0 without tension. where
-    is the separation of the largest tension, NaN without tension. nearer is the index of the first grid point of h that is
-    closer to contact than `where`.
+    way: (h, loads, slopes), as in `_sample`. lowest: (tension, where, nearer), each (n,). tension: largest tension, 0 if the
+    load is never negative. where: separation of the largest tension, else NaN. nearer: index of the first grid point of h that
+    is smaller than `where`.
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
@@ -171,9 +172,9 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 
 @engine_kernel
 def _root(target, far, near, x, place, held, count):
-    """Return the separation at which the load equals the target, and the slope and size of the load there.
+    """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
-    Halley's method starts at x and stays between `far` and `near`.
+    Halley's method starts at the separation x and stays between the separations `far` and `near`. size: as in `_sums`.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):

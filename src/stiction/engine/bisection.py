@@ -10,10 +10,10 @@ from stiction.engine.compiled import formula
 
 @cache
 def halving(holds: Callable) -> Any:
-    """Return a formula (low, high, given) -> u that bisects the condition `holds` to machine precision.
+    """Return a formula (low, high, given) -> u that finds by bisection where the condition `holds` becomes false.
 
     holds(u, given): a formula that is true at low and false at high and changes once in between. given: its further arguments.
-    The result u is the smallest number found at which `holds` is false.
+    u is the smallest number found at which `holds` is false, exact to machine precision.
     """
 
     @formula
@@ -33,10 +33,10 @@ def halving(holds: Callable) -> Any:
 
 @cache
 def up_to(holds: Callable) -> Any:
-    """Return a formula (low, last, step, farthest, given) -> u: `holds` is true from low up to u.
+    """Return a formula (low, last, step, farthest, given) -> u: the condition `holds` is true from low up to u.
 
-    The result is low if `holds` is false at low, and last if it is true at last. holds: as in `halving`. If last is infinite,
-    an upper bound is searched first: the step starts at `step` and grows fourfold, up to `farthest`.
+    u is low if `holds` is false at low, and last if `holds` is true at last. holds: as in `halving`. If last is infinite, an
+    upper bound is searched first: the step starts at `step` and grows fourfold, up to `farthest`.
     """
     halve = halving(holds)
 

@@ -107,12 +107,15 @@ def kernel(function: Callable) -> Any:
 
 
 def engine_kernel(function: Callable) -> Any:
-    """Return a kernel that is compiled once the engine has used up its allowance (`tiers.ENGINE`)."""
+    """Return a kernel that Python runs at first; it is compiled when all engine kernels together have done enough work.
+
+    The amount of work is `tiers.ENGINE`.
+    """
     return Kernel(function, ENGINE)
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator that makes a kernel with an allowance of its own.
+    """Return a decorator that makes a kernel which Python runs at first, and which is compiled after enough work.
 
     worth: number of elements of the last argument, summed over all calls, after which the kernel is compiled.
     """
@@ -121,7 +124,7 @@ def lazy_kernel(worth: int) -> Callable:
 
 @cache
 def _prepare_numba() -> None:
-    """Tell Numba how compiled kernels call other kernels and `unpack`."""
+    """Register with Numba how compiled kernels call other kernels and the function `unpack`."""
     import numba
     from numba.extending import overload, typeof_impl
 
@@ -137,7 +140,7 @@ def _prepare_numba() -> None:
 
 
 def _register_formulas() -> None:
-    """Tell Numba of all formulas that were marked since the last call."""
+    """Register with Numba all functions that were marked by `formula` since the last call."""
     if not _waiting:  # the list is cleared when all are registered
         return
     from numba.extending import register_jitable
@@ -154,7 +157,7 @@ def digest(function: Callable) -> str:
 
 
 def _decides(value: Any, seen: list[Callable]) -> str:
-    """Return the text that determines the compiled code of a value.
+    """Return a text that describes everything in a value on which the compiled code depends.
 
     For a function the text holds its own code and, recursively, every value it refers to. For any other value it is the value
     as text. seen: functions already described; these are named by their index in this list.

@@ -18,10 +18,10 @@ _listeners: list[_Listener] = []
 
 @contextmanager
 def telling(tell: Tell) -> Iterator[None]:
-    """Within the context, call tell(number of kernels compiled so far, name) whenever a kernel starts or finishes compiling.
+    """Within the context, call tell(count, name) whenever a kernel starts or finishes compiling.
 
-    name: key of the law whose formulas are in the kernel, or name of a kernel that all laws share. `tell` is not called for
-    kernels that are loaded from the cache.
+    count: number of kernels compiled so far. name: key of the law whose formulas are in the kernel, or name of a kernel that
+    all laws share. `tell` is not called for kernels that are loaded from the cache.
     """
     listener = _Listener(tell)
     _listeners.append(listener)

@@ -51,11 +51,12 @@ class Laws(NamedTuple):
 
 
 class Parts(NamedTuple):
-    """Store k parts of pieces, each of which gets its own integration nodes.
+    """Store k integration intervals; each lies within one piece of a regime and gets its own nodes.
 
-    law (k,): index of the law. owner (k,): index of the sum to which the part is added. ends (k, 2): ends in the coordinate u
-    of the law. asked (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the piece
-    applies. rule (k,): index of the integration rule. at_knot (k,): True if the part starts at a knot of the height density.
+    law (k,): index of the law. owner (k,): index of the sum to which the interval contributes. ends (k, 2): ends in the
+    coordinate u of the law. asked (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the
+    piece applies. rule (k,): index of the integration rule. at_knot (k,): True if the interval starts at a knot of the height
+    density.
     """
 
     law: np.ndarray
@@ -67,7 +68,7 @@ class Parts(NamedTuple):
 
     @classmethod
     def room(cls, size: int) -> "Parts":
-        """Return empty arrays for `size` parts."""
+        """Return a Parts object with empty arrays for `size` intervals."""
         law, owner, rule = np.empty((3, size), dtype=np.int64)
         ends, asked = np.empty((2, size, 2))
         return cls(law, owner, ends, asked, rule, np.empty(size, dtype=np.bool_))
@@ -88,9 +89,10 @@ class Evaluated(NamedTuple):
 
 @cache
 def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
-    """Return the kernel that evaluates a law at nodes.
+    """Return the kernel that evaluates a law at integration nodes.
 
-    parameters: number of parameters of the law. values: number of values to store, 4 or 6 of those that `along` returns.
+    along: formula of the law, as in `Regime`. parameters: number of parameters of the law. values: number of values to store,
+    the first 4 or all 6 of those that `along` returns.
     """
 
     @lazy_kernel(worth=400_000)
@@ -117,7 +119,10 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
 
 @cache
 def inverting(coordinate: Callable, parameters: int) -> Any:
-    """Return the kernel that computes the coordinates u of given displacements."""
+    """Return the kernel that computes the coordinates u of a law at given displacements.
+
+    coordinate: formula u(displacement, *parameters), as in `Regime`. parameters: number of parameters of the law.
+    """
 
     @lazy_kernel(worth=10_000)
     def invert(w, law, table, out):
@@ -248,7 +253,7 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
-    """Compute the ends of parts that are given as displacements, and store them in `parts.ends`."""
+    """Compute the interval ends that are given as displacements, and store their coordinates u in `parts.ends`."""
     w, found = np.empty((2, parts.asked.size))
     law, place = np.empty((2, parts.asked.size), dtype=np.int64)
     count = list_asked(tuple(parts), w, law, place)
@@ -258,9 +263,10 @@ def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
 
 @engine_kernel
 def list_asked(parts, w, law, place):
-    """List the ends that are given as displacements, and return their number.
+    """List the interval ends that are given as displacements (`Parts.asked`), and return how many there are.
 
-    w: displacement. law: index of the law. place: 2 i for the start and 2 i + 1 for the end of part i.
+    For each such end the output arrays receive: w: displacement; law: index of the law; place: 2 i for the start of interval
+    i, 2 i + 1 for its end.
     """
     law_of, _, _, asked, _, _ = parts
     used = 0
@@ -274,7 +280,7 @@ def list_asked(parts, w, law, place):
 
 @engine_kernel
 def put_ends(found, place, ends):
-    """Store computed coordinates in `ends`, clipped to the piece; place: as in `list_asked`."""
+    """Store the computed coordinates `found` in `ends`, clipped to the piece; place: as in `list_asked`."""
     for at in range(place.size):
         i, end = place[at] // 2, place[at] % 2
         ends[i, end] = max(ends[i, 0], found[at]) if end == 0 else min(ends[i, 1], found[at])
@@ -282,7 +288,10 @@ def put_ends(found, place, ends):
 
 @cache
 def adding(density: Callable) -> Any:
-    """Return the kernel that sums evaluated laws over a height density, one separation for each owner."""
+    """Return the kernel that sums the values of laws at integration nodes, weighted by a height density.
+
+    Each sum (`owner`) has one separation.
+    """
 
     @engine_kernel
     def add(h, shape, evaluated, out):

@@ -104,7 +104,10 @@ def _laws_of(function: Any) -> Iterator[str]:
 
 
 def _is_trusted() -> bool:
-    """Return whether compiled kernels may be loaded: unpickling runs what is in a file, so nobody else may write one."""
+    """Return whether only this user can write to the kernel cache.
+
+    Compiled kernels are loaded by unpickling, which runs code from the file; files by others must not be loaded.
+    """
     folder = cache_folder("kernels")
     trusted = is_private(folder)
     if not trusted:

@@ -58,7 +58,10 @@ def _copy(state, count, out):
 
 @loop
 def _weigh(weight, state, count, quantity, out):
-    """Fill `out` with weight times one value of the law times the derivative of the displacement, at each node."""
+    """Fill `out` with the summand of one quantity at each node: weight times value times dw/du.
+
+    w: displacement; u: coordinate of the law.
+    """
     for node in range(8 * (count // 8)):
         out[node] = weight[node] * state[LONGEST + node] * state[quantity * LONGEST + node]
 
@@ -93,10 +96,11 @@ def append_nodes(evaluated, nodes):
 
 @dataclass(frozen=True)
 class Placing:
-    """Describe a regime whose integration nodes are placed once for many separations.
+    """Describe how the integration nodes of one regime are placed once for many separations.
 
-    window: window of the height distribution. parts: largest number of parts of one law. displaced (n, m + 1): displacements
-    at the edges, None if the loop compiled for the regime is used. rows: number of summed values, as in `append_nodes`.
+    window: window of the height distribution. parts: largest number of intervals of one law. displaced (n, m + 1):
+    displacements at the edges, None if the loop compiled for the regime is used. rows: number of summed values, as in
+    `append_nodes`.
     """
 
     regime: Regime

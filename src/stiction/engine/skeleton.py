@@ -26,7 +26,7 @@ _LOST = 8e-11
 
 
 def near_each_other(h: np.ndarray) -> list[np.ndarray]:
-    """Return the indices of the separations h (H,), in groups that each span at most _SPAN."""
+    """Divide the separations h (H,) into groups that each span at most _SPAN; return the indices of each group."""
     if not h.size or np.ptp(h) <= _SPAN:
         return [np.arange(h.size)]
     order = np.argsort(h, kind="stable")
@@ -116,7 +116,10 @@ def _add_four(few, row, at, tile, product):
 
 @loop
 def _store(product, sums, size, doubtful_below, doubtful):
-    """Copy one row of the product to `sums` and mark in `doubtful` the sums that are too small against their size."""
+    """Copy one row of the matrix product to `sums`, and mark inaccurate sums in `doubtful`.
+
+    A sum is marked if it is below doubtful_below times size, because digits may be lost in the product.
+    """
     for to in range(sums.size):
         sums[to] = product[to]
         doubtful[to] = doubtful[to] | (product[to] < size * doubtful_below[to])

@@ -78,7 +78,7 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
 
 
 def _shares(size: int, threads: int) -> list[slice]:
-    """Return at most `threads` slices of about equal length that cover `size` elements."""
+    """Return at most `threads` slices of about equal length that together cover `size` elements."""
     ends = np.linspace(0, size, min(threads, max(size, 1)) + 1).astype(int)
     return [slice(int(start), int(stop)) for start, stop in pairwise(ends)]
 
@@ -106,9 +106,9 @@ def scattered(
 
 
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:
-    """Return fill(h, law, sums), which writes the sums over heights at separations h of the laws with these indices into sums.
+    """Return a function fill(h, law, sums) that sums one regime over heights, in one loop compiled for this regime.
 
-    It uses one loop that is compiled for this regime.
+    fill writes the sums at the separations h (m,), each for the law with the index law[i], into `sums` (m, 5).
     """
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
     given = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
@@ -116,7 +116,10 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
 
 
 def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
-    """Return the function fill(h, law, sums), which uses shared loops and two short loops compiled for the regime."""
+    """Return a function fill(h, law, sums) that sums one regime over heights, mostly in loops that all regimes share.
+
+    Only two short loops are compiled for the regime. Arguments: as in `_summing_alone`.
+    """
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)
     cut, add, of_heights = cutting(heights.window), adding(heights.density), (heights.shape, heights.knots)

@@ -17,13 +17,13 @@ _PAIRS_OF_A_LAW = 8  # at least: a law is summed more than once until its load i
 
 
 class Allowance:
-    """Work that Python may do in this process before compiled code pays."""
+    """Count down the amount of work that plain Python may do in this process before compiled code pays."""
 
     def __init__(self, worth: int):
         self._left = worth
 
     def take(self, work: int) -> bool:
-        """Take work from the allowance, and return whether Python may do it."""
+        """Subtract `work` from what is left, and return whether plain Python may still do this work."""
         self._left -= work
         return self._left >= 0
 
@@ -62,16 +62,20 @@ def tier() -> str:
 
 
 def specialised(laws: int, pairs: int = 0) -> bool:
-    """Return whether to compile one loop for a regime.
+    """Return whether it pays to compile a loop of its own for a regime.
 
-    laws: number of parameter sets. pairs: number of pairs of a law and a separation that will be summed, if known.
+    laws: number of parameter sets. pairs: number of pairs of a law and a separation that will be summed, if known. The
+    environment variable STICTION_LOOPS can force the answer.
     """
     wanted = tier()
     return max(pairs, _PAIRS_OF_A_LAW * laws) >= _WORTH_COMPILING if wanted == TIERS[0] else wanted == TIERS[-1]
 
 
 def interpreted(little: bool) -> bool:
-    """Return whether plain Python runs a lazy kernel; little: whether the kernel has had little work so far."""
+    """Return whether plain Python, not compiled code, runs a lazy kernel.
+
+    little: whether the kernel has had little work so far. STICTION_LOOPS and `all_compiled` can force the answer.
+    """
     wanted = tier()
     return little and not _compiled.get() if wanted == TIERS[0] else wanted == TIERS[1]
 

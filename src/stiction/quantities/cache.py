@@ -22,7 +22,10 @@ def cache_folder(part: str) -> Path:
 
 
 def is_private(folder: Path) -> bool:
-    """Return whether only this user can write to a folder; True where there is none yet, and on systems without owners."""
+    """Return whether only this user can write to a folder.
+
+    Also return True if the folder does not exist, and on systems that have no file owners (Windows).
+    """
     try:
         about = folder.stat()
     except OSError:
@@ -31,10 +34,11 @@ def is_private(folder: Path) -> bool:
 
 
 def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> None:
-    """Write a file to the cache and delete old files of the same kind: unused for 90 days, or beyond `most` bytes.
+    """Write a file to the cache, and delete old files that have the same suffix.
 
-    The file is written completely or not at all. A full disk or missing permission gives a notice, not an error: results do
-    not depend on the cache.
+    write: function that writes the content to an open binary file. most: largest total size of such files in bytes. Files
+    unused for 90 days are deleted too. The file is written completely or not at all. A full disk or missing permission gives a
+    notice, not an error: results do not depend on the cache.
     """
     part = path.with_suffix(f".{uuid.uuid4().hex}")
     try:
@@ -51,9 +55,10 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
 
 
 def _delete_oldest(path: Path, most: int) -> None:
-    """Delete files that were not used for long, as those of earlier versions, and others until the rest has `most` bytes.
+    """Delete cache files that were unused for 90 days, and the least recently used ones beyond a total of `most` bytes.
 
-    The least recently used files are deleted first. Another process may delete the same files at the same time.
+    path: a file of the cache; only files in its folder with its suffix are deleted. Another process may delete the same files
+    at the same time.
     """
     known = []
     for file in path.parent.glob(f"*{path.suffix}"):

@@ -13,10 +13,10 @@ GRADES = {
 
 
 def read_tables(room: str, folder: str, kind: str) -> dict[str, dict[str, Any]]:
-    """Return all tables [kind.NAME] of the TOML files in a data folder, by NAME.
+    """Return the TOML tables [kind.NAME] of all files in a data folder, as a dict by NAME.
 
-    room: package that holds the folder, such as "contact" or "surfaces". Entries at the top of a file are defaults for each of
-    its tables; nested tables are merged field by field. Raises ValueError if a NAME occurs in two files.
+    room: package that holds the folder, such as "contact". Entries at the top of a file are defaults for all tables in that
+    file; nested tables are merged field by field. Raises ValueError if a NAME occurs in two files.
     """
     tables: dict[str, dict[str, Any]] = {}
     for file in sorted(resources.files(f"stiction.{room}").joinpath(folder).iterdir(), key=lambda file: file.name):

@@ -62,10 +62,10 @@ def arranged(values: np.ndarray, have: Sequence[Hashable], wanted: Iterable[str]
 
 
 def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[Any], str] = str) -> "xarray.Dataset":
-    """Return the dataset with one variable for each point along the dimension `dim`.
+    """Return a dataset in which every point along the dimension `dim` has become a variable of its own.
 
-    With dim = part = "quantile", the variable NAME_quantile becomes NAME_q05 and NAME_q95. text_of: function that returns the
-    text for a point.
+    With dim = part = "quantile", the variable mu_quantile becomes the variables mu_q05 and mu_q95: `part` in its name is
+    replaced. text_of: function that returns the text for one point, such as "q05".
     """
     for name in [str(name) for name in data.data_vars if dim in data[name].dims]:
         each = {name.replace(part, text_of(point.item())): data[name].sel({dim: point}).drop_vars(dim) for point in data[dim]}
@@ -74,7 +74,7 @@ def in_columns(data: "xarray.Dataset", dim: str, part: str, text_of: Callable[[A
 
 
 def flattened(values: Mapping[str, Any]) -> tuple[dict[str, np.ndarray | None], dict[str, int]]:
-    """Return every value over all combinations of their dimensions, as arrays (n,), and the length of each dimension.
+    """Return values with named dimensions as flat arrays (n,) over all n combinations, and the length of each dimension.
 
     A value of None stays None.
     """
@@ -123,14 +123,14 @@ def coordinates(arrays: Iterable[tuple[str, Any]]) -> dict[str, Any]:
 # xarray imports dask, pint and others to see whether an array belongs to them, which takes half of the time of a first result.
 # It does not ask with `fastpath`, nor of an index of pandas.
 def variable(dims: Sequence[str], values: "ArrayLike", attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
-    """Return numbers with named dimensions."""
+    """Return an array with named dimensions and attributes as an xarray.Variable."""
     import xarray
 
     return xarray.Variable(dims, np.asarray(values), attributes, fastpath=True)
 
 
 def coordinate(dim: str, values: np.ndarray, attributes: Mapping[str, Any] | None = None) -> "xarray.Variable":
-    """Return the numbers along a dimension."""
+    """Return the coordinate values along one dimension as an xarray.Variable."""
     import pandas
     import xarray
 
@@ -155,10 +155,10 @@ def _is_its_own(array: Any, dim: str) -> bool:
 
 
 def _own_coordinates(dim: str, several: list[tuple[str, Any]], named: bool) -> dict[str, Any]:
-    """Return the coordinates of arrays that vary together along `dim`.
+    """Return the coordinates of several arrays that vary together along the dimension `dim`.
 
-    If all arrays are equal and the dimension has no coordinate yet (`named` is False), it is stored under the name of the
-    dimension. Otherwise each array becomes a coordinate under its own name.
+    If all arrays are equal and the dimension has no coordinate yet (`named` is False), there is one coordinate, named after
+    the dimension. Otherwise each array becomes a coordinate under its own name.
     """
     values = [variable.values for _, variable in several]
     if not named and all(np.array_equal(array, values[0]) for array in values):

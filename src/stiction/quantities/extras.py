@@ -37,10 +37,10 @@ def require(field: str, *packages: str) -> None:
 
 
 def leave_out(package: str) -> None:
-    """Make a package unavailable in this process, so that other libraries do not import it.
+    """Make a package look uninstalled in this process, so that other libraries do not import it.
 
-    With its first array xarray imports dask and pint, only to check whether the array belongs to them. This takes half of the
-    start-up time of a command. `bring_back` makes the package available again.
+    When xarray makes its first array, it imports dask and pint, only to check whether the array belongs to them. This takes
+    half of the start-up time of a command. `bring_back` makes the package available again.
     """
     modules: dict[str, Any] = sys.modules
     modules.setdefault(package, None)

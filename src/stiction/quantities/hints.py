@@ -9,7 +9,7 @@ _PREFIXES = ("", "p", "n", "u", "m", "k", "M", "G")
 
 
 def with_a_point(text: str) -> str:
-    """Return a hint that shows how to write a number with a decimal comma; "" if the text has none."""
+    """Return a hint that rewrites a number with a decimal comma, or "" if the text has no decimal comma."""
     number = _COMMA.match(text[:100])
     if number is None:
         return ""
@@ -19,10 +19,10 @@ def with_a_point(text: str) -> str:
 
 
 def meant(number: str, unit: str, quantity: Quantity) -> str:
-    """Return a hint that suggests a known unit, or "".
+    """Return a hint that suggests the unit the user probably meant, or "" if there is no suggestion.
 
-    The suggestion is a unit that differs only in capital letters. If the unit of a pressure is missing, it is the unit of the
-    example.
+    The suggestion is a known unit that differs only in capital letters. If a pressure has no unit, the unit of the example in
+    the table of quantities is suggested.
     """
     usual = quantity.example.rpartition(" ")[2]
     if not unit:

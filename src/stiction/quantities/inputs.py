@@ -116,7 +116,10 @@ class Input(BaseModel):
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Raise an InputError, because records are immutable; a bad value is reported first."""
+        """Raise an InputError, because records are immutable.
+
+        If the new value is itself invalid, the error names that value instead.
+        """
         if name in type(self).model_fields:
             self.replace(**{name: value})
             raise InputError(
@@ -209,7 +212,7 @@ class Input(BaseModel):
 
 
 def _unlabelled(value: Any) -> Any:
-    """Return an array, or the arrays of a record, without coordinates; anything else as it is."""
+    """Return an array without its coordinates, or a record whose arrays have none; return other values unchanged."""
     return value.unlabelled if isinstance(value, Input) else getattr(value, "variable", value)
 
 
@@ -249,9 +252,9 @@ _KINDS = {"model_type": "a table of named numbers"}  # types of errors whose pyd
 
 
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
-    """Return the first of pydantic's errors as an InputError.
+    """Convert the first of pydantic's validation errors into an InputError.
 
-    A misspelt key comes before the field that is missing because of it.
+    A misspelt key is reported before the required field that is missing because of it.
     """
     details = min(error.errors(), key=lambda entry: entry["type"] != "extra_forbidden")
     path = [str(part) for part in details["loc"]]

@@ -20,7 +20,7 @@ class Converted(Generic[Value, Taken]):
 
 
 def with_keywords(names: type) -> Callable[[F], F]:
-    """Return a decorator that replaces `**kwargs` in the signature by the names of a TypedDict."""
+    """Return a decorator that gives a function with `**kwargs` the keywords of a TypedDict in its signature."""
 
     def named(function: F) -> F:
         signature = inspect.signature(function)

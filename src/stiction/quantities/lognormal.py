@@ -9,7 +9,7 @@ from stiction.quantities.inputs import floats
 
 
 def lognormal_quantile(level: Any, median: float, low: float, high: float) -> np.ndarray:
-    """Return the quantiles of a lognormal number at the given levels.
+    """Return quantiles of a positive, lognormally distributed number.
 
     Parameters
     ----------

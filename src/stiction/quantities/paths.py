@@ -32,10 +32,10 @@ def _not_read(path: Path, largest: int) -> str:
 
 
 def require_place(path: Path, allowed: str) -> None:
-    """Raise an InputError if no file or folder can be created at this path; an existing path is accepted.
+    """Raise an InputError if no file or folder can be created at the output path; an existing path is accepted.
 
-    This detects names that the operating system refuses, a file in place of a parent folder, and a parent folder without write
-    permission. allowed: the allowed values, for the error text.
+    allowed: the allowed values, for the error text. Detected are names that the operating system refuses, a file in place of a
+    parent folder, and a parent folder without write permission.
     """
     try:
         path.stat()

@@ -10,5 +10,5 @@ Progress = Callable[[str], Steps]  # from a label, what wraps its steps
 
 
 def silent(label: str) -> Steps:
-    """Return a wrapper of steps that reports nothing."""
+    """Return a progress wrapper that passes an iterable of steps on unchanged and reports nothing."""
     return iter

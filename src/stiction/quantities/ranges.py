@@ -52,7 +52,10 @@ def range_in_words(low: float, high: float, name: str) -> str:
 
 
 def check_ranges(record: Any) -> None:
-    """Raise an InputError if a range belongs to a property that the record lacks, or does not include its value."""
+    """Raise an InputError if a range in a material record is wrong.
+
+    The record must have the property to which a range belongs, and the range must include the value of that property.
+    """
     for name, (low, high) in record.range.items():
         value = getattr(record, name, None)
         if value is None:

@@ -9,7 +9,7 @@ from typing import Any
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Within the context, delay Ctrl-C until the end.
+    """Within the context, hold back Ctrl-C; it takes effect when the context ends.
 
     Files are then written completely, and zarr leaves no unfinished coroutines behind.
     """

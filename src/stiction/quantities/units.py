@@ -226,7 +226,7 @@ def _common_factors() -> dict[tuple[str, str], Fraction]:
 
 @cache
 def _pint():
-    """Import pint, after `bring_back` if a command has made it unavailable."""
+    """Import and return the package pint, also if a command has hidden it by `leave_out`."""
     bring_back("pint")
     import pint
 
@@ -269,7 +269,10 @@ def _unit_errors() -> tuple[type[Exception], ...]:
 
 
 def _from_pint(value, quantity: Quantity):
-    """Return a pint quantity of any registry in SI units; its unit is converted to text and read like any other."""
+    """Return a quantity of the package pint, from any of its registries, in SI units.
+
+    The unit is converted to text and then read like a unit that the user typed.
+    """
     unit, numbers = f"{value.units:C}", value.magnitude
     if unit in ("", "dimensionless") and not quantity.unit:
         return _from_numbers(numbers, quantity)
@@ -335,7 +338,7 @@ def _check(number, quantity: Quantity, given) -> None:
 
 
 def _as_given(given, place: tuple[int, ...], worst: float):
-    """Return the value that is out of bounds as the user wrote it, with its unit if there was one."""
+    """Return the out-of-bounds value as the user wrote it, with its unit if there was one."""
     if isinstance(given, str):
         return given
     if isinstance(given, list | tuple) and len(place) == 1:

@@ -41,9 +41,10 @@ KINDS_OF_WARNING = {
 
 @dataclass(frozen=True)
 class Validity:
-    """A range in which the authors claim their model, or outside which one of its assumptions fails.
+    """A range of one quantity in which a model is valid; outside it a validity warning is given.
 
-    quantity: its name in `quantities`; low, high: ends of the range; why: what fails outside; kind: a key of KINDS_OF_WARNING.
+    quantity: key in `quantities`; low, high: ends of the range; why: which assumption fails outside; kind: a key of
+    KINDS_OF_WARNING.
     """
 
     quantity: str

@@ -61,7 +61,7 @@ class Record:
         return self.own_options
 
     def parts(self, options: Mapping[str, str]) -> list["Record"]:
-        """Return the other records that these options use, which must be cited too."""
+        """Return the records of the sub-models that these options select; a result must cite them too."""
         return []
 
 
@@ -75,7 +75,10 @@ def _package(kind: type[Record]) -> str:
 
 @cache
 def _outside() -> tuple[tuple[Record, str], ...]:
-    """Return the records of installed plug-ins, each with its module. Report plug-ins that cannot be loaded."""
+    """Return all records of installed plug-in packages, each with the name of its module.
+
+    A plug-in that cannot be loaded gives a notice.
+    """
     loaded = []
     for entry in entry_points(group="stiction"):
         try:
@@ -110,7 +113,7 @@ def of_kind(kind: type[_R]) -> dict[str, _R]:
 
 
 def find(key: str, kind: type[_R]) -> _R:
-    """Return the record with this key and kind. Raises InputError.
+    """Return the record with this key and kind; raise InputError if there is none.
 
     Only the module of the record is imported, if it belongs to this package.
     """

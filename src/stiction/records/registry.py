@@ -214,7 +214,7 @@ class Addition(Record):
 
     @classmethod
     def allowed(cls, model: RoughSurface, tangential: TangentialLaw | None, film: FilmLaw | None) -> str:
-        """Return which laws are allowed instead if this kind does not go with these laws; "" if it does."""
+        """Return which laws this kind of added law requires, if it cannot be combined with the given ones; "" if it can."""
         return ""
 
     @classmethod
@@ -223,7 +223,7 @@ class Addition(Record):
         return False
 
     def changed(self, groups: "Groups") -> "Groups":
-        """Return the groups, changed by this law, that all other laws use."""
+        """Return the dimensionless groups after this law has changed them; all other laws then use the changed groups."""
         return groups
 
     def regimes(self, groups: "Groups") -> "list[Regime]":
@@ -313,7 +313,7 @@ def records() -> tuple[Record, ...]:
 
 
 def all_options() -> dict[str, tuple[str, ...]]:
-    """Return every option of all records, with all values that any record allows."""
+    """Return the options of all models and laws: option name -> every value that any of them allows."""
     known: dict[str, dict[str, None]] = {}
     for record in records():
         for name, values in record.options.items():
@@ -327,7 +327,7 @@ def composites_of(property: str) -> dict[str, Composite]:
 
 
 def _first(key: str, known: Iterable[str]) -> tuple[str, ...]:
-    """Return the keys with this one moved to the front."""
+    """Return the known keys as a tuple, with `key` moved to the front."""
     return key, *(other for other in known if other != key)
 
 

@@ -11,12 +11,12 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 
 @dataclass(frozen=True)
 class ValidityWarning:
-    """The reason why a result may not hold.
+    """A reason why a result may be wrong: one of its quantities is outside a validity range.
 
-    why: text. quantity: name of the quantity that is outside its range; "" for a warning without one, which has only `why`.
-    least, most: smallest and largest value outside the range, at `outside` of `points` points. low, high: the claimed
-    range, infinite if open. points: 0 if `why` is a whole sentence; else `why` is printed after quantity and values. kind:
-    a key of KINDS_OF_WARNING.
+    why: text. quantity: key of the quantity outside its range; "" for a general warning, which has only `why`. least, most:
+    smallest and largest of the values outside the range. outside, points: number of points outside and in total; points is 0
+    if `why` is a whole sentence, otherwise `why` is printed after quantity and values. low, high: ends of the range, infinite
+    if open. kind: a key of KINDS_OF_WARNING.
     """
 
     why: str
@@ -79,7 +79,7 @@ class ValidityWarning:
 
     @property
     def rule(self) -> str:
-        """Return the violated range by the symbol of the quantity, without its value."""
+        """Return the allowed range that was left, written with the symbol of the quantity, without the actual value."""
         return (
             f"{QUANTITIES[self.quantity].symbol} is not {self._range}: {self.why}" if self.quantity in QUANTITIES else self.why
         )
