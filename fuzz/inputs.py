@@ -11,6 +11,7 @@ import os
 import random
 import warnings
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -135,68 +136,72 @@ def calls(chance: random.Random, folder: Path) -> Iterator[str]:
 
 
 def solved_again(chance: random.Random, folder: Path) -> Iterator[str]:
-    """Solve at loads, at the separations that were found, and at the loads of these: all must agree; area rises with load."""
-    subject = _contact(chance) if chance.random() < 0.6 else _indices(chance)
-    model = chance.choice([one.name for one in candidates(subject)])
-    unit = 1.0 if isinstance(subject, st.Contact) else 1e-6
-    loads = unit * 10.0 ** np.sort(np.array([chance.uniform(-12.0, 9.0) for _ in range(4)]))
+    """Solve at loads, and at the separations that were found: both must agree, and area must rise with load."""
+    solvable = _solvable(chance)
+    if solvable is None:
+        return
+    subject, model, loads, found = solvable
     where = f"{model} at {loads}"
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            found = st.solve(subject, load=loads, model=model)
-            yield from _faults(found, where)
-            if (
-                "mean_separation" not in found
-                or found["mean_separation"].dims != ("load",)
-                or not np.isfinite(found["mean_separation"]).all()
-            ):
-                return
-            again = st.solve(subject, separation=found["mean_separation"].values, model=model)
-    except (InputError, ArithmeticError):
+    yield from _faults(found, where)
+    if "mean_separation" not in found or found["mean_separation"].dims != ("load",):
         return
-    except Exception as error:
-        yield f"{where}: {type(error).__name__}: {error}"
+    if not np.isfinite(found["mean_separation"]).all():
         return
-    pull_off = float(found.get("pull_off_force", 0.0))  # loads far below it are a difference of large numbers
-    for name, least in (("load", pull_off), ("contact_area", 0.0), ("friction_force", 0.0)):
-        if name in found and name in again:
-            before, after = found[name].values, again[name].values
-            if not (np.abs(after - before) <= _CLOSES * np.maximum(np.abs(before), least)).all():
-                yield f"{where}: {name} {before} is {after} at the separations that were found"
+    again: list[Any] = []
+    yield from refused_or_fine(
+        where, lambda: again.append(st.solve(subject, separation=found["mean_separation"].values, model=model))
+    )
+    for other in again:
+        yield from (f"{where}: {fault} at the separations that were found" for fault in _differences(found, other, _CLOSES))
 
 
 def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
     """Solve in plain Python, in compiled loops, and with eight threads: all must agree."""
-    subject = _contact(chance) if chance.random() < 0.6 else _indices(chance)
-    model = chance.choice([one.name for one in candidates(subject)])
-    loads = (1.0 if isinstance(subject, st.Contact) else 1e-6) * 10.0 ** np.linspace(-12.0, 9.0, 6)
-    where = f"{model} at {loads}"
-    found = []
-    before = os.environ.get(VARIABLE)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            for loops, threads in (("interpreted", 1), ("shared", 1), ("shared", 8)):
-                os.environ[VARIABLE] = loops
-                found.append(st.solve(subject, load=loads, model=model, threads=threads))
-    except (InputError, ArithmeticError) as error:
-        if found:
-            yield f"{where}: refused by one means only: {error}"
+    solvable = _solvable(chance)
+    if solvable is None:
         return
+    subject, model, loads, _ = solvable
+    before = os.environ.get(VARIABLE)
+    found: list[Any] = []
+    try:
+        for loops, threads in (("interpreted", 1), ("shared", 1), ("shared", 8)):
+            os.environ[VARIABLE] = loops
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                found.append(st.solve(subject, load=loads, model=model, threads=threads))
     except Exception as error:
-        yield f"{where}: {type(error).__name__}: {error}"
+        yield f"{model} at {loads}: {type(error).__name__} by one means only: {error}"
         return
     finally:
         os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
-    pull_off = float(found[0].get("pull_off_force", 0.0))
-    for means, other in zip(("compiled", "eight threads"), found[1:], strict=True):
-        for name in ("load", "contact_area", "friction_force", "mean_separation"):
-            if name in other:
-                one, two = found[0][name].values, other[name].values
-                least = pull_off if name == "load" else 0.0
-                if not (np.isclose(one, two, rtol=0.0, atol=_AGREES * np.maximum(np.abs(one), least), equal_nan=True)).all():
-                    yield f"{where}: {name} {one} is {two} ({means})"
+    for means, other in zip(("compiled", "with eight threads"), found[1:], strict=True):
+        yield from (f"{model} at {loads}: {fault} {means}" for fault in _differences(found[0], other, _AGREES))
+
+
+def _solvable(chance: random.Random) -> tuple[Any, str, np.ndarray, Any] | None:
+    """Return a random contact, a model, loads of 1 pN to 1 GN and their solution; None where 20 draws were all refused."""
+    for _ in range(20):
+        subject = _contact(chance) if chance.random() < 0.6 else _indices(chance)
+        model = chance.choice([one.name for one in candidates(subject)])
+        unit = 1.0 if isinstance(subject, st.Contact) else 1e-6
+        middle = chance.uniform(-11.0, 8.0)
+        loads = unit * 10.0 ** np.sort(np.array([middle + chance.uniform(-1.0, 1.0) for _ in range(4)]))
+        with suppress(InputError, ArithmeticError), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return subject, model, loads, st.solve(subject, load=loads, model=model)
+    return None
+
+
+def _differences(found: Any, other: Any, tolerance: float) -> Iterator[str]:
+    """Yield the results of two solutions that differ by more than a tolerance, as a fraction."""
+    pull_off = float(found.get("pull_off_force", 0.0))  # loads far below it are a difference of large numbers
+    for name, least in (("load", pull_off), ("contact_area", 0.0), ("friction_force", 0.0)):
+        if name in found and name in other:
+            before, after = found[name].values, other[name].values
+            if not np.isclose(
+                before, after, rtol=0.0, atol=tolerance * np.maximum(np.abs(before), least), equal_nan=True
+            ).all():
+                yield f"{name} {before} is {after}"
 
 
 def _faults(found: Any, where: str) -> Iterator[str]:

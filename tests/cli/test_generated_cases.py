@@ -36,6 +36,15 @@ def test_another_error_than_an_input_error_is_a_failure():
     assert not list(inputs.refused_or_fine("here", lambda: st.Indices(theta=-1, lam=1)))
 
 
+def test_random_contacts_are_solved_and_a_difference_of_solutions_is_found():
+    """Contacts that are refused would compare nothing."""
+    solved = [inputs._solvable(random.Random(seed)) for seed in range(5)]
+    assert None not in solved
+    found = solved[0][3]
+    other = found.assign(contact_area=found["contact_area"] * (1.0 + 1e-9))
+    assert list(inputs._differences(found, other, 1e-10)) and not list(inputs._differences(found, found, 1e-12))
+
+
 def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
     cases = [repr(generate.case_of(seed)) for seed in SEEDS]
     assert cases == [repr(generate.case_of(seed)) for seed in SEEDS]
