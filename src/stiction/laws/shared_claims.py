@@ -26,5 +26,5 @@ ENOUGH_SUMMITS = Validity(
 
 
 def elastic_limit(parent: str) -> Limit:
-    """Return the limit check of a law that equals the elastic law `parent` if nothing yields."""
+    """Return the record entry (Limit) which states that a law equals the elastic law `parent` if nothing yields."""
     return Limit(parent, {"theta": 1.0, "lam": 1e24}, ("load", "contact_area"), 1e-9)

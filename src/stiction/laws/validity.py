@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]) -> list[ValidityWarning]:
-    """Return a warning for each validity range that a contact and its results leave.
+    """Return one warning for each validity range that the inputs or the results of a contact are outside of.
 
     results: normalised results by name; mean_separation is over sigma, None if missing. Other quantities are taken from the
     contact.
@@ -31,7 +31,7 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
 def ranges_left(
     subject: Subject, rules: Iterable[Validity], results: Mapping[str, Any]
 ) -> Iterator[tuple[Validity, np.ndarray, np.ndarray]]:
-    """Yield each rule that is violated, the values of its quantity, and a mask of the values outside.
+    """Yield each validity range that is violated, the values of its quantity, and a mask of the values outside.
 
     NaN counts as inside.
     """

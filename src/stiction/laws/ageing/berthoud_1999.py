@@ -40,7 +40,10 @@ from stiction.records.sources import Source
 
 
 def factor(groups: Groups) -> np.ndarray:
-    """Return the strength after the hold time over the initial strength (n,): 1 + m ln(1 + t_w/t_c)."""
+    """Return the interface strength after the time at rest over its initial value, (n,).
+
+    It is 1 + m ln(1 + t_w/t_c), with the ageing rate m, the time at rest t_w and the reference time t_c.
+    """
     return 1.0 + groups.ageing_rate * np.log1p(groups.waiting)
 
 

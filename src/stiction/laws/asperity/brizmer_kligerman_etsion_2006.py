@@ -52,18 +52,18 @@ def yield_coefficient(nu):
 
 
 def load_of_stick(nu):
-    """Return the critical load in full stick over the one in slip, for Poisson's ratio nu (any shape).
+    """Return the ratio of two critical loads (at first yield), full stick over frictionless slip; nu: Poisson's ratio.
 
-    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2.
+    The ratio is 8.88 nu - 10.13 (nu^2 + 0.089), constant below nu = 0.2. Any shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 8.88 * nu - 10.13 * (nu * nu + 0.089)
 
 
 def interference_of_stick(nu):
-    """Return the critical interference in full stick over the one in slip, for Poisson's ratio nu (any shape).
+    """Return the ratio of two critical interferences (at first yield), full stick over slip; nu: Poisson's ratio.
 
-    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2.
+    The ratio is 6.82 nu - 7.83 (nu^2 + 0.0586), constant below nu = 0.2. Any shape.
     """
     nu = np.maximum(nu, LEAST_NU)
     return 6.82 * nu - 7.83 * (nu * nu + 0.0586)
@@ -95,7 +95,7 @@ _LEAST = 1e-300  # of ln(delta/delta_c): its inverse is still a number
 
 @formula
 def yielding(u, w_c, stiffness, load_power, area_power):
-    """Return displacement w = u^2, dw/du, load and area beyond first yield.
+    """Return displacement w = u^2, dw/du, load and area of an asperity in full stick beyond first yield.
 
     With r = delta/delta_c: P/L_c = r^1.5 (1 - exp(1/(1 - r^beta))) and A/A_c = r (1 + exp(1/(1 - r^alpha))).
     """

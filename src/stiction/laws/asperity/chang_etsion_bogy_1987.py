@@ -44,7 +44,7 @@ def critical_interference(eta, K_H):
 
 @formula
 def plastic(w, w_c, eta, K_H):
-    """Return displacement, its slope 1, load and area of an asperity beyond first yield.
+    """Return displacement w, dw/du = 1, load and area of an asperity beyond first yield; the coordinate u is w itself.
 
     The area is pi R w (2 - w_c/w), the load is this area times K_H H.
     """

@@ -66,7 +66,10 @@ _STEPS = 64
 
 
 def elastic_share(hardening):
-    """Return the weight of Hertz's load, 1 - exp(-3.3 E_t/E) (eq 30, any shape)."""
+    """Return the weight of Hertz's load in the load of a hardening asperity, 1 - exp(-3.3 E_t/E) (eq 30, any shape).
+
+    hardening: tangent modulus over Young's modulus, E_t/E.
+    """
     return -np.expm1(-3.3 * hardening)
 
 
@@ -126,7 +129,7 @@ def yielding(u, *row):
 
 @formula
 def _is_narrow(w, given):
-    """Return whether the contact radius at the displacement w is below R."""
+    """Return whether the contact radius at the displacement w is smaller than the radius R of the sphere."""
     w_c, B, sharpness, front, rate = given
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
 
@@ -151,7 +154,7 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
 
 
 def _edges(w_c, sharpness, front, rate, wide):
-    """Return the displacements at which the yielding piece begins, is split, and ends.
+    """Return the displacements at which the yielded part of the law begins, is split for the integration, and ends.
 
     It is split where the contact radius reaches R and where Upsilon = -1, near which the area may change quickly.
     """

@@ -56,7 +56,10 @@ def normal(u):
 
 
 def elastic(last: np.ndarray) -> NormalPiece:
-    """Return Hertz's piece from first touch to the displacements `last` (n,), beyond which another law continues."""
+    """Return Hertz's law as a NormalPiece, from first touch to the displacements `last` (n,).
+
+    Another law describes the asperity beyond `last`.
+    """
     return NormalPiece(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
 
@@ -74,7 +77,7 @@ def first_yield(nu: float) -> tuple[float, float]:
     from scipy.optimize import brentq
 
     def slope(z):
-        """Return d(sigma_r - sigma_z)/dz on the axis.
+        """Return d(sigma_r - sigma_z)/dz, the derivative of the radial minus the axial stress along the axis.
 
         It falls from (1 + nu) pi/2 at the surface to below zero at z = 1.
         """

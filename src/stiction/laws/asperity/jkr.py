@@ -59,7 +59,7 @@ def displacement(u, S):
 
 @formula
 def stretch(u, S):
-    """Return the derivative dw/du of the displacement of a JKR contact."""
+    """Return dw/du, the derivative of the displacement of a JKR contact by the coordinate u = x^(1/4)."""
     return 4.0 * u * u * u - 2.0 / 3.0 * S
 
 
@@ -114,19 +114,20 @@ def normal_coordinate(w, theta):
 
 
 def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
-    """Return the coordinate u (n,) of the smallest stable contact.
+    """Return the coordinate u (n,) at which a JKR contact begins in loading, or ends in unloading.
 
-    With s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in unloading dw/du is zero (4 u^3 =
-    s).
+    branch: "loading" or "unloading". With s = (2/3) sqrt(6 pi/theta): in loading the displacement is zero there (u^3 = s), in
+    unloading dw/du is zero (4 u^3 = s).
     """
     s = 2.0 / 3.0 * np.sqrt(6.0 * math.pi / theta)
     return np.cbrt(s if branch == "loading" else s / 4.0)
 
 
 def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
-    """Return JKR's piece from the smallest stable contact to the coordinates `last` (n,).
+    """Return the JKR law as a NormalPiece, from the smallest stable contact to the coordinates `last` (n,).
 
-    Another law continues beyond `last`."""
+    Another law describes the asperity beyond `last`.
+    """
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
     edges = edges_at(first, np.maximum(last, first))

@@ -44,7 +44,10 @@ FULLY_PLASTIC = 110.0  # omega over omega_c
 
 @formula
 def power_law(u, load_factor, load_power, area_factor, area_power):
-    """Return displacement w = u^2, dw/du, load and area of one fitted range, both a factor times a power of w."""
+    """Return displacement w = u^2, dw/du, load and area of an asperity in one of the fitted ranges of displacement.
+
+    Load and area are each a factor times a power of w.
+    """
     w = u * u
     return w, 2.0 * u, load_factor * w**load_power, area_factor * w**area_power
 

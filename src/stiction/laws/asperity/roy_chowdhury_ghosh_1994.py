@@ -78,7 +78,7 @@ def onset(groups: Groups) -> tuple[np.ndarray, np.ndarray]:
 
 @formula
 def plastic(w, theta, eta):
-    """Return displacement, its slope 1, load and area of a plastic asperity.
+    """Return displacement w, dw/du = 1, load and area of a fully plastic asperity; the coordinate u is w itself.
 
     The load is 2 eta w - 2 pi/theta: the hardness times twice the truncated area, minus the adhesion 2 pi gamma R (second
     integrand of eq 1 of the 2015 paper).
@@ -87,7 +87,7 @@ def plastic(w, theta, eta):
 
 
 def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
-    """Return the piece of the plastic asperity, from the displacements `first` (n,) on."""
+    """Return the fully plastic part of the law as a NormalPiece, from the displacements `first` (n,) on."""
     edges = edges_at(first, np.inf)
     return NormalPiece(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 

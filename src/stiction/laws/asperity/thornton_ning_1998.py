@@ -58,7 +58,7 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 
 @formula
 def onset(eta_y, S):
-    """Return the coordinate u_y at which the pressure in the centre reaches its limit.
+    """Return the coordinate u_y of JKR's contact at which the central pressure reaches its limit (yield).
 
     It is the largest root of 3 u^3 - 2 eta_y u - S = 0.
     """
@@ -105,7 +105,7 @@ def unloading_radius(u_max, P_max, S):
 
 @formula
 def residual(u_max, radius):
-    """Return the shift of the displacement in unloading.
+    """Return the residual displacement, by which the unloading curve is shifted, over sigma.
 
     With it, displacement at the turning point is the same in unloading and in loading.
     """
@@ -154,9 +154,9 @@ def lost_displacement(u_max, P_max, S):
 
 @formula
 def recovery(U, S, eta_y, u_y):
-    """Return the increase in separation, over sigma, at which an asperity loses contact.
+    """Return the increase in separation, over sigma, after which an asperity that was loaded to U loses contact.
 
-    The asperity was loaded to the coordinate U >= u_y; the increase grows with U.
+    U >= u_y is the JKR coordinate at the end of loading; the increase grows with U.
     """
     return _displacement(U, S) - lost_displacement(U, yielded_load(U, S, eta_y, u_y), S)
 

@@ -32,7 +32,10 @@ _LARGEST = 1e150
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """Return the variance of the friction force of one asperity, in place of its slip-limited force, and 0."""
+    """Return (variance of the friction force of one asperity, 0); the engine sums these like a tangential force.
+
+    strength_variation: standard deviation of the junction strength over its mean.
+    """
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)
     return deviation * deviation, 0.0
 

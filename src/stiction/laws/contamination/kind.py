@@ -36,9 +36,10 @@ class Contamination(Addition, TangentialLaw):
     def results(
         self, results: Mapping[str, np.ndarray], summed: Callable[[TangentialLaw], np.ndarray], asperities: np.ndarray | None
     ) -> dict[str, np.ndarray]:
-        """Return the standard deviation of mu; the variances of all asperities add up.
+        """Return the standard deviation of mu that follows from the scatter of junction strength.
 
-        summed(law): sum of the resistance of a law over all heights. asperities: number of asperities.
+        summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of asperities. The
+        variances of all asperities add up.
         """
         assert asperities is not None  # the law needs what decides it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}

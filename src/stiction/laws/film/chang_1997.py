@@ -37,9 +37,10 @@ from stiction.records.sources import Source
 
 @formula
 def film_alone(w, hardness, pull):
-    """Return displacement, its slope 1, load and area of an asperity in the film alone.
+    """Return displacement w, dw/du = 1, load and area of an asperity that touches only the plastic film; u is w itself.
 
-    The area is 2 pi R omega; the load is the film hardness times this area, minus the adhesion `pull`. hardness: eta n_H.
+    The area is 2 pi R omega; the load is the film hardness times this area, minus the adhesive force `pull`. hardness: film
+    hardness in these units, eta n_H.
     """
     return w, 1.0, 2.0 * hardness * w - pull, 2.0 * w
 
@@ -48,9 +49,9 @@ def film_alone(w, hardness, pull):
 def _rim(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     @formula
     def rim(u, *row):
-        """Return displacement, its slope, load and area of the film around the contact with the substrate.
+        """Return displacement, its slope, load and area of the ring of film around the contact with the substrate.
 
-        The film touches on 2 pi R omega minus the contact area of the substrate.
+        The area of the ring is 2 pi R omega minus the contact area of the substrate.
         """
         w, stretch, _, inner = normal(u, *row[:parameters])
         tau, hardness, pull = row[parameters:]

@@ -49,9 +49,9 @@ RIM_PRESSURE = ("film_hardness", "substrate_hardness")
 
 @formula
 def rim(w, pressure, tau):
-    """Return displacement, its slope 1, load and area of the film around the penetrated centre.
+    """Return displacement w, dw/du = 1, load and area of the ring of film around the contact with the substrate.
 
-    The area stays what it was when the film was penetrated (displacement tau).
+    The area no longer changes after the film is penetrated at w = tau (film thickness over sigma). pressure: of the film.
     """
     return w, 1.0, 2.0 * pressure * tau, 2.0 * tau
 

@@ -35,10 +35,11 @@ from stiction.records.sources import Source
 def fading_rates(
     n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray, tau: np.ndarray, m_soft: int = 2, m_hard: int = 1
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the rates at which the film's hardness fades with depth (S5.13, S5.14), arrays (n,).
+    """Return the rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
 
-    These are c/tau if m = 1, else 0, and c/tau^2 if m = 2, else 0. n_Y: yield stress of the film over the substrate's. m_soft,
-    m_hard: exponent m, 1 or 2, for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another exponent.
+    They are the factors of w and of w^2 in the exponent: (c/tau, 0) for the exponent m = 1, (0, c/tau^2) for m = 2. n_E, n_H,
+    n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film thickness over sigma. m_soft, m_hard:
+    m for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another exponent.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):

@@ -57,7 +57,7 @@ def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
 
     @formula
     def stiffened(u, row):
-        """Return the load over Hertz's load on the bodies without film."""
+        """Return the factor by which the film changes Hertz's load of the uncoated bodies."""
         xi = row[4] / u
         first, second, share, films, nu, nu_first, nu_second = row[BODIES:ELASTIC]
         g = modulus(first, xi, nu, nu_first)
@@ -123,9 +123,9 @@ def _onset(flows: Any) -> Any:
 
 
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Return sorted edges (n, m + 2) from low to high (n,), with the places inside (n, m) limited to this range.
+    """Return the sorted edges (n, m + 2) of a range: its ends low and high (n,), and the inner points (n, m) clipped to it.
 
-    If high < low, all edges are low and the pieces are empty.
+    If high < low, all edges are low and the pieces between them are empty.
     """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])

@@ -73,9 +73,9 @@ def bare_regimes(groups: Groups) -> list[Regime]:
 
 
 def _film_weights(piece: NormalPiece) -> tuple[Weights, Weights]:
-    """Return the weights of a film piece before and after x = tau.
+    """Return the weights of a film piece before and after the film is pressed through (x = tau).
 
-    Beyond tau the elastic load stays and the plastic load is dropped (D5, D9).
+    Beyond tau the printed equations keep the elastic load and drop the plastic load (departures D5, D9).
     """
     return Weights(friction=_GRIP), Weights(friction=0.0) if piece.state == "elastic" else Weights(load=0.0)
 

@@ -39,7 +39,10 @@ from stiction.records.sources import Source
 
 @formula
 def at_rest(w, load, slip_limited, yield_limited):
-    """Return the response of a film that no longer deforms: constant load and resistance, no area."""
+    """Return displacement, slope, load, area and both resistances of a film that no longer deforms.
+
+    Load and resistance are constant, and the area is 0.
+    """
     return w, 1.0, load, 0.0, slip_limited, yield_limited
 
 
@@ -65,10 +68,10 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
 
 
 def _kept(law: Law, groups: Groups) -> np.ndarray:
-    """Return load, slip-limited and yield-limited resistance (3, n) of the film at w = tau.
+    """Return load, slip-limited and yield-limited resistance (3, n) that the film keeps beyond w = tau.
 
-    With a tangential law of the interface, the resistance proportional to the area is left out; `regimes` adds it with the
-    area.
+    These are the film's values at w = tau (film thickness over sigma). With a tangential law of the interface, the resistance
+    proportional to the area is left out; `regimes` adds it with the area.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     kept = np.zeros((3, len(groups)))

@@ -100,9 +100,9 @@ def displacement(force, load, area, friction, K_beta):
 
 @formula
 def slip_share(s):
-    """Return the tangential force over the strength, 1 - (1 - s)^(3/2), accurate for small s.
+    """Return the tangential force of a partly slipping contact over its strength, 1 - (1 - s)^(3/2), accurate for small s.
 
-    s: displacement over the sliding displacement of the asperity, below 1.
+    s: displacement over the displacement at which the whole contact slides, below 1.
     """
     return -math.expm1(1.5 * math.log1p(-s))
 
@@ -126,7 +126,7 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """Return the tangential stiffness of one asperity, in place of its slip-limited force, and 0."""
+    """Return (tangential stiffness of one asperity, 0); the engine sums these like a tangential force."""
     return stiffness(area, K_beta), 0.0
 
 

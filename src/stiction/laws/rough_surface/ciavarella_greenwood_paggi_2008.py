@@ -66,9 +66,10 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _compliance(groups: Groups) -> np.ndarray:
-    """Return the mean displacement u of the nominal area over sigma F_3/2, (n, 1).
+    """Return the displacement of the nominal area by the mean pressure, over sigma and per unit of load, (n, 1).
 
-    u = SINKING (p / E*) sqrt(A_n) with p / E* = (4/3) N R sigma sqrt(sigma/R) F_3/2.
+    The load per asperity is F_3/2. The displacement is u = SINKING (p / E*) sqrt(A_n), with p / E* = (4/3) N R sigma
+    sqrt(sigma/R) F_3/2.
     """
     return (SINKING * 4.0 / 3.0 * groups.roughness_parameter * groups.sharpness * groups.nominal_width)[:, None]
 

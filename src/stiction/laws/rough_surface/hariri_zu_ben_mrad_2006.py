@@ -95,7 +95,8 @@ def _sums(h: np.ndarray, density: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return approximate separations (n, H) at the loads (n, H), as starting values.
 
-    They are on the far side of the largest load, where the load rises on approach.
+    The load of this model has a maximum; the separations are larger than that of the maximum, where the load rises on
+    approach.
     """
     return _near()(load, np.log(groups.roughness_parameter))
 

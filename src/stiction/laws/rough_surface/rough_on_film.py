@@ -217,10 +217,11 @@ def elastic_share(pressure: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _flowing(elastic: np.ndarray, pressure: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the contact area over the nominal area (n, H) with a limited contact pressure.
+    """Return the contact area over the nominal area (n, H) after plastic flow has limited the contact pressure.
 
-    The limit is the film hardness, or the pressure that the body below carries through the film if that is less. It depends on
-    the mean size of a contact spot, which follows from the number of asperities that touch at this area.
+    elastic: area without this limit. The limit is the film hardness, or the pressure that the body below carries through the
+    film if that is less. It depends on the mean size of a contact spot, which follows from the number of asperities that touch
+    at this area.
     """
     from stiction.surfaces.theory.widened_area import with_hardness  # slow to import
 

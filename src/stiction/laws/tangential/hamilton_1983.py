@@ -76,7 +76,7 @@ INSIDE, BELOW, IN_NU = 14, 15, 20
 
 
 def inside_reach(nu):
-    """Return the upper end of (1 - 2 nu) p0/Y for the series of yield inside the contact.
+    """Return the value of (1 - 2 nu) p0/Y up to which the series for yield inside the contact is fitted.
 
     The series is used up to a value that is 1 to 7 % smaller.
     """

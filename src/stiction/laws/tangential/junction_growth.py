@@ -61,7 +61,10 @@ def together(of_interface, of_full_stick, share):
 
 @formula
 def resistance(u, w, load, area, L_c, eta, shear_strength, share):
-    """Return the force as slip-limited while the interface is weaker than the bulk, else as yield-limited."""
+    """Return the force of a growing junction as (slip-limited, yield-limited); one of the two is 0.
+
+    It is slip-limited if the interface is weaker than the bulk (share < 1), else yield-limited.
+    """
     _, of_full_stick = _force_of_full_stick(u, w, load, area, L_c)
     force = together(shear_force(area, eta, shear_strength), of_full_stick, share)
     return (force, 0.0) if share < 1.0 else (0.0, force)

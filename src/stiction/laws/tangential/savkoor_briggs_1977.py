@@ -76,9 +76,9 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
 
 
 def share_that_peels(groups: Groups) -> np.ndarray:
-    """Return zeta (n,), the group `peeling`, by default 1.
+    """Return the mode-mixity share zeta (n,), the fraction of the tangential energy release that peels; by default 1.
 
-    Raises InputError if it is 0, because the peeling force would then be infinite.
+    It is the group `peeling`. Raises InputError if it is 0, because the peeling force would then be infinite.
     """
     share = np.ones_like(groups.theta) if groups.peeling is None else groups.peeling
     if np.any(share == 0.0):

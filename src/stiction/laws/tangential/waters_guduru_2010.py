@@ -119,7 +119,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResis
 
 
 def _to_hertz(piece: NormalPiece, groups: Groups, kappa: np.ndarray) -> np.ndarray:
-    """Return the coordinate (n,) beyond which the contact shrinks to Hertz's area before it slides."""
+    """Return the coordinate u (n,) beyond which shear shrinks the contact to Hertz's area before it slides."""
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
     S = np.sqrt(6.0 * math.pi / groups.theta)

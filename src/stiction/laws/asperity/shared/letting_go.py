@@ -47,10 +47,12 @@ def residual(w_max, load_max, area_max):
 
 @formula
 def let_go(w, w_max, w_res, load_max, area_max):
-    """Return load and area at w <= w_max in unloading; both are 0 below w_res.
+    """Return load and area at the displacement w <= w_max of an asperity in unloading; both are 0 below w_res.
 
-    With s = (w - w_res)/(w_max - w_res) they are P_max s^(3/2) and A_max s. If `residual` is not limited, this is P = (4/3) E*
-    R'^(1/2) (omega - omega_res)^(3/2) with R' = 4 E* a_max^3/(3 P_max). Both are always continuous with loading at w_max.
+    w_max, load_max, area_max: values at the turning point, where unloading begins. w_res: displacement that remains. With
+    s = (w - w_res)/(w_max - w_res) load and area are P_max s^(3/2) and A_max s, continuous with loading at w_max. If
+    `residual` is not limited, this is Hertz's law P = (4/3) E* R'^(1/2) (omega - omega_res)^(3/2) with the flattened radius
+    R' = 4 E* a_max^3/(3 P_max).
     """
     if w <= w_res:
         return 0.0, 0.0
@@ -78,9 +80,9 @@ def _overshoots(state):
 
 @cache
 def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
-    """Return the formulas `normal` and `coordinate` of an unloading piece.
+    """Return the formulas `normal` and `coordinate` of an asperity after unloading, built from those of its loading law.
 
-    parameters: number of parameters of the loading piece. Two parameters follow them: the increase in separation, and the
+    parameters: number of parameters of the loading law. Two parameters follow them: the increase in separation, and the
     loading coordinate of the asperity that has just lost contact.
     """
 
@@ -159,10 +161,10 @@ def _clamping(normal: Callable, parameters: int) -> Any:
 
 
 def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalPiece]:
-    """Return the asperity pieces after loading and an increase of the separation by `distance` (n,), 0 or more, over sigma.
+    """Return the asperity law after loading and an increase of the separation by `distance` (n,), over sigma.
 
-    pieces: pieces in loading of an asperity law without adhesion. Summed over heights at the separation h, the returned pieces
-    give load and area of a surface that was first loaded to the separation h - distance.
+    pieces: the loading law, as a list of NormalPiece, of asperities without adhesion. Summed over heights at the separation h,
+    the returned pieces give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     found = []

@@ -14,11 +14,11 @@ from stiction.laws.piece import NormalPiece
 def film_regimes(
     law: Law, groups: Groups, through: np.ndarray, weights: Callable[[NormalPiece], tuple[Weights, Weights]]
 ) -> list[Regime]:
-    """Return the regimes of the film with its own law at every displacement.
+    """Return the regimes of a film that follows its own asperity law at every displacement.
 
     through (n,): displacement at which the film is pressed through. weights(piece): weights of the response before and after
-    it. The film acts as a half-space for an asperity while a < t, which is x < film_aspect^2 with film_aspect = t/sqrt(R
-    sigma). Regimes beyond have in_half_space=False.
+    this displacement. The film acts as a half-space while the contact radius is below the film thickness, a < t; regimes
+    beyond have in_half_space=False.
     """
     film = groups.film()
     # Where the film is a half-space to all, the stretches beyond are empty: left out.

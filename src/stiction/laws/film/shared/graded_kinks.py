@@ -98,7 +98,7 @@ def _sample_loads(law, edges, count, places, loads, slopes):
 
 @lazy_kernel(worth=100_000)
 def _summit(low, kink, high, at_high, law):
-    """Return the coordinate at which the load stops rising.
+    """Return the coordinate u at which the load has a maximum.
 
     The load rises at `low` and falls at `high`. kink: an edge between them, or `low`.
     """
@@ -140,7 +140,7 @@ def _first_flowing(part, count):
 
 @lazy_kernel(worth=100_000)
 def _regained(low, high, above, law, level):
-    """Return the coordinate between low and high at which the load reaches `level` again.
+    """Return the coordinate between low and high at which the load, after a fall, reaches `level` again.
 
     above: load minus `level` at `high`.
     """

@@ -23,10 +23,11 @@ ALONE, WHOLE = 11, 20  # parameters of adhesion and strength; with them those of
 
 @formula
 def stiffness(u, bodies):
-    """Return K_eff/K_s (S5.11) at the contact radius a = sqrt(R sigma) u^2, its derivative by ln u, and the film's weight.
+    """Return the modulus of film and substrate over the substrate's, K_eff/K_s (S5.11), at a given contact radius.
 
-    bodies: smallest and largest K_eff/K_s, sqrt(R sigma) over the film thickness on one body, then the fields of `TwoBodies`
-    with the mean Poisson's ratio of film and body.
+    Also returns its derivative by ln u and the weight of the film. The contact radius is a = sqrt(R sigma) u^2. bodies:
+    smallest and largest K_eff/K_s, sqrt(R sigma) over the film thickness on one body, then the fields of `TwoBodies` with the
+    mean Poisson's ratio of film and body.
     """
     _, _, per_aspect, first, second, s, films, nu_first, nu_second = bodies
     share, slope = modulus_share(u * u * per_aspect, nu_first)

@@ -76,7 +76,10 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return one function at u: a signal, the slope of the load, or the load minus `level`; which: its index."""
+    """Return the value at u of one of several functions: a signal, the slope of the load, or the load minus `level`.
+
+    which: index of the function.
+    """
     if which < SLOPE:
         return signals(u, law)[which]
     load, slope, _ = load_before_plateaus(u, law)

@@ -28,7 +28,10 @@ _ROUNDS = 6
 
 
 class Hardness:
-    """Hold a composite hardness chi at the depth w, over the substrate's hardness, with its parameters (n,)."""
+    """Hold the hardness chi of film and substrate together as a function of the displacement w, for n contacts.
+
+    chi is over the substrate's hardness. The parameters of the formula are arrays (n,).
+    """
 
     def __init__(self, record: Composite, groups: Groups, soft_film_exponent: float):
         laws = len(groups)
@@ -50,12 +53,15 @@ class Hardness:
 
 @cache
 def _onset(along: Any, hardness: Any, parameters: int) -> Any:
-    """Return the kernel that finds where the mean pressure first reaches a constant times the hardness."""
+    """Return the kernel that finds where an asperity on a film yields.
+
+    There the mean pressure first equals a given constant times the hardness.
+    """
     edge = along is edged
 
     @formula
     def excess(u, given):
-        """Return the load minus the load at yield on the same area."""
+        """Return the load at u minus the load at which a contact of the same area would yield."""
         row, pressure, (n_H, tau, constant, exponent) = given
         _, _, load, area = along(u, *row)
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
@@ -93,9 +99,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
 
 def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.ndarray) -> Groups:
-    """Return the groups (n,) of a half-space with the modulus and hardness felt, both over those of the bare bodies.
+    """Return the groups (n,) of the uniform half-space that replaces film and substrate at first yield.
 
-    The work of adhesion is the film's. Poisson's ratio changes from the film's to the substrate's with `place`, from -1 to 1.
+    modulus, hardness: those of the half-space over the bare bodies'. place: -1 for Poisson's ratio of the film, 1 for the
+    substrate's, linear in between. The work of adhesion is the film's.
     """
     theta, lam, tabor, eta = groups.theta, groups.lam, groups.tabor_parameter, groups.hardness_group
     return groups.substrate().with_changes(

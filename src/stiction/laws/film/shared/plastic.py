@@ -8,7 +8,7 @@ from stiction.laws.piece import NormalPiece, displaced, edges_at
 
 @formula
 def normal(w, pressure):
-    """Return displacement, its slope 1, load p A and area A = 2 w.
+    """Return displacement w, dw/du = 1, load p A and area A = 2 w of a plastic asperity; the coordinate u is w itself.
 
     pressure: p over the hardness of the substrate, times eta.
     """

@@ -18,11 +18,11 @@ from stiction.engine.compiled import formula
 
 @dataclass(frozen=True)
 class TwoBodies:
-    """Store the elastic constants of n coated contacts of two bodies, arrays (n,).
+    """Store the elastic constants of n contacts in which one body or both are coated, as arrays (n,).
 
     first, second: film modulus over the modulus of each body, E'_f/E'_i; `second` has no meaning if the second body is bare.
-    share: s of the first body, which is coated. films: number of coated bodies, 1 or 2. nu, nu_first, nu_second: Poisson's
-    ratio of the film and of the bodies.
+    share: fraction s of the compliance of both bare bodies that the first, coated body has. films: number of coated bodies, 1
+    or 2. nu, nu_first, nu_second: Poisson's ratio of the film and of the bodies.
     """
 
     first: np.ndarray
@@ -56,7 +56,7 @@ class TwoBodies:
         return cls(film_over_substrate, 0.0 * one, one, one, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return the bodies with their own modulus in place of the film's wherever `there` is False."""
+        """Return the same bodies with the film's modulus replaced by that of each body wherever the mask `there` is False."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
@@ -87,5 +87,8 @@ class TwoBodies:
 
 @formula
 def in_series(first, second, share):
-    """Return E*/E*_bare of two bodies in series whose moduli are multiplied by `first` and `second`."""
+    """Return E*/E*_bare, the contact modulus over the bare bodies', if films multiply the two moduli by `first` and `second`.
+
+    share: fraction of the bare compliance that the first body has.
+    """
     return first * second / (share * second + (1.0 - share) * first)

@@ -18,7 +18,7 @@ _DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
 
 @cache
 def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: int, of_film: int) -> tuple[Any, Any]:
-    """Return two formulas: the response with the weaker resistance, and film resistance minus substrate resistance.
+    """Return two formulas: the response with the weaker of two resistances, and the film's resistance minus the substrate's.
 
     of_substrate, of_film: number of parameters of both regimes.
     """
@@ -55,10 +55,10 @@ def _back(coordinate: Callable, of_substrate: int) -> Any:
 
 
 def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
-    """Return regimes with the weaker resistance beyond the displacement tau, without load and area.
+    """Return regimes that add only friction: the weaker of film and substrate, once the film is pressed through (w > tau).
 
-    The resistance is the smaller of the film's at the displacement w and the substrate's at w - tau, in units of the
-    substrate. law: has a tangential law that does not describe the interface.
+    Their load and area are zero. The resistance is the smaller of the film's at the displacement w and the substrate's at
+    w - tau, in units of the substrate. law: has a tangential law that does not describe the interface.
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
@@ -77,9 +77,9 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
 
 
 def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, first: np.ndarray, last: np.ndarray) -> Regime:
-    """Return the regime in which one substrate piece lies below one film regime.
+    """Return the regime of one substrate piece below one film regime, with the weaker resistance of the two.
 
-    Its edges are the kinks of both, and the places where the weaker of the two changes.
+    Its edges are the kinks of both, and the places at which the other of the two becomes the weaker.
     """
     inner = [_mapped(above, at, piece, tau) for at in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)

@@ -39,9 +39,9 @@ def edge_root(u, load, area, row):
 
 
 def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
-    """Return the parameters (n,) of `edge_root`; where there is no film, they describe yield of the body.
+    """Return the parameters (n,) of `edge_root`, for yield at the edge of a contact with a film.
 
-    groups: complete groups.
+    groups: complete groups, from `Groups.resolved`. For contacts without a film the parameters describe the body.
     """
     laws = len(groups)
     different, which = bodies_of(groups)

@@ -34,9 +34,10 @@ _LEAST_SHARE = 1e-200
 
 @formula
 def _softness(u, root, curve):
-    """Return K beta and 1 - e at the coordinate u, with e = d ln(K beta)/d ln a and a the contact radius.
+    """Return the normal-tangential stiffness product K beta at the coordinate u, and 1 - e.
 
-    curve: logarithms of K beta for the film and for the bodies, and coefficients of the curve between them.
+    e = d ln(K beta)/d ln a with the contact radius a. curve: logarithms of K beta for the film and for the bodies, and
+    coefficients of the curve between them.
     """
     rest = 1.0 / (root * u + 1.0)
     z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a

@@ -35,6 +35,6 @@ def yield_resistance(load, strength, nu):
 
 @formula
 def lesser(slip_limited, yield_limited):
-    """Return the slip-limited and the yield-limited force with the larger of them set to zero."""
+    """Return both forces with the larger one set to zero, so that only the smaller, decisive one remains."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

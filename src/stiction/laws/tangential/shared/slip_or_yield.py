@@ -25,7 +25,10 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 
 @formula
 def _shape(nu, K_beta):
-    """Return the coefficients of G that depend on the material: of r^2, of r y (y-1) and of y^2 (y-1)^2, with s = g r."""
+    """Return the three coefficients of the function G of the module that depend on Poisson's ratio nu and on K beta.
+
+    They multiply r^2, r y (y-1) and y^2 (y-1)^2, with s = g r.
+    """
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
     return (p * p + q * q - p * q) * g * g, 3.0 * n * (p - q) * g, 3.0 * n * n
@@ -33,7 +36,7 @@ def _shape(nu, K_beta):
 
 @formula
 def _numerator(y, shape, printed):
-    """Return G(y) y^(8/3) and its derivative by y; printed: whether s is as printed."""
+    """Return G(y) y^(8/3) and its derivative by y; printed: whether the slip resistance is that of the printed eq (10)."""
     a, b, c = shape
     if printed:
         r = math.sqrt(y * y - 0.25)
