@@ -123,6 +123,6 @@ def _merging(sampled: SampledCase) -> np.ndarray:
     """
     from xarray import DataArray
 
-    groups, dims = Groups.of(sampled.drawn.unlabelled.indices())
+    groups, dims = Groups.of(sampled.drawn.indices())
     ratio = np.nan_to_num(elastic_over_adhesion(groups), nan=np.inf) / _STICKY
     return sampled.column(DataArray((1.0 + 1.0 / (1.0 + ratio**2)).reshape(tuple(dims.values())), dims=list(dims)))

@@ -169,8 +169,8 @@ class SampledCase:
 
     @cached_property
     def drawn(self) -> Contact:
-        """Return the contact with the samples of its uncertain numbers as arrays."""
-        return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case)
+        """Return the contact with the samples of its uncertain numbers as arrays, which have no coordinates."""
+        return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case).unlabelled
 
     @cached_property
     def bodies(self) -> Bodies:
