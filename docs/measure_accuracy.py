@@ -83,7 +83,7 @@ def table() -> str:
         "|---|---|---|---|---|",
     ]
     for counts in RULES:
-        for name, rules in (("straight", straight_rules), ("leaning left", summation._make_rules)):
+        for name, rules in (("straight", straight_rules), ("leaning right", summation._make_rules)):
             cells = []
             for case in cases:
                 errors = [worst(totals(regimes, h, counts, rules), true, sizes) for regimes, h, true, sizes in case]

@@ -289,7 +289,7 @@ class Indices(Subject):
         the film's unit of force, which is n_E times smaller. Raises InputError without a film.
         """
         if not self.has_film:
-            raise InputError("tau", None, "a number beside n_E and n_H: these indices describe no film")
+            raise InputError("tau", None, "a film thickness over sigma, beside n_E and n_H: without it there is no film")
         whole = self.resolved()
         strength, tabor, eta = whole.shear_strength, whole.tabor_parameter, whole.hardness_group
         return whole.substrate().with_changes(

@@ -75,7 +75,10 @@ def clipping(window: Callable) -> Any:
 def _adding(along: Callable, density: Callable) -> Any:
     @loop
     def add(sums, h, shape, row, mapped, rule, count):
-        """Return the five sums with the nodes of one piece added; mapped: (low, linear, square) as in `map_piece`."""
+        """Return the five sums with the nodes of one piece added: touching, load, area, slip- and yield-limited force.
+
+        mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2.
+        """
         touching, load, area, slip_limited, yield_limited = sums
         low, linear, square = mapped
         for node in range(8 * (count // 8)):

@@ -23,7 +23,7 @@ def _read(value: Any) -> dict[str, tuple[float, float]]:
 def _ends(name: Any, ends: Any) -> tuple[float, float]:
     """Return the low and high end of a range of the named quantity in SI units."""
     if name not in QUANTITIES:
-        raise InputError(str(name), ends, "names of material properties")
+        raise InputError(str(name), ends, f"a range of a material property; {name} is not one")
     if not isinstance(ends, list | tuple) or len(ends) != 2:
         raise InputError(name, ends, f"two values, low and high: {QUANTITIES[name].wanted}")
     try:

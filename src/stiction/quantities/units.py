@@ -214,7 +214,7 @@ def _exact_factor(unit: str, si_unit: str) -> Fraction:
     registry = _registry()
     parsed = registry.parse_units("1" + unit if unit.startswith("/") else unit)
     if registry.Quantity(Fraction(0), parsed).to(si_unit or "dimensionless").magnitude != 0:
-        raise ValueError("a scale with a zero of its own")
+        raise ValueError("a unit with an offset, such as degC, has no factor to an SI unit")
     return Fraction(registry.Quantity(Fraction(1), parsed).to(si_unit or "dimensionless").magnitude)
 
 

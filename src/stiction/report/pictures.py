@@ -225,7 +225,7 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
 
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
-    """Set the friction axis to a logarithmic scale if max / min of the values exceeds `wide`; else start it at 0."""
+    """Set a logarithmic friction axis if max / min of the values exceeds `wide`; else start a linear one at 0."""
     if axes.get_yscale() == "log" or values.max() > wide * values.min():
         axes.set_yscale("log")
     else:

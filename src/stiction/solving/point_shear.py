@@ -62,7 +62,7 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
 
 
 def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
-    """Yield each state of points with the tangential force of each point [N], by equation (2)."""
+    """Yield each group of points, elastic and plastic, with the tangential force of its points [N] by equation (2)."""
     from stiction.contact.pair import Pair
 
     strength = _strength(contact)

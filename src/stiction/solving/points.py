@@ -106,7 +106,7 @@ def points_asked(subject: Subject, name: str, value: Any) -> Any:
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of the requested points, without those that are results themselves."""
+    """Return the coordinates of labelled arrays; load and mean_separation only if they are dimensions."""
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
     results = ("load", "mean_separation")
     return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}

@@ -32,7 +32,7 @@ def unpacked(text: str) -> dict[str, Any]:
         unzipping = zlib.decompressobj()
         content = unzipping.decompress(raw, _LARGEST)
         if unzipping.unconsumed_tail or not unzipping.eof:
-            raise InputError("address", "a state that is cut off or too large", _STATE)
+            raise InputError("address", "a case that is cut off or too large", _STATE)
         return tomllib.loads(content.decode())
     except InputError:
         raise

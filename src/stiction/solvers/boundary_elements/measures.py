@@ -115,5 +115,8 @@ def _where_sum_reaches(edge, part, share):
 
 
 def rms_step(heights: np.ndarray) -> float:
-    """Return the rms height difference of neighbouring points [m], which is the solvers' unit of gaps."""
+    """Return the rms step between neighbouring heights [m], the solvers' unit of gaps.
+
+    The mean squared differences along both axes are added before the root is taken.
+    """
     return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))

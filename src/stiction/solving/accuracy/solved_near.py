@@ -132,7 +132,7 @@ class Difference:
 
 
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
-    """Return a difference in one feature; values of the surfaces (s,) hold for every point."""
+    """Return how points differ from the solved surfaces in one feature; theirs, squared: (s,) if alike for all."""
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 

@@ -174,7 +174,7 @@ class SampledCase:
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return the strengths of the touching surfaces."""
+        """Return hardness, shear strength and shear modulus of the softer surface, and the largest pressure a spot can bear."""
         contact = self.drawn
         radius = contact.roughness.asperity_radius
         pair = Pair(*(at_radius(body, radius) for body in contact.touching))
