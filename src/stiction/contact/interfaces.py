@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypedDict
 
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
@@ -184,7 +184,31 @@ def interface_weights(first: Material, second: Material) -> dict[str, float]:
     return {name: weight / total for name, weight in weights.items()}
 
 
-def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
+class InterfaceNumber(TypedDict):
+    """Describe one number of an interface state: median, unit, 5 and 95 % quantiles, source and grade."""
+
+    quantity: str
+    value: float
+    unit: str
+    range: list[float]
+    range_in_words: str
+    source: str
+    grade: str
+
+
+class InterfaceRow(TypedDict):
+    """Describe one interface state, as `interfaces` returns it; the fields are those of `Interface`."""
+
+    name: str
+    strength: InterfaceNumber
+    pressure_coefficient: InterfaceNumber | None
+    pairs: dict[str, float]
+    only_with: list[str]
+    of_film: bool
+    not_for: str
+
+
+def interfaces(names: Iterable[str] | None = None) -> list[InterfaceRow]:
     """Return the states of interfaces with their numbers, one dict for each.
 
     Parameters
@@ -217,11 +241,11 @@ def interfaces(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
     return [_row(interface(name)) for name in wanted]
 
 
-def _row(state: Interface) -> dict[str, Any]:
+def _row(state: Interface) -> InterfaceRow:
     return {
         "name": state.name,
         "strength": _number(state, state.strength),
-        "pressure_coefficient": _number(state, "pressure_coefficient"),
+        "pressure_coefficient": (None if state.pressure_coefficient is None else _number(state, "pressure_coefficient")),
         "pairs": dict(state.pairs),
         "only_with": list(state.only_with),
         "of_film": state.of_film,
@@ -229,14 +253,11 @@ def _row(state: Interface) -> dict[str, Any]:
     }
 
 
-def _number(state: Interface, name: str) -> dict[str, Any] | None:
-    value = getattr(state, name)
-    if value is None:
-        return None
+def _number(state: Interface, name: str) -> InterfaceNumber:
     ends = state.range[name]
     return {
         "quantity": name,
-        "value": value,
+        "value": getattr(state, name),
         "unit": QUANTITIES[name].unit or "1",
         "range": list(ends),
         "range_in_words": range_in_words(*ends, name),

@@ -51,7 +51,7 @@ def keep_file(path: Path, write: Callable[[BinaryIO], object], most: int) -> Non
         with suppress(OSError):
             part.unlink(missing_ok=True)
         reason = f"{cache_folder('')} takes no more files ({error.strerror})"
-        notice(f"{reason}: what is compiled is not kept for the next time")
+        notice(f"{reason}: the cache file is not written; later runs compute it again")
 
 
 def _delete_oldest(path: Path, most: int) -> None:
