@@ -211,3 +211,10 @@ def test_turning_point_is_on_both_curves(beyond):
     assert load == pytest.approx(-5 / 9 * thornton.pull_off(u, P, S), rel=1e-12)
     loads = [thornton.unloading(at, u, P, S)[2] for at in np.linspace(lost, u, 20001)]
     assert min(loads) == pytest.approx(-thornton.pull_off(u, P, S), rel=1e-6)
+
+
+@pytest.mark.parametrize(("S", "u"), [(0.5, 1.2), (2.0, 1.5), (1e-3, 3.0)])
+def test_an_asperity_at_the_onset_of_yield_recovers_as_jkr(S, u):
+    """JKR: w = u^4 - (2/3) S u, and contact is lost where dw/du = 0, at u^3 = S/6 and w = -(S/2) (S/6)^(1/3)."""
+    expected = u**4 - 2.0 / 3.0 * S * u + 0.5 * S * (S / 6.0) ** (1.0 / 3.0)
+    assert thornton.recovery(u, S, 0.9, u) == pytest.approx(expected, rel=1e-13)
