@@ -107,3 +107,13 @@ def test_arrays_of_python_are_predicted_too():
 def test_separations_are_refused_with_what_to_do():
     with refusal("solve.separation", "load"):
         st.predict({"contact": BARE | {"nominal_area": ["1 cm^2", "2 cm^2"]}, "solve": {"separation": [1.0, 2.0]}})
+
+
+def test_an_answer_does_not_depend_on_the_number_of_loads():
+    """Before, more than 200 loads were answered without the errors on benchmark surfaces, and so with a false interval."""
+    steel = {"youngs_modulus": "100 GPa", "poissons_ratio": 0.3, "hardness": "20 GPa"}
+    rough = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
+    contact = st.Contact(first=steel, second=steel, nominal_area="1 cm^2", interfacial_shear_strength="5 MPa", roughness=rough)
+    few, many = (st.predict(contact, load=np.linspace(10.0, 11.0, count)).isel(load=0) for count in (2, 1501))
+    for name in ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high", "contact_area"):
+        assert float(many[name]) == pytest.approx(float(few[name]), rel=1e-12)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from stiction.engine.blocks import blocks
 from stiction.solving.accuracy.solved_near import (
     Difference,
     Place,
@@ -30,6 +31,7 @@ NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at
 _SLOPE, _FARTHEST = 5.0, 16.0
 _STEEP = 0.3  # change of ln of area over load with ln of the pressure, on plateaus without roughness of their own
 _FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
+_TABLES = 20  # numbers of a point and a surface that are held together: bounds the memory
 _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
 
 
@@ -61,6 +63,17 @@ def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> 
     errors = known.errors(column)
     if errors is None:
         return None
+    return _in_blocks(place, errors.shape[0], lambda rows: _bare_errors(known, errors, place.some(rows), anywhere))
+
+
+def _in_blocks(place: Place, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
+    """Join the errors of blocks of points, so that the memory stays bounded."""
+    parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
+    return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+
+
+def _bare_errors(known: SolvedSet, errors: np.ndarray, place: Place, anywhere: bool) -> ErrorsNear:
+    """Return the errors near each point from the errors of a model, (surfaces, hardnesses, pressures)."""
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
     of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
@@ -83,6 +96,12 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: n
     errors: array (coated surfaces, films, loads). like: mask (k,) of the points whose film is of the kind that the benchmark
     set contains.
     """
+    surfaces = math.prod(errors.shape[:2])
+    return _in_blocks(place, surfaces, lambda rows: _film_errors(known, errors, place.some(rows), like[rows]))
+
+
+def _film_errors(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
+    """Return the errors near each point on a film from the errors of a model, (surfaces, films, loads)."""
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
     loads = known["film_loads"]

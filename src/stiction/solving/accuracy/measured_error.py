@@ -43,7 +43,7 @@ FAR = 2.0  # distance beyond which nothing near was measured
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _FULL = 1.0  # pull over a load that is none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
-_MOST_POINTS = 200
+_MOST_POINTS = 200  # whose errors are told beside the results of a model; a prediction uses those of all
 # Standard deviation of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: of one
 # point in contact, and the power of their number by which it falls (truth/points.csv); of many, as other solvers find on maps
 # with a lay and with plateaus (docs/calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).
@@ -166,7 +166,7 @@ def column_of(problem: Problem) -> str:
     return f"{name}|{method}"
 
 
-def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> MeasuredErrors:
+def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_points: float = _MOST_POINTS) -> MeasuredErrors:
     """Return the measured errors at the points of these normalised results.
 
     Results have the dimensions of the contacts first. The errors are flat over contacts and points.
@@ -176,7 +176,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     if isinstance(problem, OnMap):
         return _of_solution(problem, load, area)
     near_none, why = _adhesion(problem, results)
-    why = _why_not(problem, column, load.size) or why
+    why = _why_not(problem, column, load.size, most_points) or why
     if why:
         return _unknown(column, load.size, why)
     place = Place.of(problem, load)
@@ -191,7 +191,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> Meas
     trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * told, found.levels * told[:, None]
     own = sample = np.zeros(load.size)
     if isinstance(problem, ClosedForm) and problem.map is not None:
-        own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place)
+        own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place, most_points)
     return MeasuredErrors(
         column, error, _widened(found.middle * told, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
@@ -207,7 +207,7 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
     own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
     return MeasuredErrors(
-        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place)
+        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place, _MOST_POINTS)
     )
 
 
@@ -239,9 +239,9 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
     return middle[:, None] + np.where(apart == 0.0, np.sign(scores), np.sign(apart)) * np.hypot(apart, scores * more[:, None])
 
 
-def _sample_error(surface: "HeightMap", place: Place) -> np.ndarray:
+def _sample_error(surface: "HeightMap", place: Place, most_points: float) -> np.ndarray:
     """Return the standard error of ln of the area of one window; 0 for a periodic map."""
-    if place.pressure.size > _MOST_POINTS:
+    if place.pressure.size > most_points:
         return np.full(place.pressure.size, np.nan)
     area, found = _map_area(surface), np.empty(place.pressure.size)
     h = area.slopes.gradient
@@ -318,13 +318,13 @@ def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "it carries no such load there"
 
 
-def _why_not(problem: Problem, column: str, points: int) -> str:
+def _why_not(problem: Problem, column: str, points: int, most_points: float) -> str:
     if not column:
         return "not with these options"
     if problem.groups.roughness_parameter is None:
         return "the roughness is not known as a surface"
-    if points > _MOST_POINTS:
-        return f"asked for {_MOST_POINTS} points at most"
+    if points > most_points:
+        return f"asked for {most_points:g} points at most"
     return ""
 
 

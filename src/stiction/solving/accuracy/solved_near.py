@@ -66,6 +66,12 @@ class Place:
         """Return whether the map, the kind, or a statistic of the surface shape is known."""
         return self.shape is not None or self.kind is not None or bool(self.stated)
 
+    def some(self, rows: slice) -> "Place":
+        """Return the features of some of the points."""
+        modulus, thickness = (None if table is None else table[rows] for table in (self.modulus, self.thickness))
+        pressure, hardness, alpha = self.pressure[rows], self.hardness[rows], self.alpha[rows]
+        return replace(self, pressure=pressure, hardness=hardness, alpha=alpha, modulus=modulus, thickness=thickness)
+
     @classmethod
     def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
         """Return the features of n contacts at loads (n, m).

@@ -196,7 +196,7 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
         law = _law(sampled.as_gaussian(), choice, weight)
         return replace(law, weight=np.where(is_gaussian, law.weight, 0.0))
     nominal = sampled.nominal(choice.model_key)
-    errors = measured_errors(points.problem, tables)
+    errors = measured_errors(points.problem, tables, most_points=math.inf)
     places = sampled.places(points.dims)
     unit = np.broadcast_to(aligned(points.factors[QUANTITIES["contact_area"].scale], points.dims), points.wanted.shape)
     area = (tables["contact_area"].reshape(unit.shape) * unit).reshape(1, -1)[:, places]
