@@ -18,7 +18,7 @@ from stiction.surfaces.theory.moments import Moments
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
-_PER_DECADE = 20  # wave numbers of the combined spectrum
+_PER_DECADE = 40  # wave numbers of the combined spectrum
 _MOST_WAVES = 100.0  # largest weight of a bin: beyond, scans differ by their instruments and not by chance
 _MANY_WAVES = 30.0  # of a bin, from which on its density is compared with that of another scan
 
@@ -101,7 +101,7 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
     >>> fine = st.gaussian_surface((256, 256), ("6 um", "6 um"), target, seed=2)
     >>> spectrum = st.combined_spectrum([coarse, fine])
     >>> print(spectrum)
-    of several scans, wavelengths 103.84 nm to 16.4569 µm
+    of several scans, wavelengths 93.7573 nm to 16.4569 µm
     >>> surface = st.gaussian_surface((512, 512), ("12 um", "12 um"), spectrum, seed=3)
     """
     if not isinstance(scans, Iterable) or isinstance(scans, str):
@@ -130,14 +130,25 @@ def combined_spectrum(scans: "Iterable[HeightMap]", tip_radius: "float | str | N
 
 def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> BinnedSpectrum:
     """Return the binned spectrum of a scan in its reliable wavelengths. Raises InputError if there is none."""
+    bins = "log" if surface.is_profile else "linear"  # narrow where many waves share one
     with field_as(lambda own: f"{field}.{own}"):
-        binned = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"), tip_radius=tip_radius)
+        spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
+        binned = radial_average(spectrum, bins, tip_radius)
     used = binned.reliable & (binned.density > 0.0)
     if np.count_nonzero(used) < 2:
-        raise InputError(
-            field, str(surface.name or "scan"), "a scan with reliable wavelengths, from four pitches to a third of its size"
-        )
-    return replace(binned, wavevector=binned.wavevector[used], density=binned.density[used], waves=binned.waves[used])
+        allowed = "a scan with reliable wavelengths, from four pitches to a third of its size"
+        raise InputError(field, str(surface.name or "scan"), allowed)
+    return _smoothed(
+        replace(binned, wavevector=binned.wavevector[used], density=binned.density[used], waves=binned.waves[used])
+    )
+
+
+def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
+    """Return a spectrum in bins of at most 1/_PER_DECADE of a decade; a mean over wide ones is too large where C is steep."""
+    _, group = np.unique(np.floor(_PER_DECADE * np.log10(binned.wavevector)), return_inverse=True)
+    waves = np.bincount(group, binned.waves)
+    q, density = (np.bincount(group, binned.waves * table) / waves for table in (binned.wavevector, binned.density))
+    return replace(binned, wavevector=q, density=density, waves=waves)
 
 
 def _at(spectrum: BinnedSpectrum, wavevector: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
