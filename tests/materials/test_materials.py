@@ -256,7 +256,10 @@ def test_ranges_survive_in_a_contact():
             {"hardness": ["6 GPa", [8e9, 9e9]]},
             "range.hardness: ['6 GPa', [8000000000.0, 9000000000.0]]; allowed: two single values",
         ),
-        ({"hardnes": ["6 GPa", "8 GPa"]}, "range.hardnes: ['6 GPa', '8 GPa']; allowed: names of material properties"),
+        (
+            {"hardnes": ["6 GPa", "8 GPa"]},
+            "range.hardnes: ['6 GPa', '8 GPa']; allowed: a range of a material property; hardnes is not one",
+        ),
         ({"surface_energy": [1, 2]}, "range.surface_energy: ['1 J/m^2', '2 J/m^2']; not supported: "),
         ({"load": [1, 2]}, "range.load: ['1 N', '2 N']; not supported: the material has no load"),
         ([1, 2], "range: [1, 2]; allowed: a table of low and high values"),

@@ -161,7 +161,7 @@ CLAIMS = (
     ),
     Claim(
         "b",
-        "under a stiffer film, friction at light load hardly depends on its thickness or hardness",
+        "friction with a film stiffer than its substrate hardly depends on the thickness or hardness of the film at light load",
         "(largest - smallest mu over n_H and tau) / mu uncoated at light load",
         "n_E = 1.5, 2.5",
         _stiff_film_spread,
