@@ -1,4 +1,4 @@
-"""Compute the dimensionless groups of a contact from materials, film and roughness (docs/theory.md)."""
+"""Compute the dimensionless groups of a contact from materials, film and roughness (docs/explanation/theory.md)."""
 
 from functools import cached_property
 from math import pi

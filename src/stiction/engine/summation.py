@@ -33,7 +33,7 @@ _TOTALS = ("load", "area", "resistance")
 # Separations beyond this, over sigma, have no meaning, and their squares no digits.
 FARTHEST = 1e6
 # Nodes on a piece that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with and
-# without a film: docs/measure_accuracy.py measures them, docs/numerics.md shows them.
+# without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
 # Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
 _COUNTS = np.array([24, LONGEST])
 

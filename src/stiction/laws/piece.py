@@ -19,7 +19,7 @@ class NormalPiece:
 
     normal(u, *parameters) returns displacement, derivative of the displacement by u, load and contact area at the coordinate
     u. coordinate(displacement, *parameters) -> u is the inverse of the displacement. Both are scalar formulas
-    (engine.compiled.formula) in the units of docs/theory.md: displacement over sigma, load over K R^(1/2) sigma^(3/2), area
+    (engine.compiled.formula) in the units of theory.md: displacement over sigma, load over K R^(1/2) sigma^(3/2), area
     over pi R sigma.
 
     parameters: arrays (n,), in the order in which `normal` takes them.

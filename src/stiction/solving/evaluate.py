@@ -91,7 +91,7 @@ def evaluate(
 
     Notes
     -----
-    Equations: docs/theory.md, sections 2 to 4. It is fastest where h varies along axes of its own.
+    Equations: docs/explanation/theory.md, sections 2 to 4. It is fastest where h varies along axes of its own.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Solve the contact of a measured height map point by point, without asperities or statistics."""
+"""Solve the contact of a height map, measured or generated, point by point, without asperities or statistics."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -66,7 +66,7 @@ class OnMap(Problem):
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
-                "roughness", None, f"a HeightMap, or a scan in a case file, because {self.record.key} solves a measured map"
+                "roughness", None, f"a HeightMap, or a scan in a case file, because {self.record.key} solves a height map"
             )
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)

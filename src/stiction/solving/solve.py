@@ -42,7 +42,7 @@ def solve(
     Parameters
     ----------
     contact : Contact or Indices
-        Contact of bodies: all values are in SI units. Indices: all values are normalised, per asperity (docs/theory.md). Any
+        Contact of bodies: all values are in SI units. Indices: all values are normalised, per asperity (theory.md). Any
         of its numbers may be an array with a named dimension (`st.axis`); the result then has that dimension.
     separation : float [m], str with a unit, or array, optional
         Mean separation; over sigma for Indices. Scalar, one-dimensional, or an xarray.DataArray with named dimensions.

@@ -38,7 +38,7 @@ def _finish(value):
 class Finished(Input):
     """A rough body described by a finish.
 
-    finish: name of a finish class (docs/interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
+    finish: name of a finish class (interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
     either height, the finish provides Sq. kind: kind of surface as in Roughness; the default is the kind of the finish.
     skewness, kurtosis, texture_aspect_ratio: as in Roughness. Raises InputError.
     """

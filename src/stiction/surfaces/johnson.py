@@ -47,7 +47,9 @@ def johnson(skewness: float, kurtosis: float) -> Callable[[np.ndarray], np.ndarr
             raise InputError(name, value, "a finite number")
     limit = skewness * skewness + 1.0
     if not (math.isfinite(skewness) and limit < kurtosis <= _LARGEST):
-        raise InputError("kurtosis", kurtosis, f"> {limit:g} (skewness^2 + 1) and <= {_LARGEST:g}; 3 for Gaussian heights")
+        raise InputError(
+            "kurtosis", kurtosis, f"above {limit:g}, which is skewness^2 + 1, and at most {_LARGEST:g}; 3 for Gaussian heights"
+        )
     if skewness < 0.0:
         mirrored = johnson(-skewness, kurtosis)
         return lambda z: -mirrored(-z)

@@ -318,7 +318,7 @@ def standing_method(found: Mapping[str, "Asperities"], counts: Mapping[str, int]
     """Return the key of the default asperity method for these results.
 
     Methods that agree with Nayak's summits on resolved surfaces (`of_summits`) come first, because their moments can be added
-    for two bodies (docs/surfaces.md). The result is the first method that finds at least FEW asperities or only computes
+    for two bodies (docs/how-to/surfaces.md). The result is the first method that finds at least FEW asperities or only computes
     averages. If there is none, it is the first method that found anything. On profiles only averages are available.
     """
     from stiction.surfaces.asperity_set import FEW

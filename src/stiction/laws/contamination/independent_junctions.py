@@ -41,7 +41,7 @@ def resistance(u, w, load, area, eta, shear_strength, strength_variation):
 
 
 def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the variance of the friction force on a piece, as a `TangentialResistance` that the engine can sum."""
+    """Return the variance of the friction force of one asperity, in the form of a resistance that the engine sums."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 
 

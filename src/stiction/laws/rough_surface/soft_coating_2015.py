@@ -25,7 +25,7 @@ from stiction.records.sources import Source
 
 
 def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transition: str) -> list[Regime]:
-    """Return the regimes of a bare or coated surface (docs/theory.md, sections 2 to 6).
+    """Return the regimes of a bare or coated surface (docs/explanation/theory.md, sections 2 to 6).
 
     Raises InputError for options that exclude each other.
     """
@@ -63,7 +63,7 @@ RECORD = RoughSurface(
     title="Static friction in adhesive contact of rough surfaces with soft coatings",
     grade="C",
     sources=(
-        Source("soft_coating_2015", "eqs. (1)-(15)", "twelve departures D1-D12, see docs/theory.md"),
+        Source("soft_coating_2015", "eqs. (1)-(15)", "twelve departures D1-D12, see docs/explanation/theory.md"),
         Source("greenwood_williamson_1966", "the sum over heights"),
     ),
     asperity="roy_chowdhury_ghosh_1994",

@@ -135,7 +135,7 @@ def first_yield_of_load() -> np.ndarray:
 def series_inside() -> np.ndarray:
     """Return the Chebyshev series of q0/Y for yield inside the contact.
 
-    Coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu).
+    Coefficients (INSIDE, IN_NU) in 2 y - 1 and 4 nu - 1, with y = (1 - 2 nu) s / inside_reach(nu) and s = p0/Y.
     """
     y, nu = _nodes(INSIDE)
     # At nu = 0.5 every y but 0 is beyond reach, yet the stresses on the surface know s only as (1 - 2 nu) s.
@@ -201,7 +201,7 @@ def _sum(y, series, first, terms):
 def resistance(u, w, load, area, *row):
     """Return 0 and the yield-limited force Q = (q0/p0) P of an elastic asperity.
 
-    s = p0/Y = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (docs/theory.md) and H = k Y. row: eta, k, nu;
+    s = p0/Y = 1.5 k P/(eta A), because the mean pressure is H where P = eta A (theory.md) and H = k Y. row: eta, k, nu;
     the values of s up to which yield is inside the contact, from which it is below the surface, and at which the load alone
     causes yield; factors that turn s into the variable y of both series; coefficients of both series (`series_for`).
     """

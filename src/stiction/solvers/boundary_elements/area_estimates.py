@@ -16,7 +16,7 @@ highest, and r is the share of points above. F(A) is the rms gradient of the hig
 S(r) is [mean of s^m over ranks below r]^(1/m) with m = .783, where s(r) is the local gradient at rank r over h'; beyond r = 1
 it stays 1.
 
-The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (docs/truth.md); (2) and (3) only to its
+The constants were fitted to the surfaces of the benchmark set with seeds 1 and 2 (truth.md); (2) and (3) only to its
 Gaussian isotropic ones. Errors on the surfaces with seeds 3 and 4, in % rms (largest), for p = .002 to .3: Gaussian isotropic
 (2) 6.6 (37), 80 % of all within 5 %; (3) 3.1 (12), 91 %; (4) 3.2 (13). (4) on other surfaces: skewed 5.1 (18), peaked 7.4,
 flat 5.1, with a lay 5.1 (23), bimodal 3.8, periodic 10, worn 30 (96). At light loads (4) fails on worn plateaus that are

@@ -1,6 +1,6 @@
 """Estimate the error of a model at a contact from its errors on similar surfaces whose contact was solved.
 
-The benchmark set (docs/truth.md) holds the solved contact area of many surfaces, and the area by every model and
+The benchmark set (docs/explanation/truth.md) holds the solved contact area of many surfaces, and the area by every model and
 asperity method, at several mean pressures, hardnesses and films. The errors of each surface are interpolated to the
 pressure and hardness of the contact, both over E* h', and then averaged over the surfaces with the weight
 exp(-d^2/2). The distance d counts differences in Nayak's alpha and, for a map, in skewness, lay and the slope of
@@ -46,9 +46,9 @@ _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set th
 _MOST_POINTS = 200  # whose errors are told beside the results of a model; a prediction uses those of all
 # Standard deviation of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: of one
 # point in contact, and the power of their number by which it falls (truth/points.csv); of many, as other solvers find on maps
-# with a lay and with plateaus (docs/calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).
+# with a lay and with plateaus (calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
-_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/truth.md)
+_BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/explanation/truth.md)
 _LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
 _ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
 _SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
@@ -85,12 +85,12 @@ class MeasuredErrors:
 
     @property
     def low(self) -> np.ndarray:
-        """Return the 5 % quantile at each point, NaN where nothing near was measured."""
+        """Return the 5 % quantile of ln(A/solved A) at each point; NaN where no similar surface was solved."""
         return np.where(np.isfinite(self.area), self.levels[:, 0], np.nan)
 
     @property
     def high(self) -> np.ndarray:
-        """Return the 95 % quantile at each point, NaN where nothing near was measured."""
+        """Return the 95 % quantile of ln(A/solved A) at each point; NaN where no similar surface was solved."""
         return np.where(np.isfinite(self.area), self.levels[:, -1], np.nan)
 
     @property

@@ -1,4 +1,4 @@
-"""Read the benchmark set of solved surfaces, which `make truth` writes into the package (docs/truth.md).
+"""Read the benchmark set of solved surfaces, which `make truth` writes into the package (docs/explanation/truth.md).
 
 An error is the logarithm of a model's contact area over the solved area. Each error is stored in one byte, as its
 signed square root in steps of 1/60. That resolves 0.002 at an error of 1 %, and 0.03 at a factor of ten.

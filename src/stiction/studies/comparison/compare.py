@@ -71,7 +71,7 @@ def compare(
         impossible (0, 1, 2). Over `model`: the same five results at the working load, with names that end in `_at_load`;
         `status`, whether the contact fits the model and why not; grade, `outside_validity`, `validity_warnings` (JSON),
         `family_of_curve`, `plastic_junctions_resist`; `measured_area_error`, `measured_area_error_rms` and
-        `measured_friction_error`, relative errors on benchmark surfaces near this contact (docs/truth.md), NaN if none is
+        `measured_friction_error`, relative errors on benchmark surfaces near this contact (truth.md), NaN if none is
         near; `measured_error` (JSON) and `measured_error_in_words`. Attributes: `working_load`, `criteria`,
         `not_applicable` (model: reason). For a measured surface also friction_coefficient_at_load_by_method
         (asperity_method, model), with `_low` and `_high`.

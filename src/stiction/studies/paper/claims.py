@@ -1,6 +1,6 @@
 """Find where in the (theta, lambda) plane of the adhesion indices each claim of the 2015 paper holds.
 
-docs/theory.md, "What the paper claims", has the results. A claim is made precise as a number for each film it speaks of and a
+docs/explanation/claims.md has the results. Each claim is stated as a number for each film that it is about and a
 bound on it. Coated and uncoated surfaces are compared at the same load, over the paper's films and separations h = 4 to -4:
 
 - The reference load is what the uncoated surface carries at h = -4. *Light load* is 1/1000 of it (h about 2, where under

@@ -1,8 +1,8 @@
 """Place a contact in the plane of the adhesion indices theta and lambda, with the limits drawn in it.
 
-Adhesion matters below theta = 10 and lambda = 0.125 (docs/theory.md, theory 1, and the 2015 paper). The plasticity index psi
+Adhesion matters below theta = 10 and lambda = 0.125 (theory.md, theory 1, and the 2015 paper). The plasticity index psi
 has the limits 0.6 and 1 of Greenwood & Williamson (1966): contacts below are elastic, contacts above plastic, at all loads of
-practice. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (docs/theory.md, theory 1), each psi is
+practice. As eta = pi H (R/sigma)^(1/2)/K = (3 pi/4)/psi follows from theta and lambda (theory.md, theory 1), each psi is
 a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 """
 

@@ -1,7 +1,7 @@
 """The real contact area under a load: several area models, each corrected by its error on benchmark surfaces.
 
 An area model computes the area of every sample. The area is divided by the model's error, which is sampled from its errors
-on solved benchmark surfaces near the nominal contact (docs/truth.md). This removes the bias of the model, but keeps how its
+on solved benchmark surfaces near the nominal contact (truth.md). This removes the bias of the model, but keeps how its
 area depends on load, hardness and roughness. Models are combined with stacking weights: those that predict benchmark
 surfaces left out of the fit best (`make truth`).
 """

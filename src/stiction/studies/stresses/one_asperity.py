@@ -1,7 +1,7 @@
 """Compute the stresses in section under one pressed and dragged asperity, and where it yields first.
 
 The asperity is a non-adhesive paraboloid with contact radius a, stated as x = a/(R sigma)^(1/2). Without a film it is Hertz's
-contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in docs/theory.md,
+contact with Hamilton's stresses, with a film the layered solid of `solvers.layered`. K, sigma and R are as in theory.md,
 theory 1; without a film E_P = 1 and n_E = 1. The load and mean pressure are
 
     W = n_E E_P x^3 K R^(1/2) sigma^(3/2),    p_m/H = n_E E_P x/eta,    eta = pi H R^(1/2)/(K sigma^(1/2)),

@@ -1,6 +1,6 @@
 """Contact area of a surface from its moments: Persson's theory, fitted to solved maps.
 
-This project's own formulas, grade B: their evidence is solved maps (docs/truth.md; fitted to the Gaussian isotropic ones of
+This project's own formulas, grade B: their evidence is solved maps (truth.md; fitted to the Gaussian isotropic ones of
 seeds 1 and 2). They begin with Persson (2001), A/A0 = erf(2^(1/2) p), p: mean pressure over E* h', h' the rms gradient:
 
     G(p, c) = erf(2^(1/2) p [1 + c (1 - erf(2^(1/2) p)^(1/2))])                                                           (1)

@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula
 
 @formula
 def coefficients(nu):
-    """Return n, p, q of the stresses at the edge (docs/theory.md, yield at the edge).
+    """Return n, p, q of the stresses at the edge (docs/explanation/theory.md, yield at the edge).
 
     n = (1-2nu)/(2 pi), p = 3(4+nu)/16, q = 9nu/16.
     """

@@ -3,7 +3,7 @@
 The curvature of a summit is taken from the paraboloid z = a + b x + c y + d x^2 + e x y + f y^2 that fits the points around it
 best (least squares), half the sum of its two principal curvatures: -(d + f). On a grid this is a weighted sum of the heights.
 What a grid sees depends on its pitch (Greenwood 1984): where waves are short of points, summits are missed and those found are
-too low and too blunt. Fitting more points, or a threshold, trades one bias for another; docs/surfaces.md has their sizes.
+too low and too blunt. Fitting more points, or a threshold, trades one bias for another; surfaces.md has their sizes.
 """
 
 from collections.abc import Callable
