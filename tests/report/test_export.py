@@ -39,11 +39,16 @@ SYSTEMS = {
 LOADS = [0.17, 1.3, 10.0, 77.0, 610.0]
 
 
+def written(tmp_path_factory, text):
+    """Return the path of a case file with this text."""
+    path = tmp_path_factory.mktemp("case") / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
 @pytest.fixture(scope="module")
 def case(tmp_path_factory):
-    path = tmp_path_factory.mktemp("case") / "bare.toml"
-    path.write_text(BARE, encoding="utf-8")
-    return path
+    return written(tmp_path_factory, BARE)
 
 
 @pytest.fixture(scope="module")
@@ -279,9 +284,7 @@ STICKY = BARE.replace("2 cm^2", "4 um^2").replace("10 N", "10 uN") + f'contact.w
 
 @pytest.fixture(scope="module")
 def sticky(tmp_path_factory):
-    path = tmp_path_factory.mktemp("sticky") / "spheres.toml"
-    path.write_text(STICKY, encoding="utf-8")
-    return path
+    return written(tmp_path_factory, STICKY)
 
 
 @pytest.fixture(scope="module")

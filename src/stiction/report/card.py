@@ -98,8 +98,9 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     """
     point, attrs = at_working_load(data), data.attrs
     mu, low, high = (float(point[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
-    shares = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])[:2]
-    decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in shares if share > _NOTICED or share == shares[0][1])
+    largest = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])
+    told = largest[:1] + [(name, share) for name, share in largest[1:2] if share > _NOTICED]
+    decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in told)
     warning = briefly(next(iter(attrs["warnings"]), ""))
     load = show(float(point["load"]), "load", 3)
     bare = attrs["bare_metal"]

@@ -45,6 +45,7 @@ from stiction.solvers.boundary_elements.operators import PeriodicBoundary, wavev
 from stiction.solvers.boundary_elements.solve import usable_map
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
+from stiction.surfaces.targets import require_positive
 
 _ARRAYS = 20  # as large as the map, of the descent
 _BETWEEN = 2.5  # a grid at most so many times as fine as the map
@@ -95,7 +96,7 @@ def solve_adhesive(
         raise InputError("loads", loads, "a list of finite loads, in N")
     require_memory(np.shape(heights), kept=len(loads) + _ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
-    _require_positive(work=work, reach=reach)
+    require_positive(work=work, reach=reach)
     compliance = Compliance(modulus, film)
     if compliance.far == 0.0:
         raise InputError(
@@ -113,12 +114,6 @@ def solve_adhesive(
         gap = descent.gap
         contacts.append(_contact(faces, descent, load, grid))
     return contacts
-
-
-def _require_positive(**numbers: float) -> None:
-    for name, value in numbers.items():
-        if not (0.0 < value < math.inf):
-            raise InputError(name, value, "> 0, finite")
 
 
 def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
@@ -181,7 +176,7 @@ def adhering(
         raise InputError("load", load, "finite, in N")
     require_memory(np.shape(heights), kept=_ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
-    _require_positive(work=work, reach=reach)
+    require_positive(work=work, reach=reach)
     compliance = Compliance(modulus)
     grid = _Grid(size, work / reach, reach, reach**2 / (compliance.near * work) / _pitch(heights.shape, size))
     gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal, work) / reach

@@ -174,7 +174,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
     if isinstance(problem, OnMap):
-        return _of_solution(problem, load, area)
+        return _of_solution(problem, load, area, most_points)
     near_none, why = _adhesion(problem, results)
     why = _why_not(problem, column, load.size, most_points) or why
     if why:
@@ -199,7 +199,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     )  # fmt: skip
 
 
-def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> MeasuredErrors:
+def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
     """Return the errors of a solution on the map itself: the discretisation error and the error of the sample."""
     surface = problem.surface()
     place = Place.of(problem, load, surface)
@@ -207,7 +207,7 @@ def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray) -> Measured
     own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
     return MeasuredErrors(
-        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place, _MOST_POINTS)
+        _ITSELF, there, levels, own, there, nothing, nothing + 1.0, nothing + 1.0, _sample_error(surface, place, most_points)
     )
 
 

@@ -96,7 +96,7 @@ class Store:
         if self.plan.sweep.statistics:
             values = self._statistics(results)
         else:
-            values = {name: table for name, table in results.items()} | {WARNINGS: validity_warnings} | self._drawn(block)
+            values = {**results, WARNINGS: validity_warnings, **self._drawn(block)}
         written = []
         for path, place in self._places(block).items():
             written.append(values[path].astype(self._arrays[path].dtype))
