@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from stiction.contact.contact import Contact
     from stiction.quantities.arguments import FilePath, QuantityLike
 
-__all__ = ["export"]
-
 
 def export(
     contact: "Contact | CaseLike",

@@ -25,8 +25,6 @@ import math
 import numpy as np
 from scipy.special import ndtr
 
-__all__ = ["FITTED", "LAW_ERROR", "SPOTS_ERROR", "efficiency", "spot_radius", "spread_of_edges", "spread_of_spots"]
-
 FITTED = (4.213, 1.062, 0.680)
 """b, m and w of the law."""
 _OF_SPOTS, _BY_SHARE, _BY_DENSITY, _OF_EDGES = 4.546, 0.815, 0.783, 0.0590

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.operators import ShearOperator
 
-__all__ = ["spread_on_map"]
-
 _BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of a table: beyond those asked for, ratio of neighbours, how many at most
 _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # the last of them over modulus times gradient, at most this share of the hardness
 

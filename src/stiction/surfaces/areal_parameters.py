@@ -23,8 +23,6 @@ import numpy as np
 
 from stiction.surfaces.heightmap import HeightMap
 
-__all__ = ["ArealParameters", "areal_parameters"]
-
 _LEVELS, _WINDOW = 10_001, 4_000  # quantiles of the curve, and steps within 40 % of it
 _FALLEN = 0.2
 _MOST_POINTS = 1024  # along a side, for the autocorrelation

@@ -15,8 +15,6 @@ from stiction.studies.prediction.predict import is_predicted, predict
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["fit_prediction", "fitted_case"]
-
 
 def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
     """Return the case and its prediction with measured values; None if the case names a model.

@@ -27,8 +27,6 @@ from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
 from stiction.studies.prediction.sampled_case import SampledCase
 
-__all__ = ["AreaLaw", "area_laws", "grown_to"]
-
 _SUM, _FEWEST = "greenwood_williamson_1966", "roughness_parameter"
 _ON_FILM = ((Choice("rough_on_film", tangential="none"), 1.0),)
 # A film that the area law refuses: no solved surface is near, and the width says so.

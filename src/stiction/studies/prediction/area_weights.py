@@ -6,8 +6,6 @@ from pathlib import Path
 
 from stiction.solving.choice import Choice
 
-__all__ = ["FILE", "area_weights"]
-
 FILE = Path(__file__).parent / "area_weights.json"
 
 

@@ -11,8 +11,6 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.sampling import sobol_points
 
-__all__ = ["with_finish"]
-
 _NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _NAME = "finish of the surface"  # the one dimension along which the three are drawn
 _ROWS, _SEED = 512, 1

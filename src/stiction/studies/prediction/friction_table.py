@@ -13,8 +13,6 @@ from stiction.studies.pressing_loads import pressing_loads
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["friction_table"]
-
 _PER_DECADE, _DECADES = 40, 2  # loads; decades on either side of a single load
 # Relative error of linear interpolation between rows: of mu, and of separation and stiffness, which are known less well.
 _OF_MU, _OF_STIFFNESS = 4e-4, 1e-2

@@ -15,8 +15,6 @@ random number sets how much of this increase is applied.
 
 import numpy as np
 
-__all__ = ["GROWTH", "grown", "squeezed"]
-
 # Prior weights: no growth, von Mises, Tabor's hardened junctions.
 GROWTH = (0.03, 0.27, 0.70)
 _MOST = 0.999  # of the strength of the interface over that of the body

@@ -10,8 +10,6 @@ import numpy as np
 
 from stiction.quantities.sampling import sobol_points
 
-__all__ = ["COLUMNS", "PARTS", "Levels", "draw_levels"]
-
 # Names of the parts, and the columns of levels that each of them has beside the uncertain numbers of the case.
 COLUMNS: Mapping[str, tuple[str, ...]] = {
     "inputs": (),

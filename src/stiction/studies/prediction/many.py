@@ -23,8 +23,6 @@ from stiction.studies.prediction.unused import refusal_of
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["PREDICTED", "count_of", "predict_many", "predict_several"]
-
 # Names of what is predicted.
 PREDICTED = tuple(
     f"{name}{end}" for name in ("friction_coefficient", "friction_force", "contact_area") for end in ("", "_low", "_high")

@@ -9,8 +9,6 @@ from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.read import Case
 from stiction.quantities.errors import InputError
 
-__all__ = ["Measured", "chosen_draws", "read_measured"]
-
 # Relative standard error of a measured coefficient whose error is not stated: that of the values among themselves where they
 # are three or more, and at least the first; else the second. Judgements (grade C).
 _LEAST_ERROR, _USUAL_ERROR = 0.05, 0.15

@@ -14,8 +14,6 @@ from stiction.studies.prediction.pull import Pull, pull_of
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
-__all__ = ["Mixture", "Samples"]
-
 # Variance of ln of the area of n elastic spots under a given load, times n: of Hertz spots whose depths d are exponential, area
 # and load go with d and d^1.5, so that it is E a^2/(E a)^2 + E w^2/(E w)^2 - 2 E aw/(E a E w) = 2 + 32/(3 pi) - 5 = 0.395.
 _OF_SPOTS = 0.395

@@ -14,8 +14,6 @@ from stiction.studies.prediction.predict import predict
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["predict_value"]
-
 _MU = "friction_coefficient"
 
 

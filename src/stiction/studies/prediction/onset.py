@@ -19,8 +19,6 @@ from stiction.solving.sliding_efficiency import (
 from stiction.solving.spots_on_map import spread_on_map
 from stiction.studies.prediction.sampled_case import SampledCase
 
-__all__ = ["Onset"]
-
 _MAP = "boundary_elements"
 
 

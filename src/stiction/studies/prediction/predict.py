@@ -32,8 +32,6 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
     from stiction.quantities.arguments import FilePath, QuantityLike
 
-__all__ = ["COUNT", "case_given", "draws_of", "intervals", "is_predicted", "predict", "prediction_of", "with_uncertain"]
-
 COUNT, _MANY = 512, 16384  # draws where the case states no count; with measured values
 _UNTOLD = 0.8  # of the width of the stated interval, above which measured values tell nothing of a number
 

@@ -29,8 +29,6 @@ from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.studies.prediction.sampled_case import SampledCase
 
-__all__ = ["Pull", "pull_of"]
-
 _SUM = "greenwood_williamson_1966"
 _ADHESION = (Choice("soft_coating_2015", tangential="none"), Choice(_SUM, asperity="maugis_1992", tangential="none"))
 _DRY, _WET = (

@@ -9,8 +9,6 @@ from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.state import of_the_map
 from stiction.studies.prediction.mixture import Mixture, Samples
 
-__all__ = ["next_step", "regime_of", "warnings_of"]
-
 _STICKS = 2.0  # factor of the area by adhesion above which it, and not the load, makes the contact
 _FLAT = 0.95  # of the nominal area
 _PLASTIC = 0.9  # mean pressure over hardness

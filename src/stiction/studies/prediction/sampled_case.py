@@ -20,8 +20,6 @@ from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-__all__ = ["PULLS", "Bodies", "SampledCase"]
-
 # What pulls on a contact beside its load, and what its interface resists: drawn by parts of their own.
 PULLS = ("work_of_adhesion", "liquid")
 _INTERFACE = (

@@ -7,8 +7,6 @@ import numpy as np
 from stiction.studies.prediction.levels import PARTS, Levels
 from stiction.studies.prediction.mixture import Mixture
 
-__all__ = ["shares_of_variance"]
-
 _EXCHANGES = range(8)  # seeds of the orders in which a part is exchanged; rows moved by a number would stay correlated
 _LEAST = 0.005  # share that is left out
 

@@ -10,9 +10,6 @@ from stiction.contact.interfaces import Interface, interface, interface_weights
 from stiction.laws.ageing.berthoud_1999 import factor
 from stiction.studies.prediction.sampled_case import SampledCase
 
-__all__ = ["Strength"]
-
-
 # Shear strength by Tresca, Y/2, over that by Mises, Y/sqrt(3).
 _TRESCA = 0.5 * 3.0**0.5
 

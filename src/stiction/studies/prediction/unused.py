@@ -10,8 +10,6 @@ from stiction.quantities.errors import InputError, InWords
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.strength import Strength
 
-__all__ = ["not_used", "refusal_of"]
-
 # What decides friction and is known to laws alone: dotted name -> a model that uses it, by the options of the command.
 _DECIDE = {
     "coating.friction_constant": "--model greenwood_williamson_1966 --film ravindran_ramasamy_laddha_1980",
