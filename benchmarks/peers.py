@@ -88,8 +88,8 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
         return math.exp(-z * z / 2) / math.sqrt(2 * math.pi) * one.slope(u)
 
     def integral(integrand):
-        pieces = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
-        return sum(quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0] for a, b in pieces)
+        segments = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
+        return sum(quad(lambda u: integrand(u) * weight(u), a, b, epsabs=0, epsrel=1e-11, limit=200)[0] for a, b in segments)
 
     load, area = integral(one.load), integral(lambda u: u**4)
     friction = integral(lambda u: min(one.slip_limited(u), one.yield_limited(u)))
@@ -101,7 +101,7 @@ def quad_loop(h: float, theta: float, lam: float, nu: float = 0.3, k: float = 2.
 
 
 def nodes_a_point(regimes: Sequence[Regime], h: np.ndarray) -> float:
-    """Exponentials of one evaluation, on average over laws and separations h (n,) one each: the nodes of all pieces that have
+    """Exponentials of one evaluation, on average over laws and separations h (n,) one each: the nodes of all segments that have
     any weight."""
     total = 0
     for regime in regimes:

@@ -27,7 +27,7 @@ import numpy as np
 import films
 from stiction.contact.indices import Groups, stiffness_group
 from stiction.laws.joining import coordinates, states
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 from stiction.solvers.boundary_elements.area_estimates import map_slopes
 from stiction.solvers.layered.compliance import Layer
 from stiction.solvers.layered.sphere import respond
@@ -82,8 +82,8 @@ def asperity(choice: Choice, n_E: float, aspect: float, tau: float, w: np.ndarra
         edges = np.broadcast_to(regime.edges, (len(w), regime.edges.shape[1]))
         parameters = tuple(np.broadcast_to(one, len(w)) for one in regime.parameters)
         for at in range(edges.shape[1] - 1):
-            piece = NormalPiece(regime.along, regime.coordinate, parameters, edges[:, at : at + 2], regime.state)
-            found = states(regime, coordinates(piece, w))
+            segment = NormalSegment(regime.along, regime.coordinate, parameters, edges[:, at : at + 2], regime.state)
+            found = states(regime, coordinates(segment, w))
             there = (edges[:, at + 1] > edges[:, at]) & np.isclose(found[:, 0], w, rtol=1e-7, atol=0.0)
             load += np.where(there, found[:, 2], 0.0)
             area += np.where(there, found[:, 3], 0.0)

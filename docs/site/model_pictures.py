@@ -67,10 +67,10 @@ def regimes(given: st.Contact, choice: Choice) -> list[Regime]:
 
 
 def along(regime: Regime, farthest: float, points: int = 600) -> list[np.ndarray]:
-    """States (points, 6) of the asperity along every piece of a regime, up to this displacement over sigma."""
+    """States (points, 6) of the asperity along every segment of a regime, up to this displacement over sigma."""
     found = []
     for low, high in pairwise(map(float, regime.edges[0])):
-        if low < high:  # else the piece is empty
+        if low < high:  # else the segment is empty
             if not high < _FAR:
                 high = max(1.0, 2.0 * abs(low))
                 while states(regime, np.array([high]))[0, 0] < farthest and high < _FAR:

@@ -17,15 +17,15 @@ YIELDED = read("thornton_ning_1998.csv")
 TABOR = np.logspace(-2, 2, 9)
 
 
-def states_at(piece, w):
-    """Displacement, its slope, load and area (n, 4) of a piece at the displacements w (n,)."""
-    return law.normal_states(piece, law.coordinates(piece, w))
+def states_at(segment, w):
+    """Displacement, its slope, load and area (n, 4) of a segment at the displacements w (n,)."""
+    return law.normal_states(segment, law.coordinates(segment, w))
 
 
 def ring(tabor, branch="loading", theta=40.0):
     tabor, theta = np.broadcast_arrays(np.asarray(tabor, dtype=float), np.asarray(theta, dtype=float))
-    (piece,) = maugis.pieces(groups(theta=theta, tabor_parameter=tabor), branch)
-    return piece
+    (segment,) = maugis.segments(groups(theta=theta, tabor_parameter=tabor), branch)
+    return segment
 
 
 def test_the_stress_of_lennard_jones_makes_lambda_of_the_tabor_parameter():
@@ -40,11 +40,11 @@ def test_the_stress_of_lennard_jones_makes_lambda_of_the_tabor_parameter():
 def test_ring_agrees_with_its_equations_solved_at_30_digits():
     """Where the table's point is on the stable side of the fold."""
     tabor, theta, w = (column(RING, name) for name in ("tabor_parameter", "theta", "w"))
-    piece = ring(tabor, "unloading", theta)
-    first = law.normal_states(piece, piece.edges[:, 0])
+    segment = ring(tabor, "unloading", theta)
+    first = law.normal_states(segment, segment.edges[:, 0])
     stable = (column(RING, "area") > 1.01 * first[:, 3]) & np.array([row["kind"] == "" for row in RING])
     assert stable.sum() > 75
-    found = states_at(piece, w)[stable]
+    found = states_at(segment, w)[stable]
     size = theta[stable] ** (-1 / 3)
     assert_allclose(found[:, 0], w[stable], rtol=1e-13, atol=1e-14)
     assert_allclose(found[:, 3], column(RING, "area")[stable], rtol=2e-12)
@@ -54,20 +54,20 @@ def test_ring_agrees_with_its_equations_solved_at_30_digits():
 def test_ring_is_lost_at_the_fold():
     rows = [row for row in RING if row["kind"]]
     assert len(rows) >= 10
-    piece = ring(column(rows, "tabor_parameter"), "unloading", column(rows, "theta"))
-    w, _, load, area = law.normal_states(piece, piece.edges[:, 0]).T
+    segment = ring(column(rows, "tabor_parameter"), "unloading", column(rows, "theta"))
+    w, _, load, area = law.normal_states(segment, segment.edges[:, 0]).T
     assert_allclose(w, column(rows, "w"), rtol=1e-13)
     assert_allclose(load, column(rows, "load"), rtol=1e-11)
     assert_allclose(area, column(rows, "area"), rtol=1e-11)
-    assert piece.lowest == pytest.approx(w.min())
+    assert segment.lowest == pytest.approx(w.min())
 
 
 def test_ring_that_shrinks_stably_ends_in_a_point():
     """At a = 0: (pi/4) lambda c^2 + (4/3) (pi/2 - 1) lambda^2 c = 1, D = -(4/3) lambda c, P = -(pi/2) lambda c^2."""
     tabor = np.array([1e-6, 0.01, 0.3, 0.7])
-    piece = ring(tabor, "unloading", math.pi)
-    assert np.all(piece.edges[:, 0] == 0.0)
-    w, _, load, area = law.normal_states(piece, piece.edges[:, 0]).T
+    segment = ring(tabor, "unloading", math.pi)
+    assert np.all(segment.edges[:, 0] == 0.0)
+    w, _, load, area = law.normal_states(segment, segment.edges[:, 0]).T
     for at, lam in enumerate(maugis.LAMBDA_OVER_TABOR * tabor):
         c = np.roots([math.pi / 4 * lam, 4 / 3 * (math.pi / 2 - 1) * lam**2, -1.0]).max()
         assert w[at] == pytest.approx(-4 / 3 * lam * c, rel=1e-12)
@@ -77,11 +77,11 @@ def test_ring_that_shrinks_stably_ends_in_a_point():
 
 def test_ring_touches_at_no_displacement_in_loading():
     tabor = np.logspace(-100, 100, 201)
-    piece = ring(tabor)
-    w, slope, _, area = law.normal_states(piece, piece.edges[:, 0]).T
+    segment = ring(tabor)
+    w, slope, _, area = law.normal_states(segment, segment.edges[:, 0]).T
     assert_array_less(np.abs(w), 1e-14 * area + 1e-300)
     assert np.all(slope > 0)
-    assert piece.lowest == 0.0
+    assert segment.lowest == 0.0
     assert np.all(ring(tabor, "unloading").edges[tabor > 1, 0] > 0)
 
 
@@ -93,11 +93,11 @@ def test_wide_ring_and_narrow_ring(branch):
     known = groups(theta=theta)
     for tabor, within in ((1e3, 1e-5), (1e4, 1e-7)):
         found = states_at(ring(tabor, branch, theta), w)
-        expected = states_at(jkr.pieces(known, branch)[0], w)
+        expected = states_at(jkr.segments(known, branch)[0], w)
         assert_allclose(found[:, 2:], expected[:, 2:], rtol=within)
     for tabor, within in ((1e-6, 0.02), (1e-10, 2e-4), (1e-16, 2e-7)):
         found = states_at(ring(tabor, branch, theta), w)
-        expected = states_at(dmt.pieces(known)[0], w)
+        expected = states_at(dmt.segments(known)[0], w)
         size = expected[:, 2] + 4 * math.pi / theta  # the two terms of the load, both counted
         assert_array_less(np.abs(found[:, 2] - expected[:, 2]), within * size)
         assert_array_less(np.abs(found[:, 3] - expected[:, 3]), within * (w + (math.pi / theta) ** (2 / 3)))
@@ -105,9 +105,9 @@ def test_wide_ring_and_narrow_ring(branch):
 
 def test_ring_pulls_with_between_jkr_and_dmt():
     """Pull-off force over pi gamma R falls from 2 to 3/2 as lambda_M grows."""
-    piece = ring(TABOR, "unloading", math.pi)
-    s = piece.edges[:, :1] + np.linspace(0, 1, 4001)[1:] * (law.coordinates(piece, 3.0)[:, None] - piece.edges[:, :1])
-    each = zip(s, piece.parameters[1], strict=True)
+    segment = ring(TABOR, "unloading", math.pi)
+    s = segment.edges[:, :1] + np.linspace(0, 1, 4001)[1:] * (law.coordinates(segment, 3.0)[:, None] - segment.edges[:, :1])
+    each = zip(s, segment.parameters[1], strict=True)
     pull = np.array([max(-maugis.normal(at, 1.0, lam)[2] for at in row) for row, lam in each])
     assert np.all(np.diff(pull) < 0)
     assert pull[0] == pytest.approx(2.0, abs=0.02)
@@ -127,9 +127,9 @@ def test_ring_does_work_along_its_curve():
 
 @pytest.fixture(scope="module")
 def yielded():
-    """The table's groups and pieces, with the limiting pressure as hardness."""
+    """The table's groups and segments, with the limiting pressure as hardness."""
     known = groups(theta=column(YIELDED, "theta"), lam=column(YIELDED, "lambda"))
-    return known, thornton.pieces(known, "hardness")
+    return known, thornton.segments(known, "hardness")
 
 
 def test_yielded_asperity_agrees_with_its_integrated_stiffness(yielded):
@@ -141,7 +141,7 @@ def test_yielded_asperity_agrees_with_its_integrated_stiffness(yielded):
 
 
 def test_yielding_begins_without_a_jump(yielded):
-    """Load and stiffness, except where the asperity has yielded before it touches: then the elastic piece is empty."""
+    """Load and stiffness, except where the asperity has yielded before it touches: then the elastic segment is empty."""
     known, (elastic, plastic) = yielded
     from_start = column(YIELDED, "lambda") < 1  # one case of the table
     assert from_start.any() and not from_start.all()
@@ -159,7 +159,7 @@ def test_yielding_begins_without_a_jump(yielded):
 def test_without_adhesion_the_load_after_yield_is_linear():
     """Thornton's non-adhesive sphere: P = P_y + pi R p_y (delta - delta_y), and w_y = ((2/3) eta_y)^2 as p0 = (3/2) sqrt(w)."""
     known = groups(theta=1e18, lam=1e40, hardness_to_yield=2.8, nu=0.3)
-    _, plastic = thornton.pieces(known, "hardness")
+    _, plastic = thornton.segments(known, "hardness")
     w_y = (2 / 3 * known.eta) ** 2
     assert_allclose(law.normal_states(plastic, plastic.edges[:, 0])[:, 0], w_y, rtol=1e-9)
     assert_allclose(states_at(plastic, 3 * w_y)[:, 2], w_y**1.5 + known.eta * 2 * w_y, rtol=1e-8)
@@ -168,7 +168,7 @@ def test_without_adhesion_the_load_after_yield_is_linear():
 def test_limiting_pressure_of_first_yield():
     """1.6128 Y at nu = 0.3, 1.7385 Y at nu = 0.4 (first yield below a Hertz contact), the hardness over H/Y being Y."""
     known = groups(nu=np.array([0.3, 0.4, 0.3]), hardness_to_yield=np.array([2.8, 2.8, 3.0]))
-    eta = thornton.pieces(known, "first_yield")[1].parameters[1]
+    eta = thornton.segments(known, "first_yield")[1].parameters[1]
     assert_allclose(eta / known.eta, [1.6128 / 2.8, 1.7385 / 2.8, 1.6128 / 3.0], rtol=4e-5)
 
 

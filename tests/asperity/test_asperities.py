@@ -216,8 +216,8 @@ def test_elastic_points():
     near_zero = np.maximum(np.abs(w), x)
     assert np.all(np.abs([jkr.displacement(*one) for one in zip(u, S, strict=True)] - w) < 1e-14 * near_zero)
     assert np.all(np.abs([jkr.load(*one) for one in zip(u, S, strict=True)] - P) < 1e-14 * np.maximum(np.abs(P), x**1.5))
-    piece = plastic.pieces(given, "loading")[0]
-    assert_allclose(coordinates(piece, w), u, rtol=1e-12)
+    segment = plastic.segments(given, "loading")[0]
+    assert_allclose(coordinates(segment, w), u, rtol=1e-12)
     assert_allclose(states(joined(given)[0], u)[:, :4], np.stack([w, 4.0 * u**3 - 2.0 / 3.0 * S, P, x], axis=1), rtol=1e-11)
 
 

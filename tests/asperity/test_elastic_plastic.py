@@ -37,25 +37,25 @@ def contact(**changes):
     return Groups(**given, K_beta=8.0 / 3.0 * (2.0 - given["nu"]) / (1.0 - given["nu"]))
 
 
-def state(piece, w, i=0):
-    """Load and area of one law's piece at the displacement w."""
-    row = [float(column[i]) for column in piece.parameters]
-    u = piece.coordinate(w, *row)
-    found, slope, load, area = piece.normal(u, *row)
+def state(segment, w, i=0):
+    """Load and area of one law's segment at the displacement w."""
+    row = [float(column[i]) for column in segment.parameters]
+    u = segment.coordinate(w, *row)
+    found, slope, load, area = segment.normal(u, *row)
     assert found == pytest.approx(w, rel=1e-14) and slope == pytest.approx(2.0 * u, rel=1e-14)
     return load, area
 
 
-def ends(piece, i=0):
-    """Displacements at which a piece begins and ends."""
-    return piece.edges[i, 0] ** 2, piece.edges[i, -1] ** 2
+def ends(segment, i=0):
+    """Displacements at which a segment begins and ends."""
+    return segment.edges[i, 0] ** 2, segment.edges[i, -1] ** 2
 
 
-def load_and_area(pieces, w, i=0):
-    """Of the asperity at w; where pieces meet, of the one that ends there."""
-    for piece in pieces:
-        if w <= ends(piece, i)[1]:
-            return state(piece, w, i)
+def load_and_area(segments, w, i=0):
+    """Of the asperity at w; where segments meet, of the one that ends there."""
+    for segment in segments:
+        if w <= ends(segment, i)[1]:
+            return state(segment, w, i)
     raise AssertionError(w)
 
 
@@ -63,8 +63,8 @@ def load_and_area(pieces, w, i=0):
 def test_independent_values(law):
     rows = read(f"{law.RECORD.key}.csv")
     groups = contact(**{name: column(rows, name) for name in INPUTS})
-    pieces = law.pieces(groups)
-    found = [load_and_area(pieces, w, i) for i, w in enumerate(column(rows, "w"))]
+    segments = law.segments(groups)
+    found = [load_and_area(segments, w, i) for i, w in enumerate(column(rows, "w"))]
     assert_allclose(found, np.column_stack([column(rows, "load"), column(rows, "area")]), rtol=1e-13)
 
 
@@ -115,9 +115,9 @@ def critical(law, groups):
 def test_cross_model_table(law, at):
     groups = table_contact()
     w_c, P_c = critical(law, groups)
-    pieces = law.pieces(groups)
+    segments = law.segments(groups)
     for row in TABLE:
-        load, area = load_and_area(pieces, row[0] * w_c)
+        load, area = load_and_area(segments, row[0] * w_c)
         assert load / P_c == pytest.approx(row[at], rel=6e-4)
         assert area / w_c == pytest.approx(row[at + 1], rel=6e-4)
 
@@ -129,8 +129,8 @@ def test_finite_element_fits_agree():
     found = []
     for law in (ke, bke, jg):
         w_c, P_c = critical(law, groups)
-        pieces = law.pieces(groups)
-        found.append([np.array(load_and_area(pieces, r * w_c)) / (P_c, w_c) for r in np.geomspace(1.5, 110.0, 200)])
+        segments = law.segments(groups)
+        found.append([np.array(load_and_area(segments, r * w_c)) / (P_c, w_c) for r in np.geomspace(1.5, 110.0, 200)])
     spread = np.max(found, axis=0) / np.min(found, axis=0)
     assert spread[:, 0].max() < 1.06 and spread[:, 1].max() < 1.10
 
@@ -158,12 +158,12 @@ def test_fits_of_first_yield(nu, exact, jackson, brizmer, kogut):
 
 @each
 def test_jumps_are_those_of_the_record(law):
-    """At every place where pieces meet, from both sides: the record's factors, or no jump."""
-    jumps = {jump.piece: jump for jump in law.RECORD.jumps}
-    for number in range(1, len(law.pieces(contact()))):
+    """At every place where segments meet, from both sides: the record's factors, or no jump."""
+    jumps = {jump.segment: jump for jump in law.RECORD.jumps}
+    for number in range(1, len(law.segments(contact()))):
         jump = jumps.get(number)
-        pieces = law.pieces(contact(**(jump.groups if jump else {})))
-        before, after = pieces[number - 1], pieces[number]
+        segments = law.segments(contact(**(jump.groups if jump else {})))
+        before, after = segments[number - 1], segments[number]
         assert before.edges[0, -1] == after.edges[0, 0]
         w = ends(after)[0]
         factors = np.array(state(after, w * (1 + 1e-12))) / state(before, w * (1 - 1e-12))
@@ -174,14 +174,14 @@ def test_closed_forms_of_jumps():
     """Kogut-Etsion at 110 omega_c: load 530.2 -> 571.9 (nu = 0.3), area 205.4 -> 220; 3 % and -7 % at omega_c."""
     groups = contact()
     w_c, P_c = critical(ke, groups)
-    *_, before, after = ke.pieces(groups)
+    *_, before, after = ke.segments(groups)
     load, area = state(before, 110.0 * w_c)
     assert (load / P_c, area / w_c) == (pytest.approx(530.2, abs=0.05), pytest.approx(205.4, abs=0.05))
     load, area = state(after, 110.0 * w_c)
     assert (load / P_c, area / w_c) == (pytest.approx(571.9, abs=0.05), pytest.approx(220.0, rel=1e-12))
     assert 110.0 * 3.0 / 0.577 == pytest.approx(571.9, abs=0.05)
     for nu, factor in ((0.0, 1.371), (0.499, 0.945)):  # 330/(1.4 K_H 110^1.263)
-        *_, before, after = ke.pieces(contact(nu=nu))
+        *_, before, after = ke.segments(contact(nu=nu))
         w = ends(after)[0]
         assert state(after, w)[0] / state(before, w)[0] == pytest.approx(factor, abs=5e-4)
 
@@ -190,8 +190,8 @@ def test_fully_plastic_is_the_hardness():
     """Mean pressure H on twice the truncated area: P = eta x, x = 2 w."""
     groups = contact()
     for law in (ke, zmc):
-        w = 5.0 * ends(law.pieces(groups)[-1])[0]
-        load, area = load_and_area(law.pieces(groups), w)
+        w = 5.0 * ends(law.segments(groups)[-1])[0]
+        load, area = load_and_area(law.segments(groups), w)
         assert area == pytest.approx(2.0 * w) and load == pytest.approx(float(groups.eta[0]) * area)
 
 
@@ -202,7 +202,7 @@ def test_zhao_maietta_chang_is_smooth():
     H, E, R, sigma = 1.0, 60.0, 4.0, 0.01
     eta = math.pi * H * math.sqrt(R / sigma) / (4.0 / 3.0 * E)
     assert zmc.first_yield(eta) * sigma == pytest.approx((3.0 * math.pi * 0.4 * H / (4.0 * E)) ** 2 * R, rel=1e-13)
-    middle = zmc.pieces(groups)[1]
+    middle = zmc.segments(groups)[1]
     first, last = ends(middle)
     assert last / first == pytest.approx(54.0)
     load, area = state(middle, first)
@@ -254,8 +254,8 @@ def test_jackson_green_hardness():
         assert float(printed) == pytest.approx(by_hand, abs=5.1e-5)
         assert jg.hardness(radius) == pytest.approx(by_hand, rel=1e-13)
     groups = contact(sharpness=np.array([1e-4, 0.05]), lam=1e4)
-    pieces = jg.pieces(groups)
-    assert state(pieces[1], 20.0, 0)[0] > state(pieces[1], 20.0, 1)[0]
+    segments = jg.segments(groups)
+    assert state(segments[1], 20.0, 0)[0] > state(segments[1], 20.0, 1)[0]
 
 
 def test_stick_over_slip():
@@ -281,7 +281,7 @@ def test_stick_over_slip():
 
 def test_full_stick_starts_smoothly():
     """At first yield the law leaves (delta/delta_c)^(3/2) with all derivatives: exp(-1/x)."""
-    _, yielding = bke.pieces(contact())
+    _, yielding = bke.segments(contact())
     w_c, P_c = critical(bke, contact())
     for beyond in (-1e-15, 0.0, 1e-12, 1e-6, 1e-3, 0.05):
         ratio = 1.0 + beyond
@@ -293,15 +293,15 @@ def test_full_stick_starts_smoothly():
 def test_a_hard_asperity_is_elastic(law):
     """Yield moves out of reach; and nothing overflows beyond it."""
     groups = contact(theta=1.0, lam=1e24, nu=np.array([0.0, 0.3, 0.499]))
-    pieces = law.pieces(groups)
+    segments = law.segments(groups)
     for i in range(3):
-        load, area = load_and_area(pieces, 7.0, i)
+        load, area = load_and_area(segments, 7.0, i)
         nu = groups.nu[i]
         stiffer = bke.load_of_stick(nu) / bke.interference_of_stick(nu) ** 1.5 if law is bke else 1.0
         assert 1.0 <= stiffer < 1.045
         assert (load, area) == (pytest.approx(7.0**1.5 * stiffer, rel=1e-12), pytest.approx(7.0, rel=1e-14))
-        for piece in pieces[1:]:
-            assert np.all(np.isfinite(state(piece, 2.0 * ends(piece, i)[0], i)))
+        for segment in segments[1:]:
+            assert np.all(np.isfinite(state(segment, 2.0 * ends(segment, i)[0], i)))
 
 
 @each
@@ -316,13 +316,13 @@ def test_finite_everywhere(law):
         hardness_to_yield=rng.uniform(1.0, 4.0, n),
         sharpness=10.0 ** rng.uniform(-4, 0, n),
     )
-    pieces = law.pieces(groups)
+    segments = law.segments(groups)
     for i in range(n):
-        first = ends(pieces[0], i)[1]
-        for piece in pieces:
-            low, high = ends(piece, i)
+        first = ends(segments[0], i)[1]
+        for segment in segments:
+            low, high = ends(segment, i)
             w = np.geomspace(max(low, 1e-9 * first), min(high, 1e6 * first), 12)
-            found = np.array([state(piece, one, i) for one in w])
+            found = np.array([state(segment, one, i) for one in w])
             assert np.all(np.isfinite(found)) and np.all(found > 0.0) and np.all(np.diff(found[:, 1]) > 0.0)
 
 
@@ -331,7 +331,7 @@ def test_records():
         record = law.RECORD
         assert record.key == law.__name__.rsplit(".", 1)[-1]
         assert "no adhesion" in record.traits and ("Hertz" in record.traits) == (law is not bke)
-        assert law.pieces(contact())[0].state == "elastic"
+        assert law.segments(contact())[0].state == "elastic"
 
 
 def test_the_share_that_flows_is_the_step_of_zhao_maietta_and_chang():

@@ -27,18 +27,18 @@ def contact(**changes):
     return groups(**(GIVEN | changes))
 
 
-def states(piece, w):
+def states(segment, w):
     """Displacement, slope, load and area of every law at its displacement w."""
-    u = np.array([piece.coordinate(one, *row) for one, *row in zip(w, *piece.parameters, strict=True)])
-    found = normal_states(piece, u)
+    u = np.array([segment.coordinate(one, *row) for one, *row in zip(w, *segment.parameters, strict=True)])
+    found = normal_states(segment, u)
     assert_allclose(found[:, 0], w, rtol=1e-14)
     assert_allclose(found[:, 1], 2.0 * u, rtol=1e-14)
     return found
 
 
 def load_and_area(given, w, **options):
-    """Of every law at its displacement; where pieces meet, of the one that ends there."""
-    elastic, yielding = law.pieces(given, **options)
+    """Of every law at its displacement; where segments meet, of the one that ends there."""
+    elastic, yielding = law.segments(given, **options)
     w = np.broadcast_to(np.asarray(w, dtype=float), given.theta.shape)
     return np.where(w[:, None] <= elastic.edges[:, -1:] ** 2, states(elastic, w)[:, 2:4], states(yielding, w)[:, 2:4])
 
@@ -128,8 +128,8 @@ def test_sums_over_heights():
 
 
 def beyond(given, ratios, **options):
-    """Displacements at these multiples of where the second piece begins, for the first law."""
-    return ratios * law.pieces(given, **options)[1].edges[0, 0] ** 2
+    """Displacements at these multiples of where the second segment begins, for the first law."""
+    return ratios * law.segments(given, **options)[1].edges[0, 0] ** 2
 
 
 RATIOS = np.geomspace(1.001, 1e5, 40)
@@ -141,7 +141,7 @@ def test_without_hardening_it_is_jackson_and_green():
     for sharpness, widest, within in ((1e-8, 1.0, 1e-10), (0.02, 0.1, 3e-3)):
         given = contact(sharpness=np.full(40, sharpness), hardening=0.0)
         w = beyond(given, RATIOS)
-        theirs = states(jg.pieces(given)[1], w)[:, 2:4]
+        theirs = states(jg.segments(given)[1], w)[:, 2:4]
         found = load_and_area(given, w)
         assert_allclose(found[:, 1], theirs[:, 1], rtol=1e-13)
         blunt = np.sqrt(found[:, 1]) * sharpness < widest
@@ -151,7 +151,7 @@ def test_without_hardening_it_is_jackson_and_green():
 
 def test_little_hardening_is_nearly_none():
     given = contact(hardening=np.array([0.0, 1e-300, 1e-12]))
-    found = load_and_area(given, 30.0 * law.pieces(given)[1].edges[0, 0] ** 2)
+    found = load_and_area(given, 30.0 * law.segments(given)[1].edges[0, 0] ** 2)
     assert_allclose(found[1:], np.tile(found[0], (2, 1)), rtol=1e-9)
 
 
@@ -176,16 +176,16 @@ def test_limiting_hardness():
     assert [law.hardness(one) for one in (1e-9, 0.5, 1.0, 1.5)] == pytest.approx([2.84, 1.92, 1.0, 1.0], rel=1e-14)
 
 
-def test_the_second_piece_is_split_where_it_is_not_smooth():
+def test_the_second_segment_is_split_where_it_is_not_smooth():
     """Edges in order, one of them where a = R, and one where Upsilon = -1: a is then 1/e of the way from a_e to a_p."""
     given = contact(theta=30.0, lam=1.0, sharpness=0.3, hardening=np.array([1e-4, 1e-2, 0.1]))
-    piece = law.pieces(given)[1]
-    assert np.all(np.diff(piece.edges, axis=1) >= 0.0)
-    w_c, _, B, sharpness = piece.parameters[:4]
+    segment = law.segments(given)[1]
+    assert np.all(np.diff(segment.edges, axis=1) >= 0.0)
+    w_c, _, B, sharpness = segment.parameters[:4]
     for i in range(3):
-        w = piece.edges[i, :-1] ** 2
-        row = [float(one[i]) for one in piece.parameters]
-        area = np.array([piece.normal(math.sqrt(one), *row)[3] for one in w])
+        w = segment.edges[i, :-1] ** 2
+        row = [float(one[i]) for one in segment.parameters]
+        area = np.array([segment.normal(math.sqrt(one), *row)[3] for one in w])
         assert np.any(np.abs(np.sqrt(area) * sharpness[i] - 1.0) < 1e-12)
         share = (np.sqrt(area) - np.sqrt(w))[1:] / (np.sqrt(w) * (np.sqrt((w / w_c[i] / 1.9) ** B[i]) - 1.0))[1:]
         assert np.any(np.abs(share - math.exp(-1.0)) < 1e-10) or row[4] > 1.0
@@ -204,11 +204,11 @@ def test_finite_everywhere(other_body):
         sharpness=10.0 ** rng.uniform(-4, 0, n),
         hardening=np.where(rng.random(n) < 0.1, 0.0, 1.0 - 10.0 ** rng.uniform(-9, 0, n)),
     )
-    for piece in law.pieces(given, other_body=other_body):
-        assert not np.isnan(piece.edges).any() and np.all(np.isfinite(piece.edges[:, :-1]))
+    for segment in law.segments(given, other_body=other_body):
+        assert not np.isnan(segment.edges).any() and np.all(np.isfinite(segment.edges[:, :-1]))
         for ratio in (1.0, 1.5, 30.0, 1e3, 1e6):
-            w = ratio * np.maximum(piece.edges[:, 0] ** 2, 1e-300)
-            found = states(piece, w)
+            w = ratio * np.maximum(segment.edges[:, 0] ** 2, 1e-300)
+            found = states(segment, w)
             assert np.all(np.isfinite(found)) and np.all(found[:, 2:] >= 0.0) and np.all(found[:, 3] >= w * (1.0 - 1e-14))
 
 
@@ -216,7 +216,7 @@ def test_the_jump_at_yield_is_that_of_the_record():
     (jump,) = RECORD.jumps
     for hardening in (0.0, 0.1):
         given = contact(**(dict(jump.groups) | {"hardening": hardening}))
-        elastic, yielding = law.pieces(given)
+        elastic, yielding = law.segments(given)
         factors = normal_states(yielding, yielding.edges[:, 0])[0, 2:4] / normal_states(elastic, elastic.edges[:, -1])[0, 2:4]
         left = math.exp(-3.3 * hardening)
         assert factors == pytest.approx((1.0 + (jump.load - 1.0) * left, jump.area), rel=1e-5)
@@ -224,4 +224,4 @@ def test_the_jump_at_yield_is_that_of_the_record():
 
 def test_record():
     assert RECORD.key == "ghaednia_2019" and RECORD.traits == {"no adhesion", "Hertz", "Hertz's shape"}
-    assert [piece.state for piece in law.pieces(contact())] == ["elastic", "elastic-plastic"]
+    assert [segment.state for segment in law.segments(contact())] == ["elastic", "elastic-plastic"]

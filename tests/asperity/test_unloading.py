@@ -39,18 +39,18 @@ def flattened_radius(load_max, area_max):
 
 def turning_points(law):
     """Largest interference over the first yield of the law, with load and area there."""
-    pieces = law.pieces(GROUPS)
-    first = ends(pieces[0])[1]
-    return [(ratio, first, pieces, *load_and_area(pieces, ratio * first)) for ratio in RATIOS]
+    segments = law.segments(GROUPS)
+    first = ends(segments[0])[1]
+    return [(ratio, first, segments, *load_and_area(segments, ratio * first)) for ratio in RATIOS]
 
 
-def work(pieces, w_max):
-    """Int P dw of loading, piece by piece."""
+def work(segments, w_max):
+    """Int P dw of loading, segment by segment."""
     total = 0.0
-    for piece in pieces:
-        low, high = ends(piece)
+    for segment in segments:
+        low, high = ends(segment)
         if low < w_max:
-            total += quad(lambda w, piece=piece: load_and_area([piece], w)[0], low, min(high, w_max), epsrel=1e-11)[0]
+            total += quad(lambda w, segment=segment: load_and_area([segment], w)[0], low, min(high, w_max), epsrel=1e-11)[0]
     return total
 
 
@@ -75,9 +75,9 @@ def test_energy_is_lost(law):
     it unloads as, by no more than these."""
     slack = {zmc: 1e-9, ke: 0.03, jg: 0.005, bke: 0.027}[law]
     lost = []
-    for ratio, first, pieces, load, area in turning_points(law):
+    for ratio, first, segments, load, area in turning_points(law):
         w = ratio * first
-        spent = work(pieces, w)
+        spent = work(segments, w)
         lost.append(1.0 - recovered(w, unloading.residual(w, load, area), load) / spent)
         assert lost[-1] > -slack
         if ratio >= 1.5:
@@ -126,9 +126,9 @@ def test_etsion_residual(ratio):
     of the largest interference at most."""
     by_hand = (1.0 - 1.0 / math.exp(0.28 * math.log(ratio))) * (1.0 - math.exp(-0.69 * math.log(ratio)))
     assert residual_etsion(3.0 * ratio, 3.0) == pytest.approx(3.0 * ratio * by_hand, rel=1e-12)
-    pieces = ke.pieces(GROUPS)
-    first = ends(pieces[0])[1]
-    hertzian = unloading.residual(ratio * first, *load_and_area(pieces, ratio * first)) / (ratio * first)
+    segments = ke.segments(GROUPS)
+    first = ends(segments[0])[1]
+    hertzian = unloading.residual(ratio * first, *load_and_area(segments, ratio * first)) / (ratio * first)
     assert 0.0 <= by_hand - hertzian < 0.11
 
 
@@ -139,32 +139,32 @@ def test_surface_that_is_drawn_apart(law):
     turn, distances = 0.5, np.array([0.0, 0.02, 0.1, 0.4, 2.0, 40.0])
     one = {"theta": 40.0, "lam": 3.0, "nu": 0.3, "hardness_to_yield": 2.8, "sharpness": 0.01}
     groups = contact(**{name: np.full(distances.size, value) for name, value in one.items()})
-    record = replace(law.RECORD, pieces=lambda groups: unloading.drawn_apart(law.pieces(groups), distances))
+    record = replace(law.RECORD, segments=lambda groups: unloading.drawn_apart(law.segments(groups), distances))
     found = scattered(Law(record).regimes(groups), turn + distances, gaussian()).sum(axis=0)
     pressed = scattered(Law(law.RECORD).regimes(groups), turn + distances, gaussian()).sum(axis=0)
     assert_allclose(found[0], pressed[0], rtol=1e-9)
     assert np.all(np.diff(found[:5, :3], axis=0) < 0.0) and np.all(found[5] == 0.0)
     assert np.all(found[1:5, 1] < pressed[1:5, 1])
     for i in (2, 4):
-        expected = held_by(law.pieces(groups), turn, distances[i])
+        expected = held_by(law.segments(groups), turn, distances[i])
         assert_allclose(found[i, 1:3], expected, rtol=1e-4)
 
 
-def held_by(pieces, turn, distance):
+def held_by(segments, turn, distance):
     """Load and area of asperities at the heights turn + w_max, by the trapezium rule between the kinks of the law."""
     total = np.zeros(2)
-    for piece in pieces:
-        low, high = ends(piece)
+    for segment in segments:
+        low, high = ends(segment)
         if low > 9.0:
             continue
         touch = np.linspace(low, min(high, 9.0), 2001)
-        total += np.trapezoid(held_at([piece], touch, turn, distance), touch, axis=0)
+        total += np.trapezoid(held_at([segment], touch, turn, distance), touch, axis=0)
     return total
 
 
-def held_at(pieces, touch, turn, distance):
+def held_at(segments, touch, turn, distance):
     density = np.exp(-((turn + touch) ** 2) / 2.0) / math.sqrt(2.0 * math.pi)
-    states = [load_and_area(pieces, w) for w in touch]
+    states = [load_and_area(segments, w) for w in touch]
     residual = [unloading.residual(w, *state) for w, state in zip(touch, states, strict=True)]
     held = [unloading.let_go(w - distance, w, res, *s) for w, res, s in zip(touch, residual, states, strict=True)]
     return np.array(held) * density[:, None]

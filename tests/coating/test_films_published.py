@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula
 from stiction.laws import joining as law
 from stiction.laws.asperity import chang_etsion_bogy_1987, hertz
 from stiction.laws.film import chang_1997, finkin_1969, halling_1979, liu_neville_reuben_2002, ogilvy_1993
-from stiction.laws.piece import TangentialResistance
+from stiction.laws.segment import TangentialResistance
 from stiction.records.registry import TangentialLaw, composites_of, records
 from stiction.solving.choice import Choice
 from stiction.solving.problem import problem_of
@@ -31,7 +31,7 @@ def sheared(u, w, load, area, strength):
 
 INTERFACE = TangentialLaw(
     key="interface", title="", grade="B", sources=(), verified="", interfacial=True,
-    tangential_resistance=lambda piece, groups: TangentialResistance(sheared, (SHEAR * groups.eta,)),
+    tangential_resistance=lambda segment, groups: TangentialResistance(sheared, (SHEAR * groups.eta,)),
 )  # fmt: skip
 
 
@@ -42,7 +42,7 @@ def half_the_load(u, w, load, area):
 
 IN_SUBSTRATE = TangentialLaw(
     key="in_substrate", title="", grade="B", sources=(), verified="",
-    tangential_resistance=lambda piece, groups: TangentialResistance(half_the_load, ()) if piece.state == "elastic" else None,
+    tangential_resistance=lambda part, groups: TangentialResistance(half_the_load, ()) if part.state == "elastic" else None,
 )  # fmt: skip
 
 CHANG = law.Law(chang_etsion_bogy_1987.RECORD)

@@ -72,8 +72,8 @@ def states(regimes, u):
     return out
 
 
-def pieces(regimes, law):
-    """(first, last, state, body) of all pieces of one law, from shallow to deep."""
+def segments(regimes, law):
+    """(first, last, state, body) of all segments of one law, from shallow to deep."""
     found = []
     for regime in regimes:
         edges = regime.edges[law]
@@ -216,7 +216,7 @@ def test_soft_film_on_a_hard_substrate_goes_through_the_four_stages_of_the_paper
     substrate, film = groups(theta, lam, nu, k), groups(theta * n_E, lam * n_H**4 / n_E**2, nu, k)
     regimes = graded.graded_regimes(substrate, film, n_E, n_H, tau, 0.05 * tau)
     order = []
-    for _, _, state, body in pieces(regimes, 0):
+    for _, _, state, body in segments(regimes, 0):
         if (body, state) not in order[-1:]:
             order.append((body, state))
     wanted = [("film", "elastic"), ("film", "plastic"), ("substrate", "elastic"), ("substrate", "plastic")]
@@ -224,18 +224,18 @@ def test_soft_film_on_a_hard_substrate_goes_through_the_four_stages_of_the_paper
     assert order[-1] == wanted[3]
 
 
-def test_pieces_of_all_parts_cover_every_depth_once():
+def test_segments_of_all_parts_cover_every_depth_once():
     regimes = graded.graded_regimes(*random_laws(500, 8))
     for law in range(500):
-        found = pieces(regimes, law)
+        found = segments(regimes, law)
         assert all(this[1] == following[0] for this, following in itertools.pairwise(found))
         bodies = [body for *_, body in found]
         assert bodies == sorted(bodies)  # film, then substrate
 
 
 def cut_finely(regime):
-    """The same regime with every piece cut into 32 and, closer and closer, towards both ends: a kink or a square root that was
-    missed is then felt in a small part only. Narrow pieces in 8, or not at all: parts would be too narrow for h + w."""
+    """The same regime with every segment cut into 32 and, closer and closer, towards both ends: a kink or a square root that
+    was missed is then felt in a small part only. Narrow segments in 8, or not at all: parts would be too narrow for h + w."""
     ends = 10.0 ** np.arange(-4, -1)
     parts = np.unique(np.concatenate([[0, 1], ends, 1 - ends, np.linspace(0, 1, 33)]))
     low, high = regime.edges[:, :-1, None], regime.edges[:, 1:, None]
@@ -248,7 +248,7 @@ def cut_finely(regime):
 
 @pytest.mark.parametrize("coated", [True, False])
 def test_sums_are_as_good_as_the_record_says(coated):
-    """Over the whole range, thinnest films included, against finely cut pieces."""
+    """Over the whole range, thinnest films included, against finely cut segments."""
     count = 8000
     laws, h = random_laws(count, 11), separations(count, 11)
     regimes = graded.graded_regimes(*laws) if coated else graded.bare_regimes_with_transition(laws[0])

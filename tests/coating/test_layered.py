@@ -59,17 +59,17 @@ def random_contacts(rng, n, **fixed):
 def test_area_at_load_and_load_at_approach():
     """Against another solution of the integral equation: 1 %, which is the aim; 0.5 % is what is found."""
     rows = read("layered.csv")
-    piece = elastic(rows_as_groups(rows).resolved(), law_of("hertz"))
+    segment = elastic(rows_as_groups(rows).resolved(), law_of("hertz"))
     u, n_E = np.sqrt(column(rows, "radius")), rows_as_groups(rows).n_E
     w, load = column(rows, "approach") * u**4, n_E * column(rows, "load") * u**6
-    at_approach = normal_states(piece, coordinates(piece, w))
+    at_approach = normal_states(segment, coordinates(segment, w))
     assert_allclose(at_approach[:, 2], load, rtol=5e-3)
-    here = normal_states(piece, u)
+    here = normal_states(segment, u)
     # Where the load is P: dA/A = (2/(3 + e)) dP/P, never more than twice the error of the load.
     assert_allclose(here[:, 2], load, rtol=2.5e-3)
     assert_allclose(here[:, 0], w, rtol=5e-3)
     step = 1e-5
-    wider, narrower = normal_states(piece, u * (1.0 + step)), normal_states(piece, u * (1.0 - step))
+    wider, narrower = normal_states(segment, u * (1.0 + step)), normal_states(segment, u * (1.0 - step))
     stiffness = (wider[:, 2] - narrower[:, 2]) / (wider[:, 0] - narrower[:, 0])
     assert_allclose(stiffness, 1.5 * n_E * column(rows, "stiffness") * u**2, rtol=5e-3)
     assert_allclose((wider[:, 0] - narrower[:, 0]) / (2.0 * step * u), here[:, 1], rtol=1e-8)
@@ -111,7 +111,7 @@ def test_ends(key, end):
 
 
 def parts_of(key, given, hardness="bhattacharya_nix_1988"):
-    """The elastic piece and those that follow, of this asperity law."""
+    """The elastic segment and those that follow, of this asperity law."""
     law, of_depth = law_of(key), Hardness(composites_of("hardness")[hardness], given, 2.0)
     first, following = cut_at_yield(elastic(given, law), law, given, of_depth, np.zeros(len(given)))
     return [first, *following]
@@ -121,21 +121,21 @@ def parts_of(key, given, hardness="bhattacharya_nix_1988"):
     "key", [*LAWS, "zhao_maietta_chang_2000 jonsson_hogmark_1984", "zhao_maietta_chang_2000 kao_byrne_1981"]
 )
 def test_nothing_jumps_but_what_the_asperity_law_says(key):
-    """Where one piece gives way to the next load, area and displacement go on, but for reported jumps; and so at w = tau."""
+    """Where one segment gives way to the next load, area and displacement go on, but for reported jumps; and so at w = tau."""
     given = random_contacts(np.random.default_rng(29), 200, lam=10.0 ** np.linspace(2.0, 5.0, 200)).resolved()
-    pieces = parts_of(key.split()[0], given, *key.split()[1:])
-    reported = {jump.piece for jump in find(key.split()[0], AsperityLaw).jumps}
-    for number, (before, after) in enumerate(itertools.pairwise(pieces), start=1):
+    segments = parts_of(key.split()[0], given, *key.split()[1:])
+    reported = {jump.segment for jump in find(key.split()[0], AsperityLaw).jumps}
+    for number, (before, after) in enumerate(itertools.pairwise(segments), start=1):
         there = (before.edges[:, -1] > before.edges[:, 0]) & (after.edges[:, -1] > after.edges[:, 0])
         end, start = normal_states(before, before.edges[:, -1])[there], normal_states(after, after.edges[:, 0])[there]
         assert there.any()
         assert_allclose(start[:, 0], end[:, 0], rtol=1e-7, atol=1e-9)
         if number not in reported:
             assert_allclose(start[:, 2:], end[:, 2:], rtol=1e-6, atol=1e-9)
-    for piece in pieces:
-        u = coordinates(piece, given.tau)
-        inside = (u > piece.edges[:, 0] * (1.0 + 1e-9)) & (u < piece.edges[:, -1] * (1.0 - 1e-9))
-        near, far = (normal_states(piece, u * (1.0 + step))[inside, 2:] for step in (1e-12, -1e-12))
+    for segment in segments:
+        u = coordinates(segment, given.tau)
+        inside = (u > segment.edges[:, 0] * (1.0 + 1e-9)) & (u < segment.edges[:, -1] * (1.0 - 1e-9))
+        near, far = (normal_states(segment, u * (1.0 + step))[inside, 2:] for step in (1e-12, -1e-12))
         assert_allclose(near, far, rtol=1e-7, atol=1e-9)
 
 
@@ -169,13 +169,13 @@ def test_adhesion_is_the_least_energy(n_E, aspect, monkeypatch):
     D = smooth(coarse, approach)(a) * a**2
     S = smooth(coarse, stiffness)(a) * 1.5 * n_E * a
     stored = np.concatenate([[0.0], np.cumsum(np.diff(D) * (P[1:] + P[:-1]) / 2.0)])
-    piece = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
+    segment = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
     for w in (0.3, 1.0, 2.5):
         energy = stored + P * (w - D) + S * (w - D) ** 2 / 2.0 - math.pi * a**2 / theta
         least = np.argmin(np.where(a > 0.8, energy, np.inf))  # narrower, the sphere would pass through the surface
         quadratic = np.polyfit(a[least - 20 : least + 21] - a[least], energy[least - 20 : least + 21], 2)
         best = a[least] - quadratic[1] / (2.0 * quadratic[0])
-        _, _, found_load, area = normal_states(piece, coordinates(piece, w))[0]
+        _, _, found_load, area = normal_states(segment, coordinates(segment, w))[0]
         assert math.sqrt(area) == pytest.approx(best, rel=2e-3)
         expected = np.interp(best, a, P + S * (w - D))
         assert found_load == pytest.approx(expected, abs=3e-3 * np.interp(best, a, P))
@@ -186,9 +186,9 @@ def test_pull_off():
     n_E, theta = np.array([0.1, 0.1, 10.0, 10.0]), 2.0
     aspect = np.array([1e4, 1e-6, 1e4, 1e-6])
     given = groups(theta=theta, nu=0.3, film_aspect=aspect, n_g=0.7, **FILM | {"n_E": n_E}).resolved()
-    piece = elastic(given, law_of("jkr", branch="unloading"))
-    u = piece.edges[:, :1] * np.linspace(1.0, 4.0, 4000)
-    loads = np.stack([normal_states(piece, column)[:, 2] for column in u.T], axis=1)
+    segment = elastic(given, law_of("jkr", branch="unloading"))
+    u = segment.edges[:, :1] * np.linspace(1.0, 4.0, 4000)
+    loads = np.stack([normal_states(segment, column)[:, 2] for column in u.T], axis=1)
     assert_allclose(loads.min(axis=1), -1.5 * math.pi * 0.7 / theta, rtol=5e-3)
 
 
@@ -216,9 +216,9 @@ def test_pull_off_between_is_where_no_radius_is_stable(n_E, aspect, monkeypatch)
     for _ in range(30):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if holds(middle) else (middle, high)
-    piece = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
+    segment = elastic(groups(theta=theta, nu=nu, film_aspect=aspect, **FILM | {"n_E": n_E}).resolved(), law_of("jkr"))
     u = np.linspace(0.55, 2.2, 6000)
-    least = min(normal_states(piece, np.array([one]))[0, 2] for one in u)
+    least = min(normal_states(segment, np.array([one]))[0, 2] for one in u)
     assert least == pytest.approx(high, rel=5e-3)
     assert abs(least / (-1.5 * math.pi / theta) - 1.0) > 0.01  # not the limit
 
@@ -314,12 +314,12 @@ def test_compliances_of_the_bodies_add(bodies):
     whole = groups(
         **{name: float(value) for name in type(indices).model_fields if (value := getattr(indices, name)) is not None}
     )
-    piece = elastic(whole.resolved(), law_of("hertz"))
+    segment = elastic(whole.resolved(), law_of("hertz"))
     thickness = float(indices.film_aspect) / (2.0 if bodies == "both" else 1.0)
     for radius in (0.1, 1.0, 10.0):
         u = np.full(n, math.sqrt(radius * thickness))
         exact = respond(pair, radius)
-        w, _, load, _ = normal_states(piece, u)[0]
+        w, _, load, _ = normal_states(segment, u)[0]
         assert w == pytest.approx(exact.approach * u[0] ** 4, rel=4e-3)
         bare = 1.0 / (1.0 / first + 1.0 / second)
         assert load == pytest.approx(exact.load * surfaces / bare * u[0] ** 6, rel=4e-3)

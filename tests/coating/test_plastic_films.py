@@ -98,7 +98,7 @@ def test_a_film_as_hard_as_its_substrate_is_not_felt_in_load(film):
 
 @pytest.mark.parametrize("film", FILMS)
 def test_load_grows_without_a_jump_over_all_depths(film):
-    """Over random groups, five decades of depth, and at the places where one piece gives way to the next."""
+    """Over random groups, five decades of depth, and at the places where one segment gives way to the next."""
     rng, n = np.random.default_rng(3), 1000
     tau = 10.0 ** rng.uniform(-3, 3, n)
     given = groups(

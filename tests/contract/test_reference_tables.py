@@ -43,20 +43,20 @@ def parts(record, rows):
 
 @pytest.mark.parametrize("law", of_kind(AsperityLaw).values(), ids=lambda law: law.key)
 def test_one_asperity(law):
-    """Load and area at w, on the piece that reaches there: 1e-10. Every asperity law has a table with these columns. No piece
-    is displaced less than it says."""
+    """Load and area at w, on the segment that reaches there: 1e-10. Every asperity law has a table with these columns. No
+    segment is displaced less than it says."""
     compared = list(parts(law, read(f"{law.key}.csv")))
     assert compared, "no row has all the options of the law that are columns"
     for options, rows in compared:
         w, expected = column(rows, "w"), np.column_stack([column(rows, "load"), column(rows, "area")])
         found = np.full_like(expected, np.nan)
-        for piece in law.pieces(groups(**{"theta": np.ones(len(rows))} | columns_of_groups(rows)), **options):
-            first, last = (normal_states(piece, piece.edges[:, end])[:, 0] for end in (0, -1))
-            assert (first >= piece.lowest - 1e-14)[piece.edges[:, 0] < piece.edges[:, -1]].all()
+        for segment in law.segments(groups(**{"theta": np.ones(len(rows))} | columns_of_groups(rows)), **options):
+            first, last = (normal_states(segment, segment.edges[:, end])[:, 0] for end in (0, -1))
+            assert (first >= segment.lowest - 1e-14)[segment.edges[:, 0] < segment.edges[:, -1]].all()
             rounding = 1e-12 * np.abs(w)  # a row may be the very displacement at which a contact is lost
-            here = (first <= w + rounding) & (w <= last) & (piece.edges[:, 0] < piece.edges[:, -1])
-            u = np.where(np.abs(w - first) <= rounding, piece.edges[:, 0], coordinates(piece, np.maximum(w, first)))
-            found[here] = normal_states(piece, u)[here, 2:]
+            here = (first <= w + rounding) & (w <= last) & (segment.edges[:, 0] < segment.edges[:, -1])
+            u = np.where(np.abs(w - first) <= rounding, segment.edges[:, 0], coordinates(segment, np.maximum(w, first)))
+            found[here] = normal_states(segment, u)[here, 2:]
         assert_allclose(found, expected, rtol=1e-10, err_msg=str(options))
 
 
@@ -79,8 +79,8 @@ def test_one_sheared_asperity(law):
     load = column(rows, "load") if "load" in rows[0] else w**1.5
     area = column(rows, "area") if "area" in rows[0] else w
     ends = np.full(len(rows), np.inf)
-    piece = jkr.elastic(given.theta, "loading", ends) if "JKR" in law.wants else hertz.elastic(ends)
-    tangential_resistance = law.tangential_resistance(piece, given, **resolve_options([law], {}))
+    segment = jkr.elastic(given.theta, "loading", ends) if "JKR" in law.wants else hertz.elastic(ends)
+    tangential_resistance = law.tangential_resistance(segment, given, **resolve_options([law], {}))
     parameters = [np.broadcast_to(one, len(rows)) for one in tangential_resistance.parameters]
     found = np.array(
         [tangential_resistance.resistance(*state) for state in zip(np.sqrt(np.abs(w)), w, load, area, *parameters, strict=True)]

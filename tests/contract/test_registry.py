@@ -177,7 +177,7 @@ def test_grid_and_scattered_agree(choice, coated, always_grid):
 
 
 def with_nodes(monkeypatch, short, long):
-    """Let the engine take these numbers of nodes, multiples of eight, on short and on long pieces."""
+    """Let the engine take these numbers of nodes, multiples of eight, on short and on long segments."""
     counts = np.full(len(summation._COUNTS), long)
     counts[0] = short
     monkeypatch.setattr(summation, "_COUNTS", counts)
@@ -186,8 +186,8 @@ def with_nodes(monkeypatch, short, long):
 
 @each
 def test_order_of_convergence(choice, coated, monkeypatch):
-    """Gauss-Legendre on pieces without a kink inside: errors fall geometrically with the number of nodes, down to 1e-10 or what
-    the record says, measured against 160 nodes. A kink that is missed would leave an error that falls as a power."""
+    """Gauss-Legendre on segments without a kink inside: errors fall geometrically with the number of nodes, down to 1e-10 or
+    what the record says, measured against 160 nodes. A kink that is missed would leave an error that falls as a power."""
     given = draw(400, coated, 53)
     h = np.random.default_rng(59).uniform(-4.0, 6.0, 400)
     found = problem(choice, given)
@@ -210,7 +210,7 @@ def test_order_of_convergence(choice, coated, monkeypatch):
 
 @each
 def test_shipped_rules_suffice(choice, coated, monkeypatch):
-    """The worst that the engine's own number of nodes meets: long elastic pieces, seen by every height at once (surfaces
+    """The worst that the engine's own number of nodes meets: long elastic segments, seen by every height at once (surfaces
     pressed together, hard films, hardly any adhesion)."""
     rng, n = np.random.default_rng(73), 4000
     hard = {"n_E": 10.0 ** rng.uniform(-1.0, 0.0, n), "n_H": 10.0 ** rng.uniform(1.0, 2.0, n)} if coated else {}
@@ -270,15 +270,15 @@ def test_declared_limits(record, limit):
 
 
 @pytest.mark.parametrize("law", ASPERITIES, ids=lambda law: law.key)
-def test_pieces_join_where_no_jump_is_reported(law):
-    """Where one piece gives way to the next, displacement goes on and load and area are multiplied by what the record says: by
-    nothing, if it says nothing. Everywhere else they are one piece and smooth."""
-    reported = {jump.piece: jump for jump in law.jumps}
+def test_segments_join_where_no_jump_is_reported(law):
+    """Where one segment gives way to the next, displacement goes on and load and area are multiplied by what the record says:
+    by nothing, if it says nothing. Everywhere else they are one segment and smooth."""
+    reported = {jump.segment: jump for jump in law.jumps}
     given = draw(60, False, 83)
-    for number in range(1, len(law.pieces(given, **resolve_options([law], {})))):
+    for number in range(1, len(law.segments(given, **resolve_options([law], {})))):
         jump = reported.get(number)
         chosen = given.with_changes(**{name: np.full(60, value) for name, value in (jump.groups if jump else {}).items()})
-        before, after = law.pieces(chosen, **resolve_options([law], {}))[number - 1 : number + 1]
+        before, after = law.segments(chosen, **resolve_options([law], {}))[number - 1 : number + 1]
         there = (before.edges[:, -1] > before.edges[:, 0]) & (after.edges[:, -1] > after.edges[:, 0])
         end, start = normal_states(before, before.edges[:, -1])[there], normal_states(after, after.edges[:, 0])[there]
         assert there.any()
@@ -286,7 +286,7 @@ def test_pieces_join_where_no_jump_is_reported(law):
         for name, column, factor in (("load", 2, jump.load if jump else 1.0), ("area", 3, jump.area if jump else 1.0)):
             within = 1e-3 if jump else 1e-9
             expected = factor * end[:, column]
-            np.testing.assert_allclose(start[:, column], expected, rtol=within, err_msg=f"{name}, piece {number}")
+            np.testing.assert_allclose(start[:, column], expected, rtol=within, err_msg=f"{name}, segment {number}")
 
 
 def pairs():
@@ -324,11 +324,11 @@ def test_any_asperity_law_with_any_heights(asperity, key):
     h = np.linspace(-1.5, 1.5, 6)
     found = scattered(problem_of(given, Choice(PLAIN, asperity.key)).regimes, h, heights).sum(axis=0)
     expected = np.zeros((6, 2))
-    for piece in asperity.pieces(given, **resolve_options([asperity], {})):
+    for segment in asperity.segments(given, **resolve_options([asperity], {})):
         for i in range(6):
-            end = coordinates(replace(piece, edges=piece.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
-            u = np.linspace(piece.edges[i, 0], max(end, piece.edges[i, 0]), 20001)
-            one = replace(piece, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in piece.parameters),
+            end = coordinates(replace(segment, edges=segment.edges[:, [0, -1]]), 12.0)[i]  # no height is farther than that
+            u = np.linspace(segment.edges[i, 0], max(end, segment.edges[i, 0]), 20001)
+            one = replace(segment, parameters=tuple(np.broadcast_to(p, 6)[i] * np.ones(u.size) for p in segment.parameters),
                           edges=np.zeros((u.size, 2)))  # fmt: skip
             w, slope, load, area = normal_states(one, u).T
             dense = np.array([heights.density(z, heights.shape) for z in h[i] + w])
@@ -457,7 +457,7 @@ def test_theories_in_closed_form(record):
 def test_record_is_complete(record):
     assert type(record) in kinds()
     assert re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", record.key)
-    for what in ("pieces", "tangential_resistance", "curve", "area_at_load", "value", "find"):
+    for what in ("segments", "tangential_resistance", "curve", "area_at_load", "value", "find"):
         if (one := getattr(record, what, None)) is not None:
             module = getattr(one, "py_func", one).__module__
             assert module.rsplit(".", 1)[-1] == record.key, "one file per model, of the model's name"

@@ -34,7 +34,7 @@ def heading(record):
 
 @each_record
 def test_file_says_what_is_to_be_known(record):
-    """docs/adding-smooth-pieces.md describes the layout. One line says what is missing."""
+    """docs/adding-smooth-segments.md describes the layout. One line says what is missing."""
     text = text_of(record)
     assert text, f"{record.key}: the module with its record has no docstring"
     missing = [f"{what} ({mark})" for mark, what in LAYOUT.items() if mark not in text]

@@ -360,7 +360,7 @@ def test_what_is_closed_over_decides():
 
 DIGESTS = """
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import plastic
-from stiction.laws.piece import displaced
+from stiction.laws.segment import displaced
 from stiction.engine.compiled import digest, formula, kernel, loop
 from stiction.quantities.cache import is_private
 from stiction.quantities.notices import Notice, notice

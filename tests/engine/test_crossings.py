@@ -1,4 +1,4 @@
-"""Changes of sign along pieces: roots, jumps and flat places, to rounding."""
+"""Changes of sign along segments: roots, jumps and flat places, to rounding."""
 
 import math
 

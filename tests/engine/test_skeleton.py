@@ -1,4 +1,4 @@
-"""The matrix in tiles, and the search along pieces: what the sums of every model rest on, against sums one by one and exact
+"""The matrix in tiles, and the search along segments: what the sums of every model rest on, against sums one by one and exact
 arithmetic."""
 
 import math
@@ -45,8 +45,8 @@ def test_every_shape_of_the_matrix(always_grid, laws, separations):
         assert_allclose(rest, expected, rtol=1e-10)
 
 
-def test_kinks_at_an_end_but_for_rounding_make_no_piece():
-    """They are put at the end; others stay, on pieces without end too."""
+def test_kinks_at_an_end_but_for_rounding_make_no_segment():
+    """They are put at the end; others stay, on segments without end too."""
     edges = np.array([[1.0, 3.0], [1.0, math.inf], [0.0, 2.0]])
     kinks = np.array([[1.0 + 4e-16, 3.0 - 9e-16, 2.0], [1.0 - 3e-16, 1e300, 5.0], [1e-30, 0.0, 2.0]])
     expected = [[1.0, 1.0, 2.0, 3.0, 3.0], [1.0, 1.0, 5.0, 1e300, math.inf], [0.0, 0.0, 1e-30, 2.0, 2.0]]
@@ -77,8 +77,8 @@ def below(u, given):
     return u * u < given
 
 
-def test_search_along_a_piece():
-    """The place where u^2 passes a number: on a piece with an end and without; its ends where it does not."""
+def test_search_along_a_segment():
+    """The place where u^2 passes a number: on a segment with an end and without; its ends where it does not."""
     search, halve = up_to(below), halving(below)
     assert search(0.5, math.inf, 1.0, 1e100, 2.0) == pytest.approx(math.sqrt(2.0), rel=3e-16)
     assert search(0.5, 9.0, 1.0, 1e100, 1e20) == 9.0

@@ -10,7 +10,7 @@ from scipy.special import erfc, gamma
 from stiction.engine.compiled import formula
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.engine.regime import Regime
-from stiction.engine.sum_kernels import map_piece
+from stiction.engine.sum_kernels import map_segment
 from stiction.engine.summation import QUANTITIES, on_grid, scattered, totals_on_grid
 from tables import column, read
 
@@ -94,9 +94,9 @@ def test_empirical_heights(cells):
     [((), True, None), ((0.95,), False, 0.95), ((1.0,), False, 1.0), ((3.1, 0.9), True, 0.9), ((3.1, 0.5), True, 3.1),
      ((3.0,), True, 3.0), ((3.1,), False, None), ((2.0, 0.5, 3.5), True, None)],
 )  # fmt: skip
-def test_pieces_are_mapped_from_end_to_end_by_the_root_of_the_distance_to_a_near_branch(origins, two_sided, origin):
+def test_segments_are_mapped_from_end_to_end_by_the_root_of_the_distance_to_a_near_branch(origins, two_sided, origin):
     low, high = 1.0, 3.0
-    linear, square = map_piece(low, high, np.array(origins), two_sided)
+    linear, square = map_segment(low, high, np.array(origins), two_sided)
     t = np.linspace(0.0, 1.0, 5)
     u = low + linear * t + square * t**2
     along = u if origin is None else np.sqrt(np.abs(u - origin))
@@ -105,7 +105,7 @@ def test_pieces_are_mapped_from_end_to_end_by_the_root_of_the_distance_to_a_near
 
 
 def test_edges_between_cut_nothing_off(always_grid):
-    """Pieces, empty pieces and displacements that start below zero: all sums stand."""
+    """Segments, empty segments and displacements that start below zero: all sums stand."""
     h = np.linspace(-3.0, 3.0, 13)
     whole = on_grid([power_law(start=0.7)], h, gaussian())[0, 0]
     split = [0.0, 0.1, 0.1, 0.4, 0.4, 1.3, 2.5, math.inf]
@@ -164,9 +164,9 @@ def test_separations_of_any_spread(always_grid):
 
 
 def test_what_is_left_behind_far_below_the_mean(always_grid):
-    """Where all is pressed far beyond a piece, the few asperities on it still count: for friction they may be all there is."""
+    """Where all is pressed far beyond a segment, the few asperities on it still count: they may carry all the friction."""
     h = np.linspace(-14.0, -20.0, 30)
-    piece = on_grid([power_law(300, (0.0, 1.0))], h, gaussian())[0, :, 0]
+    segment = on_grid([power_law(300, (0.0, 1.0))], h, gaussian())[0, :, 0]
     expected = (erfc(-(h + 1.0) / math.sqrt(2.0)) - erfc(-h / math.sqrt(2.0))) / 2.0
     assert expected.max() < 1e-30
-    assert_allclose(piece, np.tile(expected, (300, 1)), rtol=1e-10)
+    assert_allclose(segment, np.tile(expected, (300, 1)), rtol=1e-10)

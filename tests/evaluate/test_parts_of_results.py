@@ -149,8 +149,8 @@ def test_the_coordinate_of_a_contact_area(law):
     power = 2 if law is hertz else 4
     area = np.array([0.7, 3.0, 40.0, 9e4])
     options = {} if law is hertz else {"branch": "loading"}
-    (piece,) = law.RECORD.pieces(groups(np.full(4, 30.0)), **options)
-    found = coordinates_at_area(piece, area)
+    (segment,) = law.RECORD.segments(groups(np.full(4, 30.0)), **options)
+    found = coordinates_at_area(segment, area)
     assert_allclose(found, area ** (1.0 / power), rtol=1e-14)
-    nearer = coordinates_at_area(piece, 1e-9)  # nowhere that small, of JKR on loading
-    assert_allclose(nearer, 10 ** (-4.5) if law is hertz else piece.edges[:, 0], rtol=1e-14)
+    nearer = coordinates_at_area(segment, 1e-9)  # nowhere that small, of JKR on loading
+    assert_allclose(nearer, 10 ** (-4.5) if law is hertz else segment.edges[:, 0], rtol=1e-14)

@@ -1,5 +1,5 @@
 """Full stick of asperities that yield early: the force grows as a broken power of the load, which the sum has to resolve though
-the piece that has yielded begins beyond it. Summed here anew, between many places that crowd there."""
+the segment that has yielded begins beyond it. Summed here anew, between many places that crowd there."""
 
 import math
 from itertools import pairwise

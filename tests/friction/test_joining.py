@@ -1,4 +1,4 @@
-"""An asperity law and a tangential law joined: what of a response counts, and where its pieces are cut."""
+"""An asperity law and a tangential law joined: what of a response counts, and where its segments are cut."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.joining import Law, Weights, with_kinks, within
-from stiction.laws.piece import TangentialResistance
+from stiction.laws.segment import TangentialResistance
 from stiction.records.registry import TangentialLaw
 from tables import groups
 
@@ -25,7 +25,7 @@ def both(u, w, load, area, share):
 def law(interfacial):
     return TangentialLaw(
         key="both", title="", grade="B", sources=(), verified="", interfacial=interfacial,
-        tangential_resistance=lambda piece, groups: TangentialResistance(both, (np.array([0.3]),)),
+        tangential_resistance=lambda segment, groups: TangentialResistance(both, (np.array([0.3]),)),
     )  # fmt: skip
 
 
@@ -78,9 +78,9 @@ def test_kinks_stand_in_order_between_the_ends(kinks, expected):
     ("low", "high", "expected"),
     [(1.5, 3.0, [1.5, 2.0, 3.0]), (-1.0, 9.0, [1.0, 2.0, 4.0]), (2.5, 3.0, [2.5, 2.5, 3.0]), (3.0, np.inf, [3.0, 3.0, 4.0])],
 )
-def test_a_part_of_a_piece(low, high, expected):
+def test_a_part_of_a_segment(low, high, expected):
     """Of each of two laws its own part."""
-    (whole,) = hertz.RECORD.pieces(groups(theta=[10.0, 10.0], lam=1.0))
+    (whole,) = hertz.RECORD.segments(groups(theta=[10.0, 10.0], lam=1.0))
     whole = replace(whole, edges=np.array([[1.0, 2.0, 4.0], [5.0, 6.0, 7.0]]))
     found = within(whole, np.array([low, 5.5]), np.array([high, 6.5])).edges
     assert_array_equal(found, [expected, [5.5, 6.0, 6.5]])

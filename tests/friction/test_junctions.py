@@ -51,12 +51,12 @@ def bulk_of_copper():
      ("von_mises", 0.3, 0.0648, 1.0483), ("von_mises", 0.99, 1.4471, 7.0888)],
 )  # fmt: skip
 def test_plastic_junctions(alpha, c, mu, growth):
-    """The table of the docstring: mu = c/sqrt(alpha (1 - c^2)) on the fully plastic piece of Zhao, Maietta & Chang."""
+    """The table of the docstring: mu = c/sqrt(alpha (1 - c^2)) on the fully plastic segment of Zhao, Maietta & Chang."""
     a = 9.0 if alpha == "9" else 3.0 * 2.8**2
     given = groups(theta=1e3, lam=1.0, shear_strength=c / math.sqrt(a))
-    piece = zhao_maietta_chang_2000.pieces(given)[2]
-    law = tabor_1959.tangential_resistance(piece, given, alpha)
-    w, _, load, area = normal_states(piece, piece.edges[:, 0] * 1.3)[0]
+    segment = zhao_maietta_chang_2000.segments(given)[2]
+    law = tabor_1959.tangential_resistance(segment, given, alpha)
+    w, _, load, area = normal_states(segment, segment.edges[:, 0] * 1.3)[0]
     force = sum(law.resistance(0.0, w, load, area, *(float(one[0]) for one in law.parameters)))
     assert force / load == pytest.approx(mu, abs=5.1e-5)
     assert force / (float(given.shear_strength[0]) * load) == pytest.approx(growth, abs=5.1e-5)
@@ -102,11 +102,11 @@ def test_sum_of_growing_junctions(c):
 
 
 def test_where_a_pressure_is_reached():
-    """Hertz's mean pressure is eta w^(1/2)/eta: load w^(3/2) over area w; nowhere on a piece that is plastic all along."""
+    """Hertz's mean pressure is eta w^(1/2)/eta: load w^(3/2) over area w; nowhere on a segment that is plastic all along."""
     given = groups(theta=1e3, lam=1e3)
-    piece = hertz.elastic(np.full(1, np.inf))
-    assert where_pressure_is(piece, np.array([0.3]))[0, 0] == pytest.approx(0.3, rel=1e-12)
-    flow = zhao_maietta_chang_2000.pieces(given)[2]
+    segment = hertz.elastic(np.full(1, np.inf))
+    assert where_pressure_is(segment, np.array([0.3]))[0, 0] == pytest.approx(0.3, rel=1e-12)
+    flow = zhao_maietta_chang_2000.segments(given)[2]
     assert_allclose(where_pressure_is(flow, given.eta), np.tile(flow.edges[:, :1], 2))
 
 
@@ -182,14 +182,14 @@ def test_with_any_heights(asperity, tangential, heights):
     problem = problem_of(given, Choice(PLAIN, asperity, tangential), chosen)
     found = problem.at(np.array([[0.4]]))["friction_force"][0, 0]
     expected = 0.0
-    for piece in problem.law.pieces(given):
-        law = problem.law.tangential.tangential_resistance(piece, given, "von_mises")
+    for segment in problem.law.segments(given):
+        law = problem.law.tangential.tangential_resistance(segment, given, "von_mises")
         parameters = [float(one[0]) for one in law.parameters]
-        u = np.linspace(piece.edges[0, 0], max(float(coordinates(piece, 40.0)[0]), piece.edges[0, 0]), 60001)
+        u = np.linspace(segment.edges[0, 0], max(float(coordinates(segment, 40.0)[0]), segment.edges[0, 0]), 60001)
         if u[-1] == u[0]:
             continue
-        rows = [float(one[0]) for one in piece.parameters]
-        states = np.array([piece.normal(float(one), *rows) for one in u])
+        rows = [float(one[0]) for one in segment.parameters]
+        states = np.array([segment.normal(float(one), *rows) for one in u])
         forces = [sum(law.resistance(float(at), *state[[0, 2, 3]], *parameters)) for at, state in zip(u, states, strict=True)]
         dense = np.array([chosen.density(0.4 + w, chosen.shape) for w in states[:, 0]])
         expected += np.trapezoid(np.array(forces) * states[:, 1] * dense, u)
@@ -299,22 +299,22 @@ def test_what_is_needed_is_asked_for():
 # What a law says of itself --------------------------------------------------------------------------------------------------
 
 
-def plastic_pieces(law, given):
-    """The plastic pieces of asperity laws that the law goes with."""
+def plastic_segments(law, given):
+    """The plastic segments of asperity laws that the law goes with."""
     for asperity in of_kind(AsperityLaw).values():
         if not incompatibility(law, asperity) and all(given.knows(name) for name in asperity.needs):
-            yield from (one for one in asperity.pieces(given, **resolve_options([asperity], {})) if one.state == "plastic")
+            yield from (one for one in asperity.segments(given, **resolve_options([asperity], {})) if one.state == "plastic")
 
 
-def force_on(law, piece, **more):
+def force_on(law, segment, **more):
     """Tangential force, load and area of an asperity far beyond yield."""
     given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, pressure_coefficient=0.0, **more)
-    w, _, load, area = normal_states(piece, coordinates(piece, 3.0))[0]
-    held = law.tangential_resistance(piece, given, **resolve_options([law], {}))
+    w, _, load, area = normal_states(segment, coordinates(segment, 3.0))[0]
+    held = law.tangential_resistance(segment, given, **resolve_options([law], {}))
     if held is None:
         return 0.0, load, area
     parameters = [float(np.broadcast_to(one, 1)[0]) for one in held.parameters]
-    return sum(held.resistance(float(coordinates(piece, 3.0)[0]), w, load, area, *parameters)), load, area
+    return sum(held.resistance(float(coordinates(segment, 3.0)[0]), w, load, area, *parameters)), load, area
 
 
 @pytest.mark.parametrize("law", of_kind(TangentialLaw).values(), ids=lambda law: law.key)
@@ -322,12 +322,12 @@ def test_what_plastic_junctions_resist_is_as_the_record_says(law):
     """By its own formula, whatever the interface: nothing; tau_0 A; more than that, the more the stronger; or all the same."""
     assert law.yielded in YIELDED
     given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, shear_strength=0.1)
-    pieces = list(plastic_pieces(law, given))
+    segments = list(plastic_segments(law, given))
     if law.yielded == "junction growth":  # of those that are plastic all over: a lower pressure leaves room for shear
-        pieces = [one for one in pieces if np.divide(*force_on(law, one, shear_strength=0.1)[1:]) > 0.999 * given.eta[0]]
-    assert pieces
-    for piece in pieces:
-        weak, strong = (force_on(law, piece, shear_strength=tau) for tau in (0.05, 0.15))
+        segments = [one for one in segments if np.divide(*force_on(law, one, shear_strength=0.1)[1:]) > 0.999 * given.eta[0]]
+    assert segments
+    for segment in segments:
+        weak, strong = (force_on(law, segment, shear_strength=tau) for tau in (0.05, 0.15))
         sheared = [tau * float(given.eta[0]) * area for tau, (_, _, area) in ((0.05, weak), (0.15, strong))]
         grown = [weak[0] / sheared[0], strong[0] / sheared[1]]
         assert {

@@ -46,7 +46,7 @@ def test_norms_of_film_and_body_are_read_within_their_table(p, felt):
 
 
 def joined(asperity, tangential, given, **options):
-    """The elastic piece of the film law with a tangential law, at its own groups."""
+    """The elastic segment of the film law with a tangential law, at its own groups."""
     law = find(asperity, AsperityLaw)
     whole = Law(law, find(tangential, TangentialLaw), resolve_options([law], options))
     return whole.join(elastic(given.resolved(), whole), given, body="film")

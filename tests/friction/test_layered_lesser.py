@@ -31,7 +31,7 @@ def law_of(tangential, **options):
 
 
 def on_film(tangential, given, **options):
-    """The elastic piece of the film law with a tangential law."""
+    """The elastic segment of the film law with a tangential law."""
     law = law_of(tangential, **options)
     return law.join(elastic(given.resolved(), law), given, body="film")
 

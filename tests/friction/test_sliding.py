@@ -142,13 +142,13 @@ def test_sums_written_out(asperity, tangential, kept):
         given, separation=0.4, displacement=moved, residual_strength=kept, model=PLAIN, asperity=asperity, tangential=tangential
     )
     flat, expected = Groups.of(given)[0], np.zeros(3)
-    for piece in find(asperity, AsperityLaw).pieces(flat, **options_of(asperity, AsperityLaw)):
-        law = find(tangential, TangentialLaw).tangential_resistance(piece, flat, **options_of(tangential, TangentialLaw))
-        last = float(coordinates(piece, 9.0)[0])
-        if law is None or not last > piece.edges[0, 0]:
+    for segment in find(asperity, AsperityLaw).segments(flat, **options_of(asperity, AsperityLaw)):
+        law = find(tangential, TangentialLaw).tangential_resistance(segment, flat, **options_of(tangential, TangentialLaw))
+        last = float(coordinates(segment, 9.0)[0])
+        if law is None or not last > segment.edges[0, 0]:
             continue
-        u = np.linspace(piece.edges[0, 0], last, 40001)
-        states = np.array([piece.normal(float(one), *(float(p[0]) for p in piece.parameters)) for one in u])
+        u = np.linspace(segment.edges[0, 0], last, 40001)
+        states = np.array([segment.normal(float(one), *(float(p[0]) for p in segment.parameters)) for one in u])
         parameters = [float(p[0]) for p in law.parameters]
         strength = np.array(
             [sum(law.resistance(float(at), *state[[0, 2, 3]], *parameters)) for at, state in zip(u, states, strict=True)]

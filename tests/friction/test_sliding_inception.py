@@ -18,8 +18,8 @@ from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz, jkr
-from stiction.laws.piece import NormalPiece
 from stiction.laws.presliding import mindlin_1949
+from stiction.laws.segment import NormalSegment
 from stiction.laws.tangential import (
     bowden_tabor_1943,
     briscoe_tabor_1978,
@@ -38,11 +38,11 @@ from tables import column, groups, random_groups, read
 LAWS = list(of_kind(TangentialLaw).values())
 
 
-def hertz_piece(n: int) -> NormalPiece:
+def hertz_segment(n: int) -> NormalSegment:
     return hertz.elastic(np.full(n, np.inf))
 
 
-def jkr_piece(given: Groups, branch: str = "loading") -> NormalPiece:
+def jkr_segment(given: Groups, branch: str = "loading") -> NormalSegment:
     return jkr.elastic(given.theta, branch, np.full(len(given), np.inf))
 
 
@@ -74,18 +74,20 @@ def test_peeling_can_be_weakened_but_not_left_out():
     """G_N + zeta G_T = gamma: four times the force at a quarter squared; never peeling is refused; None is 1."""
     given = groups(theta=[1.0, 1e3])
     w, P, x = np.ones(2), np.array([3.0, 0.2]), np.ones(2)
-    piece = jkr_piece(given)
-    whole = resist(savkoor_briggs_1977.tangential_resistance(piece, given), w, P, x)
+    segment = jkr_segment(given)
+    whole = resist(savkoor_briggs_1977.tangential_resistance(segment, given), w, P, x)
     weak = resist(
-        savkoor_briggs_1977.tangential_resistance(piece, given.with_changes(peeling=np.array([1.0, 1 / 16]))), w, P, x
+        savkoor_briggs_1977.tangential_resistance(segment, given.with_changes(peeling=np.array([1.0, 1 / 16]))), w, P, x
     )
     assert_allclose(weak, whole * [[1.0], [4.0]], rtol=1e-14)
     with pytest.raises(InputError) as caught:
-        savkoor_briggs_1977.tangential_resistance(piece, given.with_changes(peeling=np.array([1.0, 0.0])))
+        savkoor_briggs_1977.tangential_resistance(segment, given.with_changes(peeling=np.array([1.0, 0.0])))
     assert caught.value.field == "peeling" and caught.value.value == 0.0
     # Thornton's force knows no such share.
     assert_allclose(
-        resist(thornton_1991.tangential_resistance(piece, given.with_changes(peeling=np.zeros(2))), w, P, x), whole, rtol=1e-13
+        resist(thornton_1991.tangential_resistance(segment, given.with_changes(peeling=np.zeros(2))), w, P, x),
+        whole,
+        rtol=1e-13,
     )
 
 
@@ -97,13 +99,13 @@ def test_peeling_can_be_weakened_where_what_yields_first_counts(branch):
     n, kinked = 60, 0
     zeta = 10.0 ** rng.uniform(-1.5, -0.3, n)
     given = groups(theta=10.0 ** rng.uniform(0, 3, n), lam=10.0 ** rng.uniform(0, 3, n), nu=0.3, hardness_to_yield=2.8)
-    piece = jkr_piece(given, branch)
-    found = soft_coating_2015.tangential_resistance(piece, given.with_changes(peeling=zeta))
+    segment = jkr_segment(given, branch)
+    found = soft_coating_2015.tangential_resistance(segment, given.with_changes(peeling=zeta))
     share = np.geomspace(1e-3, 30.0, 2000)
-    for i, (first, kinks) in enumerate(zip(piece.edges[:, 0], found.kinks, strict=True)):
+    for i, (first, kinks) in enumerate(zip(segment.edges[:, 0], found.kinks, strict=True)):
         u = first + share * np.sqrt(given.eta[i])
-        row = [np.full(len(u), column[i]) for column in piece.parameters]
-        w, _, load, area = np.array([piece.normal(*one) for one in zip(u, *row, strict=True)]).T
+        row = [np.full(len(u), column[i]) for column in segment.parameters]
+        w, _, load, area = np.array([segment.normal(*one) for one in zip(u, *row, strict=True)]).T
         one = replace(found, parameters=tuple(np.full(len(u), np.broadcast_to(p, n)[i]) for p in found.parameters))
         slip, torn = resist(one, w, load, area, u).T
         pull, slips = math.pi / given.theta[i], slip > 0.0
@@ -120,11 +122,11 @@ def test_peeling_can_be_weakened_where_what_yields_first_counts(branch):
 def test_a_pulled_contact_comes_off_by_itself(law):
     """While separating: the force is |u^3 - S/2| 4/sqrt(K beta) S/sqrt(3), with a kink at its zero, P = -(3/2) pi/theta."""
     given = groups(theta=[0.01, 1.0, 1e5], nu=0.25)
-    piece = jkr_piece(given, "unloading")
-    tangential_resistance = law.tangential_resistance(piece, given)
+    segment = jkr_segment(given, "unloading")
+    tangential_resistance = law.tangential_resistance(segment, given)
     S = np.sqrt(6 * math.pi / given.theta)
     assert_allclose(tangential_resistance.kinks[:, 0], np.cbrt(S / 2), rtol=1e-9)
-    assert law.tangential_resistance(jkr_piece(given), given).kinks is None
+    assert law.tangential_resistance(jkr_segment(given), given).kinks is None
     for part in (0.4, 0.7, 1.3, 5.0):
         u = np.cbrt(part * S / 2)
         expected = 4 / np.sqrt(given.K_beta) * S / math.sqrt(3) * np.abs(u**3 - S / 2)
@@ -139,7 +141,7 @@ def test_a_pulled_contact_comes_off_by_itself(law):
 def test_first_yield_table(w, mu, Q):
     """Table C2, nu = 0.3: friction coefficient and Q/P_c of a Hertz contact at w/w_c."""
     given = groups(theta=30.0, lam=2.0)
-    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_piece(1), given)
+    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_segment(1), given)
     w_c = tangential_resistance.parameters[0]
     force = resist(tangential_resistance, w * w_c, (w * w_c) ** 1.5, w * w_c)[0, 1]
     assert force / (w * w_c[0]) ** 1.5 == pytest.approx(mu, abs=5.1e-5)
@@ -147,9 +149,9 @@ def test_first_yield_table(w, mu, Q):
 
 
 def test_first_yield_kinks():
-    """On any piece: where the axis takes over (0.95117 w_c for nu = 0.3), and w_c, from which on nothing resists."""
+    """On any segment: where the axis takes over (0.95117 w_c for nu = 0.3), and w_c, from which on nothing resists."""
     given = groups(theta=[30.0, 1e4], lam=[2.0, 1e5])
-    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_piece(2), given)
+    tangential_resistance = chang_etsion_bogy_1988.tangential_resistance(hertz_segment(2), given)
     w_c = tangential_resistance.parameters[0]
     assert_allclose(tangential_resistance.kinks**2 / w_c[:, None], [[0.951169, 1.0]] * 2, atol=1e-6)
     assert_allclose(tangential_resistance.branch[:, 0] ** 2, w_c, rtol=1e-14)
@@ -157,7 +159,7 @@ def test_first_yield_kinks():
     assert_allclose(chang_etsion_bogy_1988.tangential_resistance(ends, given).kinks[:, 1], np.sqrt(0.98 * w_c), rtol=1e-14)
     for beyond in (1.0, 1.001, 1e3):
         assert np.all(resist(tangential_resistance, beyond * w_c, w_c**1.5, w_c) == 0.0)
-    assert chang_etsion_bogy_1988.tangential_resistance(replace(hertz_piece(2), state="plastic"), given) is None
+    assert chang_etsion_bogy_1988.tangential_resistance(replace(hertz_segment(2), state="plastic"), given) is None
 
 
 def test_kogut_etsion_forms():
@@ -252,11 +254,11 @@ def test_interfacial_strength():
     P = given.eta * x
     for law, mu in ((bowden_tabor_1943, 0.12), (briscoe_tabor_1978, 0.42)):
         for state in ("elastic", "elastic-plastic", "plastic"):
-            tangential_resistance = law.tangential_resistance(replace(hertz_piece(1), state=state), more)
+            tangential_resistance = law.tangential_resistance(replace(hertz_segment(1), state=state), more)
             assert resist(tangential_resistance, x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
         assert law.RECORD.interfacial and resist(tangential_resistance, x, -P, x)[0, 0] == pytest.approx(0.12 * P, rel=1e-13)
-        # A piece without length stands for a contact whose asperities are not known.
-        anywhere = NormalPiece(no_load, no_load, (), np.zeros((1, 1)), "elastic")
+        # A segment without length stands for a contact whose asperities are not known.
+        anywhere = NormalSegment(no_load, no_load, (), np.zeros((1, 1)), "elastic")
         assert resist(law.tangential_resistance(anywhere, more), x, P, x)[0, 0] / P == pytest.approx(mu, rel=1e-13)
 
 
@@ -280,16 +282,16 @@ def test_zero_load():
     theta = 10.0 ** np.linspace(-3, 8, 23)
     S = np.sqrt(6 * math.pi / theta)
     for branch in ("loading", "unloading"):
-        piece = jkr.elastic(theta, branch, np.full(23, np.inf))
-        assert_allclose(zero_load(piece), np.cbrt(S), rtol=1e-14)
-        first = piece.edges[:, 0]
+        segment = jkr.elastic(theta, branch, np.full(23, np.inf))
+        assert_allclose(zero_load(segment), np.cbrt(S), rtol=1e-14)
+        first = segment.edges[:, 0]
         assert_allclose(zero_load(jkr.elastic(theta, branch, 1.1 * first)), 1.1 * first, rtol=0)  # still in tension
     eta, pull = np.array([1.0, 1e-6, 1e5, 3.0]), np.array([4.0, 1e6, 1e-9, 0.5])
     edges = np.array([[0.0, np.inf], [1e-3, np.inf], [0.0, 2.0], [0.2, np.inf]])
-    plastic = NormalPiece(plastic_with_adhesion, same, (eta, pull), edges, "plastic")
+    plastic = NormalSegment(plastic_with_adhesion, same, (eta, pull), edges, "plastic")
     assert_allclose(zero_load(plastic), [2.0, 5e11, 5e-15, 0.2], rtol=1e-14)
-    assert_allclose(zero_load(hertz_piece(3)), 0.0, atol=0.0)
-    assert zero_load(NormalPiece(no_load, no_load, (), np.zeros((2, 1)), "elastic")) is None
+    assert_allclose(zero_load(hertz_segment(3)), 0.0, atol=0.0)
+    assert zero_load(NormalSegment(no_load, no_load, (), np.zeros((2, 1)), "elastic")) is None
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.key)
@@ -300,28 +302,28 @@ def test_never_negative_never_nan(law):
     given = groups(**random_groups(rng, n, False))
     alpha, share = 10.0 ** rng.uniform(-4, -0.9, n), 10.0 ** rng.uniform(-6, 0, n)
     given = given.with_changes(shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share)
-    pieces = [] if "JKR" in law.wants else [hertz_piece(n)]
-    pieces += [] if "no adhesion" in law.wants else [jkr_piece(given), jkr_piece(given, "unloading")]
-    for piece in pieces:
-        tangential_resistance = law.tangential_resistance(piece, given, **resolve_options([law], {}))
-        first = piece.edges[:, 0]
-        scale = np.sqrt(given.eta) if piece.normal is not hertz.normal else given.eta  # u where the mean pressure is about H
+    segments = [] if "JKR" in law.wants else [hertz_segment(n)]
+    segments += [] if "no adhesion" in law.wants else [jkr_segment(given), jkr_segment(given, "unloading")]
+    for segment in segments:
+        tangential_resistance = law.tangential_resistance(segment, given, **resolve_options([law], {}))
+        first = segment.edges[:, 0]
+        scale = np.sqrt(given.eta) if segment.normal is not hertz.normal else given.eta  # u where the mean pressure is about H
         places = [first, *(first + part * scale for part in (1e-12, 1e-3, 0.1, 0.5, 1.0, 2.0, 30.0))]
         kinks = np.empty((n, 0)) if tangential_resistance.kinks is None else tangential_resistance.kinks
         assert kinks.shape[0] == n and np.all(np.isfinite(kinks))
         places += [kink * near for kink in kinks.T for near in (1 - 1e-15, 1.0, 1 + 1e-15)]
         for u in places:
-            state = np.array([piece.normal(*row) for row in zip(u, *piece.parameters, strict=True)])
+            state = np.array([segment.normal(*row) for row in zip(u, *segment.parameters, strict=True)])
             found = resist(tangential_resistance, state[:, 0], state[:, 2], state[:, 3], u)
             assert np.all(np.isfinite(found)) and np.all(found >= 0.0) and np.all(found.min(axis=1) == 0.0)
 
 
 @pytest.mark.parametrize("law", (kogut_etsion_2003, brizmer_kligerman_etsion_2007))
 def test_broken_powers_start_at_first_touch(law):
-    """Said where a piece starts at first touch, and nowhere else."""
+    """Said where a segment starts at first touch, and nowhere else."""
     given = groups(theta=[30.0, 1e4], lam=[2.0, 1e5])
-    assert np.all(law.tangential_resistance(hertz_piece(2), given).branch == 0.0)
-    later = NormalPiece(hertz.normal, hertz.root_of, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
+    assert np.all(law.tangential_resistance(hertz_segment(2), given).branch == 0.0)
+    later = NormalSegment(hertz.normal, hertz.root_of, (), np.array([[1.0, np.inf]] * 2), "elastic-plastic")
     assert np.all(law.tangential_resistance(later, given).branch == -np.inf)
 
 

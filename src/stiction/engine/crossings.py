@@ -6,7 +6,7 @@ from typing import Any
 
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 
-SAMPLES, MOST = 24, 6  # on a piece; crossings that are looked for
+SAMPLES, MOST = 24, 6  # on a segment; crossings that are looked for
 _STEPS, _SECANTS = 80, 24  # of a bracket: in all, and how many of them may be secants, each third of which halves
 _CLOSE = 1e-15  # two steps nearer to each other than this, relative, are one place
 

@@ -19,7 +19,7 @@ from stiction.quantities.keywords import with_keywords
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-# Where the density has fallen by exp(-NEGLIGIBLE) below its largest value on a piece, the rest of the piece is left out.
+# Where the density has fallen by exp(-NEGLIGIBLE) below its largest value on a segment, the rest of the segment is left out.
 NEGLIGIBLE = 36.0
 
 _INV_SQRT_2PI = 0.3989422804014327
@@ -54,7 +54,7 @@ def gaussian_density(z, shape):
 
 @formula
 def gaussian_window(z_left, z_right, shape):
-    nearest = max(z_left, 0.0) + min(z_right, 0.0)  # the height on the piece that is nearest to the mean
+    nearest = max(z_left, 0.0) + min(z_right, 0.0)  # the height on the segment that is nearest to the mean
     reach = math.sqrt(nearest * nearest + 2.0 * NEGLIGIBLE)
     return max(z_left, -reach), min(z_right, reach)
 

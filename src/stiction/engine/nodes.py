@@ -1,11 +1,11 @@
 """Place integration nodes, evaluate a law there and sum, in separate stages that compile quickly.
 
 Only two short loops are compiled for each regime, by `evaluating` and `inverting`. The other stages work for every law:
-`cutting` finds the parts of pieces that contribute, `place_nodes` puts Gauss-Legendre nodes on them, and `adding` sums the
+`cutting` finds the parts of segments that contribute, `place_nodes` puts Gauss-Legendre nodes on them, and `adding` sums the
 values of the law. `placing` does the same for many separations at once. The single loop of `sum_kernels.scattering` runs
 faster but takes six times as long to compile.
 
-A "law" is one parameter set of a regime, a "piece" is the range between two neighbouring edges of a regime. Kernels take
+A "law" is one parameter set of a regime, a "segment" is the range between two neighbouring edges of a regime. Kernels take
 `parts` as the plain tuple of arrays of `Parts`.
 """
 
@@ -18,7 +18,7 @@ import numpy as np
 
 from stiction.engine.compiled import engine_kernel, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
-from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_piece
+from stiction.engine.sum_kernels import LONGEST, SHORT, clipping, map_segment
 
 _BLOCK = 1024  # laws at a time: their values stay in the processor's cache
 # Nodes and weights (rules, 2, longest) on [0, 1], and how many of them (rules,).
@@ -28,8 +28,8 @@ Rules = tuple[np.ndarray, np.ndarray]
 class Laws(NamedTuple):
     """Store the arrays of a regime for n laws as the kernels take them.
 
-    table (n, p): parameters. edges (n, m + 1): ends of the pieces. branch (n, b): branch points of `Regime`. two_sided: True
-    if a piece may also end at a branch point.
+    table (n, p): parameters. edges (n, m + 1): ends of the segments. branch (n, b): branch points of `Regime`. two_sided: True
+    if a segment may also end at a branch point.
     """
 
     table: np.ndarray
@@ -51,11 +51,11 @@ class Laws(NamedTuple):
 
 
 class Parts(NamedTuple):
-    """Store k integration intervals; each lies within one piece of a regime and gets its own nodes.
+    """Store k integration intervals; each lies within one segment of a regime and gets its own nodes.
 
     law (k,): index of the law. owner (k,): index of the sum to which the interval contributes. ends (k, 2): ends in the
     coordinate u of the law. asked (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the
-    piece applies. rule (k,): index of the integration rule. at_knot (k,): True if the interval starts at a knot of the height
+    segment applies. rule (k,): index of the integration rule. at_knot (k,): True if the interval starts at a knot of the height
     density.
     """
 
@@ -156,7 +156,7 @@ def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6
 
 @cache
 def cutting(window: Callable) -> Any:
-    """Return the kernel that finds, for each separation, the parts of pieces on which the height density is not negligible."""
+    """Return the kernel that finds, for each separation, the parts of segments where the height density is not negligible."""
 
     clip = clipping(window)
 
@@ -169,11 +169,11 @@ def cutting(window: Callable) -> Any:
         (_, knots), (edges, displaced), (laws_of, owner, ends, asked, rule, at_knot) = heights, laws, parts
         used = 0
         for i in range(h.size):
-            for piece in range(edges.shape[1] - 1):
-                left, right = edges[law[i], piece], edges[law[i], piece + 1]
+            for segment in range(edges.shape[1] - 1):
+                left, right = edges[law[i], segment], edges[law[i], segment + 1]
                 if not right > left:
                     continue
-                z_left, z_right = h[i] + displaced[law[i], piece], h[i] + displaced[law[i], piece + 1]
+                z_left, z_right = h[i] + displaced[law[i], segment], h[i] + displaced[law[i], segment + 1]
                 z_low, z_high, first, last = clip(z_left, z_right, heights)
                 if not z_high > z_low:
                     continue
@@ -204,7 +204,7 @@ def place_nodes(parts, branch, two_sided, rules, nodes):
             continue
         linear, square = 0.0, high - low
         if not at_knot[i]:
-            linear, square = map_piece(low, high, branch[law[i]], two_sided)
+            linear, square = map_segment(low, high, branch[law[i]], two_sided)
         x, weight, count = rule_table[rule[i], 0], rule_table[rule[i], 1], counts[rule[i]]
         for first in range(0, count, LONGEST):
             row_law[used], row_owner[used], row_count[used] = law[i], owner[i], min(LONGEST, count - first)
@@ -280,7 +280,7 @@ def list_asked(parts, w, law, place):
 
 @engine_kernel
 def put_ends(found, place, ends):
-    """Store the computed coordinates `found` in `ends`, clipped to the piece; place: as in `list_asked`."""
+    """Store the computed coordinates `found` in `ends`, clipped to the segment; place: as in `list_asked`."""
     for at in range(place.size):
         i, end = place[at] // 2, place[at] % 2
         ends[i, end] = max(ends[i, 0], found[at]) if end == 0 else min(ends[i, 1], found[at])

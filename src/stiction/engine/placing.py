@@ -16,7 +16,7 @@ from stiction.engine.sum_kernels import LONGEST, WIDEST, placing, reaching
 
 @cache
 def spanning(window: Callable) -> Any:
-    """Return the kernel that finds the parts of pieces that contribute at any of many separations."""
+    """Return the kernel that finds the parts of segments that contribute at any of many separations."""
 
     parts_of = reaching(window)
 
@@ -30,11 +30,11 @@ def spanning(window: Callable) -> Any:
         laws_of, owner, ends, asked, rule, at_knot = parts
         used = 0
         for i in range(edges.shape[0]):
-            for piece in range(edges.shape[1] - 1):
-                left, right = edges[i, piece], edges[i, piece + 1]
+            for segment in range(edges.shape[1] - 1):
+                left, right = edges[i, segment], edges[i, segment + 1]
                 if not right > left:
                     continue
-                w_left, w_right = displaced[i, piece], displaced[i, piece + 1]
+                w_left, w_right = displaced[i, segment], displaced[i, segment + 1]
                 first, step, count, last, number = parts_of(w_left, w_right, reach, shape)
                 for part in range(count):
                     laws_of[used], owner[used] = i, i

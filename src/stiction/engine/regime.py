@@ -20,8 +20,8 @@ class Regime:
 
     parameters: arrays (n,) or numbers, in the order in which `along` takes them.
     edges: array (n, m + 1) of coordinates. The regime reaches from the first to the last edge; the edges in between are kinks,
-        at which the integration is split. A pair of edges that does not increase is an empty piece; with it one regime can
-        describe pieces that are not adjacent.
+        at which the integration is split. A pair of edges that does not increase is an empty segment; with it one regime can
+        describe segments that are not adjacent.
     branch: coordinates at which the resistance behaves like a square root, or None. An array (n,) applies above the
         coordinate, an array (n, b) on both sides. Near a branch point the integration variable is the square root of the
         distance to it.

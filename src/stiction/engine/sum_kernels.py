@@ -18,16 +18,16 @@ import numpy as np
 
 from stiction.engine.compiled import formula, kernel, loop, unpack
 
-# A piece that is shorter than this, over sigma, has the nodes of the first rule, any other those of the second.
+# A segment that is shorter than this, over sigma, has the nodes of the first rule, any other those of the second.
 SHORT = 1.0
-# A piece that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
+# A segment that is longer, over sigma, is cut: that of asperities that hold on below w = 0 is, seen from many separations.
 WIDEST = 17.0
-# Nodes in one row of a table of nodes, and the most that a piece has on a grid.
+# Nodes in one row of a table of nodes, and the most that a segment has on a grid.
 LONGEST = 56
 
 
 @formula
-def map_piece(low, high, origins, two_sided):
+def map_segment(low, high, origins, two_sided):
     """Return `linear` and `square` of the map u = low + linear t + square t^2 from t in [0, 1] to [low, high].
 
     The map is linear, unless a square-root branch point of the integrand lies at or slightly below `low` (if two_sided, also
@@ -50,10 +50,10 @@ def map_piece(low, high, origins, two_sided):
 
 @cache
 def clipping(window: Callable) -> Any:
-    """Return a formula that clips a piece to the heights at which the density is not negligible.
+    """Return a formula that clips a segment to the heights at which the density is not negligible.
 
     The formula maps (z_left, z_right, heights) to (z_low, z_high, first, last): the clipped range, and the indices first to
-    last - 1 of the knots inside it. The piece contributes nothing if z_low >= z_high.
+    last - 1 of the knots inside it. The segment contributes nothing if z_low >= z_high.
     """
 
     @formula
@@ -75,7 +75,7 @@ def clipping(window: Callable) -> Any:
 def _adding(along: Callable, density: Callable) -> Any:
     @loop
     def add(sums, h, shape, row, mapped, rule, count):
-        """Return the five sums with the nodes of one piece added: touching, load, area, slip- and yield-limited force.
+        """Return the five sums with the nodes of one segment added: touching, load, area, slip- and yield-limited force.
 
         mapped: (low, linear, square) of the change of variable u = low + linear t + square t^2.
         """
@@ -111,8 +111,8 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
             sums = (0.0, 0.0, 0.0, 0.0, 0.0)
-            for piece in range(edges.shape[1] - 1):
-                left, right = edges[law[i], piece], edges[law[i], piece + 1]
+            for segment in range(edges.shape[1] - 1):
+                left, right = edges[law[i], segment], edges[law[i], segment + 1]
                 if not right > left:
                     continue
                 z_left, z_right = h[i] + along(left, *row)[0], h[i] + along(right, *row)[0]
@@ -126,7 +126,7 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
                     z_cut = z_high if cut == last else knots[cut]
                     rule = 0 if z_cut - z_low <= SHORT else 1
                     at_knot = 0 < cut and knots[cut - 1] == z_low
-                    linear, square = (0.0, high - low) if at_knot else map_piece(low, high, branch[law[i]], two_sided)
+                    linear, square = (0.0, high - low) if at_knot else map_segment(low, high, branch[law[i]], two_sided)
                     sums = add(sums, h[i], shape, row, (low, linear, square), rule_table[rule], counts[rule])
                     low, z_low = high, z_cut
             for quantity in range(5):
@@ -138,7 +138,7 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 def _putting(along: Callable, rows: int) -> Any:
     @formula
     def put(mapped, row, rule, count, scratch):
-        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one piece.
+        """Fill `scratch` with the displacements and the weights times summed values at the nodes of one segment.
 
         Each quantity occupies LONGEST places. With this fixed distance the compiler can prove that the stores do not overlap,
         and vectorises the loop.
@@ -167,11 +167,11 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return a formula that limits a piece to the displacements that contribute at many separations, and divides it into parts.
+    """Return a formula that limits a segment to displacements that contribute at many separations, and divides it into parts.
 
     The formula maps (w_left, w_right, reach, shape) to: displacement at the start, step to the end of each part, number of
     parts (0 if nothing contributes), displacement at the end, index of the integration rule. reach: (w_low, w_top, nearest),
-    the displacements between which nodes are placed and the smallest separation. The piece ends where the density at the
+    the displacements between which nodes are placed and the smallest separation. The segment ends where the density at the
     smallest separation has become negligible against the density at the start; at larger separations it is then negligible
     too.
     """
@@ -204,8 +204,8 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
         scratch = np.empty(6 * LONGEST)
         for i in range(edges.shape[0]):
             row = unpack(table[i], parameters)
-            for piece in range(edges.shape[1] - 1):
-                low, end = edges[i, piece], edges[i, piece + 1]
+            for segment in range(edges.shape[1] - 1):
+                low, end = edges[i, segment], edges[i, segment + 1]
                 if not end > low:
                     continue
                 w_left, w_right = along(low, *row)[0], along(end, *row)[0]
@@ -216,7 +216,7 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
                     end = min(end, coordinate(last_w, *row))
                 for part in range(parts if end > low else 0):
                     last = end if part == parts - 1 else coordinate(first_w + (part + 1) * step, *row)
-                    linear, square = map_piece(low, last, branch[i], two_sided)
+                    linear, square = map_segment(low, last, branch[i], two_sided)
                     put((low, linear, square), row, rule_table[rule], 8 * (counts[rule] // 8), scratch)
                     first, count = used[i], counts[rule]
                     used[i] += count
@@ -250,7 +250,7 @@ def summing(density: Callable, totals: bool) -> Any:
                 if not wanted[i, at]:
                     continue
                 eights = used[i] // 8
-                while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a piece ascend
+                while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a segment ascend
                     eights -= 1
                 sum_a = sum_b = sum_c = sum_d = sum_e = 0.0
                 for node in range(8 * eights):

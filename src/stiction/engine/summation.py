@@ -2,7 +2,7 @@
 
 For mean separation h (in units of sigma) and heights with density phi, a regime contributes
     Integral f(u) phi(h + w(u)) w'(u) du        (Greenwood & Williamson 1966, in the regime's own coordinate u)
-for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Every piece between two kinks is
+for f = 1 (number of asperities), load, area, slip-limited and yield-limited resistance. Every segment between two kinks is
     smooth
 and is integrated by a Gauss-Legendre rule. The engine contains no law.
 
@@ -32,8 +32,8 @@ _TOTALS = ("load", "area", "resistance")
 
 # Separations beyond this, over sigma, have no meaning, and their squares no digits.
 FARTHEST = 1e6
-# Nodes on a piece that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with and
-# without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
+# Nodes on a segment that is short or long against sigma. Errors are below 1e-10 over all inputs the package is made for, with
+# and without a film: docs/measure_accuracy.py measures them, docs/explanation/numerics.md shows them.
 # Multiples of eight, which the loops over nodes spell out: the compiler then leaves out its loop over a remainder.
 _COUNTS = np.array([24, LONGEST])
 
@@ -138,7 +138,7 @@ def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
     return fill
 
 
-_PARTS = 1024  # parts of pieces at a time: bounds the memory
+_PARTS = 1024  # parts of segments at a time: bounds the memory
 # Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
 _MANY = 4000
 _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache

@@ -13,10 +13,10 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.nodes import values_at
 from stiction.engine.regime import Regime, columns
 from stiction.engine.sorting import sort_few
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
-# Nearer to an end of a piece than this, relative to it, a kink is at the end.
+# Nearer to an end of a segment than this, relative to it, a kink is at the end.
 _AT_END = 4e-15
 # No contact that is asked for is wider than at this coordinate.
 _FARTHEST = 1e100
@@ -90,34 +90,34 @@ class Law:
         """Return whether the tangential law describes the interface rather than the bodies."""
         return self.tangential is not None and self.tangential.interfacial
 
-    def pieces(self, groups: Groups) -> list[NormalPiece]:
-        return self.asperity.pieces(groups, **select_options(self.asperity, self.options))
+    def segments(self, groups: Groups) -> list[NormalSegment]:
+        return self.asperity.segments(groups, **select_options(self.asperity, self.options))
 
     def regimes(self, groups: Groups, weights: Weights = Weights(), **labels) -> list[Regime]:
-        """Return one regime for each piece of the asperity law; labels: as in `join`."""
-        return [self.join(piece, groups, weights, **labels) for piece in self.pieces(groups)]
+        """Return one regime for each segment of the asperity law; labels: as in `join`."""
+        return [self.join(segment, groups, weights, **labels) for segment in self.segments(groups)]
 
-    def join(self, piece: NormalPiece, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
-        """Return the regime of one piece with its tangential resistance, weighted by `weights`.
+    def join(self, segment: NormalSegment, groups: Groups, weights: Weights = Weights(), **labels) -> Regime:
+        """Return the regime of one segment with its tangential resistance, weighted by `weights`.
 
         labels: further fields of the Regime, such as body, touching or in_half_space.
         """
         tangential_resistance = None
         if self.tangential is not None:
             tangential_resistance = self.tangential.tangential_resistance(
-                piece, groups, **select_options(self.tangential, self.options)
+                segment, groups, **select_options(self.tangential, self.options)
             )
         tangential_resistance = tangential_resistance or TangentialResistance(none, ())
         along, coordinate = _joined(
-            piece.normal,
-            piece.coordinate,
+            segment.normal,
+            segment.coordinate,
             tangential_resistance.resistance,
             self.interfacial,
-            len(piece.parameters),
+            len(segment.parameters),
             len(tangential_resistance.parameters),
         )
         parameters = (
-            *piece.parameters,
+            *segment.parameters,
             *tangential_resistance.parameters,
             weights.shift,
             weights.unit,
@@ -129,10 +129,10 @@ class Law:
             along,
             coordinate,
             parameters,
-            with_kinks(piece.edges, tangential_resistance.kinks),
-            piece.state,
+            with_kinks(segment.edges, tangential_resistance.kinks),
+            segment.state,
             branch=tangential_resistance.branch,
-            lowest=piece.lowest + float(np.min(weights.shift, initial=np.inf, where=np.isfinite(weights.shift))),
+            lowest=segment.lowest + float(np.min(weights.shift, initial=np.inf, where=np.isfinite(weights.shift))),
             **labels,
         )
 
@@ -140,7 +140,7 @@ class Law:
 def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
     """Return the edges (n, m) with the kinks (n, k) inserted in order.
 
-    Kinks outside the edges become pieces of zero length at an end.
+    Kinks outside the edges become segments of zero length at an end.
     """
     if kinks is None or kinks.shape[1] == 0:
         return edges
@@ -155,17 +155,17 @@ def _fill_sorted(edges, kinks, out):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
         for at in range(row.size):
             value = edges[i, at] if at < edges.shape[1] else min(max(kinks[i, at - edges.shape[1]], first), last)
-            # A kink at an end, but for rounding: a piece of that length would have its nodes for nothing.
+            # A kink at an end, but for rounding: a segment of that length would have its nodes for nothing.
             value = first if value <= first + _AT_END * abs(first) else value
             row[at] = last if value >= last - _AT_END * abs(last) else value
         sort_few(row)
 
 
-Part = TypeVar("Part", NormalPiece, Regime)
+Part = TypeVar("Part", NormalSegment, Regime)
 
 
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
-    """Return the part of a piece or regime between the coordinates low and high (n,).
+    """Return the part of a segment or regime between the coordinates low and high (n,).
 
     The part is empty if high < low or if both are outside.
     """
@@ -222,22 +222,22 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
     return fill_resistances
 
 
-def coordinates(piece: NormalPiece, w: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) at the displacements w (n,), limited to the ends of the piece."""
-    edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
-    compiled = _coordinates(piece.normal, piece.coordinate, len(piece.parameters))
-    compiled(_one_each(w, edges), columns(piece.parameters, len(edges)), edges, out)
+def coordinates(segment: NormalSegment, w: np.ndarray | float) -> np.ndarray:
+    """Return the coordinates u (n,) at the displacements w (n,), limited to the ends of the segment."""
+    edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
+    compiled = _coordinates(segment.normal, segment.coordinate, len(segment.parameters))
+    compiled(_one_each(w, edges), columns(segment.parameters, len(edges)), edges, out)
     return out
 
 
-def coordinates_at_area(piece: NormalPiece, area: np.ndarray | float) -> np.ndarray:
-    """Return the coordinates u (n,) at the contact areas `area` (n,), limited to the ends of the piece.
+def coordinates_at_area(segment: NormalSegment, area: np.ndarray | float) -> np.ndarray:
+    """Return the coordinates u (n,) at the contact areas `area` (n,), limited to the ends of the segment.
 
-    The area must grow along the piece.
+    The area must grow along the segment.
     """
-    edges, out = np.ascontiguousarray(piece.edges), np.empty(len(piece.edges))
-    compiled = _coordinates_at_area(piece.normal, len(piece.parameters))
-    compiled(_one_each(area, edges), columns(piece.parameters, len(edges)), edges, out)
+    edges, out = np.ascontiguousarray(segment.edges), np.empty(len(segment.edges))
+    compiled = _coordinates_at_area(segment.normal, len(segment.parameters))
+    compiled(_one_each(area, edges), columns(segment.parameters, len(edges)), edges, out)
     return out
 
 
@@ -246,9 +246,9 @@ def states(regime: Regime, u: np.ndarray) -> np.ndarray:
     return _values(regime.along, regime.parameters, u, 6)
 
 
-def normal_states(piece: NormalPiece, u: np.ndarray) -> np.ndarray:
+def normal_states(segment: NormalSegment, u: np.ndarray) -> np.ndarray:
     """Return displacement, its derivative, load and contact area (n, 4) at the coordinates u (n,)."""
-    return _values(piece.normal, piece.parameters, u, 4)
+    return _values(segment.normal, segment.parameters, u, 4)
 
 
 def _values(along: Callable, parameters: tuple, u: np.ndarray, values: int) -> np.ndarray:
@@ -266,7 +266,7 @@ def resistances(
 
     load, area: of the contacts (n, m). state: "elastic" or "plastic".
     """
-    anywhere = NormalPiece(none, none, (), np.zeros((len(groups), 1)), state)
+    anywhere = NormalSegment(none, none, (), np.zeros((len(groups), 1)), state)
     tangential_resistance = tangential.tangential_resistance(anywhere, groups)
     out = np.empty(load.shape)
     table = columns(tangential_resistance.parameters, len(groups))

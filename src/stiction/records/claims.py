@@ -106,12 +106,12 @@ class Departure:
 class Jump:
     """A discontinuity of a published law between two of its segments.
 
-    piece: index of the segment that begins at the jump, 1 for the second. load, area: factors by which load and area
+    segment: index of the segment that begins at the jump, 1 for the second. load, area: factors by which load and area
     change. where: the place in words. groups: values of the groups for which the factors hold, if they depend on them. A
     test checks the factors to 1 in 1000.
     """
 
-    piece: int
+    segment: int
     load: float
     area: float
     where: str

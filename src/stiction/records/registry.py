@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class AsperityLaw(Record):
     """The relation between displacement, normal load and contact area of one asperity.
 
-    - pieces(groups, **own_options): list of Piece, in the order in which an approaching asperity meets them
+    - segments(groups, **own_options): list of Segment, in the order in which an approaching asperity meets them
     - released(groups, distance, **own_options): the same for unloading, after the surfaces were pressed together and drawn
       apart by `distance` (n,), over sigma; None if the law has no unloading
     - traits: properties of the law, keys of TRAITS
@@ -35,7 +35,7 @@ class AsperityLaw(Record):
     """
 
     kind = keyword = "asperity"
-    pieces: Callable
+    segments: Callable
     released: Callable | None = None
     traits: frozenset[str] = frozenset()
     jumps: tuple[Jump, ...] = ()
@@ -49,7 +49,7 @@ JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 class TangentialLaw(Record):
     """The tangential force at which one loaded asperity slips.
 
-    - tangential_resistance(piece, groups, **own_options): TangentialResistance, or None if the piece has no resistance
+    - tangential_resistance(segment, groups, **own_options): TangentialResistance, or None if the segment has no resistance
     - wants: traits that the asperity law must have, with the reason for each
     - interfacial: whether it shears the interface. For a coated asperity it then uses the whole load and the outer contact
       area, whether film or substrate carries the load.

@@ -21,7 +21,7 @@ from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
 from stiction.laws.asperity.shared.letting_go import drawn_apart
 from stiction.laws.joining import coordinates, within
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 from stiction.laws.validity import with_warnings
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError, field_named
@@ -178,10 +178,10 @@ class _Way:
     def apart(self, rows: np.ndarray, distance: np.ndarray) -> Sum:
         """Return the problem of contacts (m,), each drawn apart by its own distance (m,)."""
 
-        def pieces(groups, **options):
+        def segments(groups, **options):
             return self.released(groups, distance, **options)
 
-        asperity = replace(self.pressed.law.asperity, pieces=pieces)
+        asperity = replace(self.pressed.law.asperity, segments=segments)
         return replace(self.pressed, groups=self.pressed.groups[rows], chosen=replace(self.pressed.chosen, asperity=asperity))
 
     def rows(self, shape: tuple[int, ...]) -> np.ndarray:
@@ -255,25 +255,25 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     """Return a function for the segments of an asperity law during unloading, and the assumption in words."""
     if law.released is not None:
         return law.released, f"by the unloading law of {law.key}"
-    if all(piece.state == "elastic" for piece in problem.law.pieces(problem.groups)):
+    if all(segment.state == "elastic" for segment in problem.law.segments(problem.groups)):
         how = "elastic: the asperities follow their loading curve back"
         if "branch" in law.own_options:
             how += ", then stay attached until they are pulled off"
         return partial(_held_on, law), how
     if "no adhesion" in law.traits:
         how = "elastic spheres whose flattened shape gives the load and area of each asperity at its deepest compression"
-        return (lambda groups, distance, **options: drawn_apart(law.pieces(groups, **options), distance)), how
+        return (lambda groups, distance, **options: drawn_apart(law.segments(groups, **options), distance)), how
     reason = f"the source of {law.key} does not state how it unloads"
     raise InputError("asperity", law.key, f"a law that is elastic, without adhesion, or has an unloading law: {reason}")
 
 
-def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalPiece]:
+def _held_on(law: AsperityLaw, groups: Groups, distance: np.ndarray, **options: str) -> list[NormalSegment]:
     """Return the segments of an elastic law during unloading, for asperities that have touched.
 
     Asperities that never touched carry no load.
     """
     options = options | ({"branch": "unloading"} if "branch" in options else {})
-    return [within(piece, coordinates(piece, -distance), np.inf) for piece in law.pieces(groups, **options)]
+    return [within(segment, coordinates(segment, -distance), np.inf) for segment in law.segments(groups, **options)]
 
 
 def _nearest(turn: Points) -> np.ndarray:

@@ -33,7 +33,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
 
@@ -106,7 +106,7 @@ def yielding(u, w_c, stiffness, load_power, area_power):
     return w, 2.0 * u, stiffness * w * u * load, w * area
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     nu = groups.nu
     w_c, L_c = critical_values(groups.eta, nu, groups.hardness_to_yield)
     stiffness = L_c / w_c**1.5
@@ -114,8 +114,8 @@ def pieces(groups: Groups) -> list[NormalPiece]:
     start = np.sqrt(edges_at(0.0, w_c))
     edges = edges_at(w_c, *(at * w_c for at in _SPLITS), np.inf)
     return [
-        NormalPiece(elastic, root_of, (stiffness,), start, "elastic"),
-        NormalPiece(yielding, root_of, (w_c, stiffness, beta, alpha), np.sqrt(edges), "elastic-plastic"),
+        NormalSegment(elastic, root_of, (stiffness,), start, "elastic"),
+        NormalSegment(yielding, root_of, (w_c, stiffness, beta, alpha), np.sqrt(edges), "elastic-plastic"),
     ]
 
 
@@ -132,7 +132,7 @@ RECORD = AsperityLaw(
             "area is taken as pi R delta_c",
         ),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion"}),
     verified="load within 6 % and area within 10 % of Kogut and Etsion and of Jackson and Green for 1.5 to 110 critical "
     "interferences, which is the only check of the area's exponent; continuous by its closed form",

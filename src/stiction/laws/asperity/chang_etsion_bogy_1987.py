@@ -20,7 +20,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 from stiction.laws.shared_claims import NEAR_YIELD, elastic_limit
 from stiction.records.registry import AsperityLaw, Jump
 from stiction.records.sources import Source
@@ -52,11 +52,11 @@ def plastic(w, w_c, eta, K_H):
     return w, 1.0, K_H * eta * area, area
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     eta, K_H = groups.eta, hardness_coefficient(groups.nu)
     w_c = critical_interference(eta, K_H)
     flow = edges_at(w_c, np.inf)
-    return [hertz.elastic(w_c), NormalPiece(plastic, displaced, (w_c, eta, K_H), flow, "plastic")]
+    return [hertz.elastic(w_c), NormalSegment(plastic, displaced, (w_c, eta, K_H), flow, "plastic")]
 
 
 RECORD = AsperityLaw(
@@ -64,7 +64,7 @@ RECORD = AsperityLaw(
     title="Sphere elastic to first yield, then of conserved volume at K_H H",
     grade="B",
     sources=(Source("chang_etsion_bogy_1987", "critical interference, plastic load and area"),),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     jumps=(Jump(1, 1.5, 1.0, "at the critical interference"),),
     verified="independent integrals at 30 digits",

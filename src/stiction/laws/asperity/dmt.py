@@ -18,7 +18,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, root_of
+from stiction.laws.segment import NormalSegment, root_of
 from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import AsperityLaw, Limit, Validity
 from stiction.records.sources import Source
@@ -34,9 +34,9 @@ def normal(u, theta):
     return w, 2.0 * u, w * u - 2.0 * math.pi / theta, w
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     edges = np.tile([0.0, np.inf], (len(groups), 1))
-    return [NormalPiece(normal, root_of, (groups.theta,), edges, "elastic")]
+    return [NormalSegment(normal, root_of, (groups.theta,), edges, "elastic")]
 
 
 RECORD = AsperityLaw(
@@ -44,7 +44,7 @@ RECORD = AsperityLaw(
     title="Elastic sphere, adhesion around the contact",
     grade="B",
     sources=(Source("derjaguin_muller_toporov_1975", "", "load less 2 pi gamma R, in the form of Maugis 1992"),),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"Hertz's shape"}),
     verified="independent integrals at 30 digits; Hertz without adhesion",
     needs=("theta",),

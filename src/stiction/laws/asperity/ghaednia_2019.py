@@ -50,7 +50,7 @@ from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity import jackson_green_2005 as unhardened
-from stiction.laws.piece import NormalPiece, root_of
+from stiction.laws.segment import NormalSegment, root_of
 from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw, Jump, Limit
 from stiction.records.sources import Source
@@ -167,7 +167,7 @@ def _edges(w_c, sharpness, front, rate, wide):
     return np.column_stack([start, between, np.full_like(w_c, np.inf)])
 
 
-def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
+def segments(groups: Groups, other_body: str = "alike") -> list[NormalSegment]:
     C, k, sharpness = unhardened.yield_coefficient(groups.nu), groups.hardness_to_yield, groups.sharpness
     w_c = unhardened.critical_interference(groups.eta, C, k)
     B = unhardened.area_power(groups.yield_strain)
@@ -176,7 +176,7 @@ def pieces(groups: Groups, other_body: str = "alike") -> list[NormalPiece]:
     _wide_as_high(w_c, B, sharpness, front, rate, wide)
     parameters = w_c, C, B, sharpness, front, rate, elastic_share(groups.hardening), wide
     edges = np.sqrt(_edges(w_c, sharpness, front, rate, wide))
-    return [hertz.elastic(_elastic_to * w_c), NormalPiece(yielding, root_of, parameters, edges, "elastic-plastic")]
+    return [hertz.elastic(_elastic_to * w_c), NormalSegment(yielding, root_of, parameters, edges, "elastic-plastic")]
 
 
 RECORD = AsperityLaw(
@@ -192,7 +192,7 @@ RECORD = AsperityLaw(
         Source("jackson_green_2005", "the sphere that does not harden"),
         Source("hertz_1882", "the elastic asperity"),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     own_options={"other_body": tuple(_BODIES)},
     jumps=(

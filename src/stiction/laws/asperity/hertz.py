@@ -36,7 +36,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import AsperityLaw
 from stiction.records.sources import Source
@@ -55,15 +55,15 @@ def normal(u):
     return w, 2.0 * u, w * u, w
 
 
-def elastic(last: np.ndarray) -> NormalPiece:
-    """Return Hertz's law as a NormalPiece, from first touch to the displacements `last` (n,).
+def elastic(last: np.ndarray) -> NormalSegment:
+    """Return Hertz's law as a NormalSegment, from first touch to the displacements `last` (n,).
 
     Another law describes the asperity beyond `last`.
     """
-    return NormalPiece(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
+    return NormalSegment(normal, root_of, (), edges_at(0.0, np.sqrt(last)), "elastic")
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     return [elastic(np.full(len(groups), np.inf))]
 
 
@@ -93,7 +93,7 @@ RECORD = AsperityLaw(
     title="Elastic sphere without adhesion",
     grade="B",
     sources=(Source("hertz_1882", "load and contact area of two elastic spheres"),),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms; sums F_n(h) at 30 digits",
     validity=(ELASTIC,),

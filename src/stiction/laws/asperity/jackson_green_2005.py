@@ -1,7 +1,7 @@
 r"""One asperity without adhesion whose hardness falls as it is flattened: Jackson & Green 2005.
 
 *Assumes*: an elastic, perfectly plastic hemisphere on a rigid flat, fitted to finite elements. The limit of the mean
-pressure, $H_G$, falls as the contact radius grows relative to $R$. There is no fully plastic piece with the hardness $H$.
+pressure, $H_G$, falls as the contact radius grows relative to $R$. There is no fully plastic segment with the hardness $H$.
 *Source*: [jackson_green_2005]; constants are taken from two independent codes.
 
 $$
@@ -45,7 +45,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
@@ -117,14 +117,14 @@ def yielding(u, w_c, C, B, sharpness):
     return w, 2.0 * u, w_c * math.sqrt(w_c) * load_ratio(ratio, C, H), area
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     C, k = yield_coefficient(groups.nu), groups.hardness_to_yield
     w_c = critical_interference(groups.eta, C, k)
     B = area_power(groups.yield_strain)
     edges = edges_at(*(at * w_c for at in (ELASTIC_TO, *_SPLITS)), np.inf)
     return [
         hertz.elastic(ELASTIC_TO * w_c),
-        NormalPiece(yielding, root_of, (w_c, C, B, groups.sharpness), np.sqrt(edges), "elastic-plastic"),
+        NormalSegment(yielding, root_of, (w_c, C, B, groups.sharpness), np.sqrt(edges), "elastic-plastic"),
     ]
 
 
@@ -136,7 +136,7 @@ RECORD = AsperityLaw(
         Source("jackson_green_2005", "contact area, load and limiting hardness", "constants from independent codes"),
         Source("hertz_1882", "the elastic asperity"),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     jumps=(
         Jump(
@@ -153,7 +153,7 @@ RECORD = AsperityLaw(
     limits=(elastic_limit("hertz"),),
     validity=(FITTED_TO_METALS,),
     load_falls=False,
-    notes="The yield stress is H/k. There is no fully plastic piece with the hardness H: "
+    notes="The yield stress is H/k. There is no fully plastic segment with the hardness H: "
     "H_G, which the mean pressure tends to, is 2.84 S_y at most and falls with the contact radius over R. "
     "Made for metals: exp(23 S_y/E*) in the exponent of the area explodes, and stays from S_y/E* = 0.1 on what it is there.",
 )

@@ -33,7 +33,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import ELASTIC, SHORT_RANGE
 from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
@@ -123,18 +123,18 @@ def first_contact(theta: np.ndarray, branch: str) -> np.ndarray:
     return np.cbrt(s if branch == "loading" else s / 4.0)
 
 
-def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalPiece:
-    """Return the JKR law as a NormalPiece, from the smallest stable contact to the coordinates `last` (n,).
+def elastic(theta: np.ndarray, branch: str, last: np.ndarray) -> NormalSegment:
+    """Return the JKR law as a NormalSegment, from the smallest stable contact to the coordinates `last` (n,).
 
     Another law describes the asperity beyond `last`.
     """
     first = first_contact(theta, branch)
     lowest = 0.0 if branch == "loading" else float(np.min(-3.0 * first**4, initial=0.0))  # w = u (u^3 - s), s = 4 u^3
     edges = edges_at(first, np.maximum(last, first))
-    return NormalPiece(normal, normal_coordinate, (theta,), edges, "elastic", lowest)
+    return NormalSegment(normal, normal_coordinate, (theta,), edges, "elastic", lowest)
 
 
-def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+def segments(groups: Groups, branch: str) -> list[NormalSegment]:
     return [elastic(groups.theta, branch, np.full(len(groups), np.inf))]
 
 
@@ -143,7 +143,7 @@ RECORD = AsperityLaw(
     title="Elastic sphere, adhesion inside the contact",
     grade="A",
     sources=(Source("johnson_kendall_roberts_1971", "load and displacement of one contact"),),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"JKR", "Hertz's shape"}),
     verified="points of the source in closed form; integrals at 30 digits; Hertz without adhesion",
     needs=("theta",),

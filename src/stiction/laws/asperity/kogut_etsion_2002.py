@@ -28,13 +28,13 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw, Jump, Validity
 from stiction.records.sources import Source
 
-# Of each elastic-plastic piece: where it starts and ends (omega over omega_c), then factor and power of the load over P_c, and
-# of the area over A_c.
+# Elastic-plastic segments: start and end (omega over omega_c), factor and power of the load over P_c, the same of the area
+# over A_c.
 POWER_LAWS = (
     (1.0, 6.0, 1.03, 1.425, 0.93, 1.136),
     (6.0, 110.0, 1.40, 1.263, 0.94, 1.146),
@@ -62,7 +62,7 @@ def flow(u, eta):
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     # P_c = (2/3) K_H H pi R omega_c is Hertz's load at omega_c: w_c^(3/2) in these units; A_c = pi R omega_c.
     w_c = critical_interference(groups.eta, hardness_coefficient(groups.nu))
     found = [hertz.elastic(w_c)]
@@ -74,9 +74,9 @@ def pieces(groups: Groups) -> list[NormalPiece]:
             np.full_like(w_c, area_power),
         )
         edges = np.sqrt(edges_at(low * w_c, high * w_c))
-        found.append(NormalPiece(power_law, root_of, parameters, edges, "elastic-plastic"))
+        found.append(NormalSegment(power_law, root_of, parameters, edges, "elastic-plastic"))
     edges = np.sqrt(edges_at(FULLY_PLASTIC * w_c, np.inf))
-    return [*found, NormalPiece(flow, root_of, (groups.eta,), edges, "plastic")]
+    return [*found, NormalSegment(flow, root_of, (groups.eta,), edges, "plastic")]
 
 
 RECORD = AsperityLaw(
@@ -87,7 +87,7 @@ RECORD = AsperityLaw(
         Source("kogut_etsion_2002", "load and contact area in four ranges of interference", "constants from independent codes"),
         Source("hertz_1882", "the elastic asperity"),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     jumps=(
         Jump(1, 1.03, 0.93, "at the critical interference omega_c"),
@@ -103,6 +103,6 @@ RECORD = AsperityLaw(
     ),
     limits=(elastic_limit("hertz"),),
     load_falls=False,
-    notes="The published pieces do not meet: load and area jump at 1, 6 and 110 omega_c. At 110 omega_c the load rises by 37 % "
-    "for nu = 0 and falls by 5 % for nu near 1/2, since the power laws below know of no nu but in omega_c.",
+    notes="The published segments do not meet: load and area jump at 1, 6 and 110 omega_c. At 110 omega_c the load rises by "
+    "37 % for nu = 0 and falls by 5 % for nu near 1/2, because the power laws depend on nu only through omega_c.",
 )

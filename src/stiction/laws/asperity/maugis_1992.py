@@ -51,7 +51,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import ELASTIC
 from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
@@ -179,7 +179,7 @@ def _fill_displacement(s, g, lam, out):
         out[i] = normal(s[i], g[i], lam[i])[0]
 
 
-def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+def segments(groups: Groups, branch: str) -> list[NormalSegment]:
     """Return the contact in loading (from w = 0) or in unloading (from dw/ds = 0).
 
     An edge is placed at s = 4, because the functions of the ring vary on another scale beyond it.
@@ -191,7 +191,7 @@ def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
     if branch == "unloading":
         _fill_displacement(first, g, lam, lowest)
     edges = edges_at(first, np.maximum(first, _FAR), np.inf)
-    return [NormalPiece(normal, coordinate, (g, lam), edges, "elastic", float(np.min(lowest, initial=0.0)))]
+    return [NormalSegment(normal, coordinate, (g, lam), edges, "elastic", float(np.min(lowest, initial=0.0)))]
 
 
 RECORD = AsperityLaw(
@@ -199,7 +199,7 @@ RECORD = AsperityLaw(
     title="Elastic sphere, adhesion of constant stress in a ring around the contact",
     grade="B",
     sources=(Source("maugis_1992", "", "the equations, in the source's own units"),),
-    pieces=pieces,
+    segments=segments,
     verified="solved anew for the ring at 30 digits; JKR and DMT as limits",
     needs=("theta", "tabor_parameter"),
     validity=(ELASTIC,),

@@ -22,7 +22,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import jkr
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 from stiction.laws.shared_claims import SHORT_RANGE
 from stiction.records.registry import AsperityLaw, Jump, Limit
 from stiction.records.sources import Source
@@ -86,13 +86,13 @@ def plastic(w, theta, eta):
     return w, 1.0, 2.0 * eta * w - 2.0 * math.pi / theta, 2.0 * w
 
 
-def flow(groups: Groups, first: np.ndarray) -> NormalPiece:
-    """Return the fully plastic part of the law as a NormalPiece, from the displacements `first` (n,) on."""
+def flow(groups: Groups, first: np.ndarray) -> NormalSegment:
+    """Return the fully plastic part of the law as a NormalSegment, from the displacements `first` (n,) on."""
     edges = edges_at(first, np.inf)
-    return NormalPiece(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
+    return NormalSegment(plastic, displaced, (groups.theta, groups.eta), edges, "plastic")
 
 
-def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+def segments(groups: Groups, branch: str) -> list[NormalSegment]:
     u_1, w_1 = onset(groups)
     return [jkr.elastic(groups.theta, branch, u_1), flow(groups, w_1)]
 
@@ -106,7 +106,7 @@ RECORD = AsperityLaw(
         Source("roy_chowdhury_ghosh_1994", "the asperity law as the 2015 paper reports it"),
         Source("johnson_kendall_roberts_1971", "load and displacement"),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"JKR", "2015", "Hertz's shape"}),
     jumps=(
         Jump(1, 1.276, 1.399, "where the mean pressure is the hardness; 2 and 2 without adhesion", {"theta": 10.0, "lam": 1.0}),

@@ -47,7 +47,7 @@ from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity import hertz, jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.joining import coordinates, within
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import NEAR_YIELD, SHORT_RANGE
 from stiction.records.registry import AsperityLaw, Limit
 from stiction.records.sources import Source
@@ -233,21 +233,21 @@ def _hardness(groups: Groups) -> np.ndarray:
 _LIMITS = {"first_yield": _first_yield, "hardness": _hardness}
 
 
-def pieces(groups: Groups, limiting_pressure: str) -> list[NormalPiece]:
+def segments(groups: Groups, limiting_pressure: str) -> list[NormalSegment]:
     eta_y = groups.eta * _LIMITS[limiting_pressure](groups)
     u_y = np.empty(len(groups))
     _fill_onset(groups.theta, eta_y, u_y)
     elastic = jkr.elastic(groups.theta, "loading", u_y)
     edges = edges_at(elastic.edges[:, 1], np.inf)
-    return [elastic, NormalPiece(normal, coordinate, (groups.theta, eta_y, u_y), edges, "elastic-plastic")]
+    return [elastic, NormalSegment(normal, coordinate, (groups.theta, eta_y, u_y), edges, "elastic-plastic")]
 
 
-def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalPiece]:
-    """Return the asperity pieces after loading and an increase of the separation by `distance` (n,), over sigma.
+def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> list[NormalSegment]:
+    """Return the asperity segments after loading and an increase of the separation by `distance` (n,), over sigma.
 
     Asperities that did not yield follow JKR's unloading branch, if they touched before the increase (w + distance >= 0).
     """
-    elastic, yielded = pieces(groups, limiting_pressure)
+    elastic, yielded = segments(groups, limiting_pressure)
     first, last = elastic.edges.T
     whole = jkr.elastic(groups.theta, "unloading", np.full(len(groups), np.inf))
     low = coordinates(whole, -distance)
@@ -258,7 +258,7 @@ def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> li
     _fill_origin(*yielded.parameters, yielded.edges[:, 0].copy(), parameters[-1], origin)
     edges = np.sqrt(np.maximum(yielded.edges - origin[:, None], 0.0))
     lowest = -float(np.max(distance, initial=0.0))
-    held = NormalPiece(released_normal, released_coordinate, (*parameters, origin), edges, yielded.state, lowest)
+    held = NormalSegment(released_normal, released_coordinate, (*parameters, origin), edges, yielded.state, lowest)
     return [within(whole, low, high), held]
 
 
@@ -270,7 +270,7 @@ RECORD = AsperityLaw(
         Source("thornton_ning_1998", "", "stiffness after yield and unloading, as implementations have them; here integrated"),
         Source("johnson_kendall_roberts_1971", "load and displacement up to yield"),
     ),
-    pieces=pieces,
+    segments=segments,
     released=released,
     traits=frozenset({"JKR", "Hertz's shape"}),
     verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",

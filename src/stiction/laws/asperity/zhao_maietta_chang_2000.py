@@ -24,7 +24,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity import hertz
 from stiction.laws.asperity.shared.transition import FIRST_YIELD, SPAN
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.laws.shared_claims import elastic_limit
 from stiction.records.registry import AsperityLaw
 from stiction.records.sources import Source
@@ -65,14 +65,14 @@ def flow(u, w_1, eta):
     return w, 2.0 * u, 2.0 * eta * w, 2.0 * w
 
 
-def pieces(groups: Groups) -> list[NormalPiece]:
+def segments(groups: Groups) -> list[NormalSegment]:
     w_1 = first_yield(groups.eta)
     last = SPAN * w_1
     parameters = w_1, groups.eta
     return [
         hertz.elastic(w_1),
-        NormalPiece(passing, root_of, parameters, np.sqrt(edges_at(w_1, last)), "elastic-plastic"),
-        NormalPiece(flow, root_of, parameters, np.sqrt(edges_at(last, np.inf)), "plastic"),
+        NormalSegment(passing, root_of, parameters, np.sqrt(edges_at(w_1, last)), "elastic-plastic"),
+        NormalSegment(flow, root_of, parameters, np.sqrt(edges_at(last, np.inf)), "plastic"),
     ]
 
 
@@ -88,7 +88,7 @@ RECORD = AsperityLaw(
         ),
         Source("hertz_1882", "the elastic asperity"),
     ),
-    pieces=pieces,
+    segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
     verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
     needs=("hardness_group",),

@@ -23,7 +23,7 @@ A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.contamination.kind import Contamination
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.sources import Source
 
 # Far beyond any height in reach some laws' areas are so large that their squares are none.
@@ -40,7 +40,7 @@ def resistance(u, w, load, area, eta, shear_strength, strength_variation):
     return deviation * deviation, 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     """Return the variance of the friction force of one asperity, in the form of a resistance that the engine sums."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, groups.strength_variation))
 

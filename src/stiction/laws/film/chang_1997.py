@@ -29,7 +29,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Weights
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 from stiction.laws.shared_claims import SOFT_FILM
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
@@ -76,15 +76,15 @@ def plastic_film(groups: Groups, law, pull: np.ndarray) -> list[Regime]:
     hardness = groups.eta * groups.n_H
     on_film = law if law.interfacial else replace(law, tangential=None)
     edges = edges_at(0.0, tau)
-    alone = NormalPiece(film_alone, displaced, (hardness, pull), edges, "plastic")
+    alone = NormalSegment(film_alone, displaced, (hardness, pull), edges, "plastic")
     regimes = [on_film.join(alone, groups, body="film")]
-    for piece in law.pieces(groups):
-        along, back = _rim(piece.normal, piece.coordinate, len(piece.parameters))
-        parameters = (*piece.parameters, tau, hardness, pull)
-        lowest = piece.lowest + float(np.min(tau, initial=math.inf))
-        rim = NormalPiece(along, back, parameters, piece.edges, "plastic", lowest)
+    for segment in law.segments(groups):
+        along, back = _rim(segment.normal, segment.coordinate, len(segment.parameters))
+        parameters = (*segment.parameters, tau, hardness, pull)
+        lowest = segment.lowest + float(np.min(tau, initial=math.inf))
+        rim = NormalSegment(along, back, parameters, segment.edges, "plastic", lowest)
         regimes.append(on_film.join(rim, groups, body="film"))
-        regimes.append(law.join(piece, groups, Weights(shift=tau), body="substrate", touching=False))
+        regimes.append(law.join(segment, groups, Weights(shift=tau), body="substrate", touching=False))
     return regimes
 
 

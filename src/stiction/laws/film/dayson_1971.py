@@ -38,7 +38,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law, Weights
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM
 from stiction.laws.tangential.bowden_tabor_1943 import RECORD as CONSTANT_STRENGTH
 from stiction.records.registry import FilmLaw
@@ -65,7 +65,7 @@ def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)
     pressed = groups.eta * (groups.n_H if rim_pressure == "film_hardness" else np.ones(laws))
     edges = edges_at(tau, np.inf)
-    around = NormalPiece(rim, displaced, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
+    around = NormalSegment(rim, displaced, (pressed, tau), edges, "plastic", float(np.min(tau, initial=np.inf)))
     bare = Law(law.asperity, None if law.tangential is None else CONSTANT_STRENGTH)
     metal = groups.with_changes(shear_strength=groups.substrate().body_shear_strength)
     return [

@@ -36,7 +36,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 from stiction.laws.shared_claims import THIN_LAYER
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
@@ -81,7 +81,9 @@ def regimes(groups: Groups, law, bound: str) -> list[Regime]:
     within = edges_at(0.0, as_wide)
     beyond = edges_at(as_wide, np.inf)
     return [
-        law.join(NormalPiece(normal, displaced, parameters, edges, "elastic"), groups, body="film", in_half_space=in_half_space)
+        law.join(
+            NormalSegment(normal, displaced, parameters, edges, "elastic"), groups, body="film", in_half_space=in_half_space
+        )
         for edges, in_half_space in ((within, True), (beyond, False))
     ]
 

@@ -50,7 +50,7 @@ def fading_rates(
     return np.where(m == 1, c / thickness, 0.0), np.where(m == 2, c / thickness / thickness, 0.0)
 
 
-# Which part of the asperity law a piece belongs to: state, body.
+# Which part of the asperity law a segment belongs to: state, body.
 PARTS = (("elastic", "film"), ("plastic", "film"), ("elastic", "substrate"), ("plastic", "substrate"))
 
 

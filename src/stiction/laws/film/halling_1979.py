@@ -35,7 +35,7 @@ from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.two_bodies import TwoBodies, in_series
-from stiction.laws.piece import NormalPiece, displaced, root_of
+from stiction.laws.segment import NormalSegment, displaced, root_of
 from stiction.records.registry import FilmLaw, Limit, composites_of
 from stiction.records.sources import Source
 
@@ -50,7 +50,7 @@ BODIES = 8  # of these, the place of the two bodies
 def _formulas(modulus_key: str, hardness_key: str) -> tuple[Any, Any, Any]:
     """Return the formulas of the elastic asperity, of the plastic asperity, and of the condition for yield.
 
-    modulus_key, hardness_key: names of the composites. row: the ELASTIC parameters listed in `pieces`, followed by the
+    modulus_key, hardness_key: names of the composites. row: the ELASTIC parameters listed in `segments`, followed by the
     displacement of the transition, which the condition does not use.
     """
     modulus, hardness = composites_of("modulus")[modulus_key].value, composites_of("hardness")[hardness_key].value
@@ -125,15 +125,15 @@ def _onset(flows: Any) -> Any:
 def _between(low: np.ndarray, high: np.ndarray, inside: np.ndarray) -> np.ndarray:
     """Return the sorted edges (n, m + 2) of a range: its ends low and high (n,), and the inner points (n, m) clipped to it.
 
-    If high < low, all edges are low and the pieces between them are empty.
+    If high < low, all edges are low and the segments between them are empty.
     """
     high = np.maximum(low, high)
     inside = np.minimum(np.maximum(inside, low[:, None]), high[:, None])
     return np.sort(np.concatenate([low[:, None], inside, high[:, None]], axis=1), axis=1)
 
 
-def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalPiece, str]]:
-    """Return the pieces of the elastic and the plastic asperity, each with its body.
+def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str) -> list[tuple[NormalSegment, str]]:
+    """Return the segments of the elastic and the plastic asperity, each with its body.
 
     Up to a displacement equal to the film thickness the body is "film", beyond it "substrate".
     """
@@ -166,7 +166,7 @@ def pieces(groups: Groups, modulus: str, hardness: str, soft_film_exponent: str)
     )
     formulas = {"elastic": (elastic, root_of, widths), "plastic": (plastic, displaced, depths)}
     return [
-        (NormalPiece(*formulas[state][:2], parameters, _between(low, high, formulas[state][2]), state), body)
+        (NormalSegment(*formulas[state][:2], parameters, _between(low, high, formulas[state][2]), state), body)
         for state, body, low, high in parts
     ]
 
@@ -176,7 +176,7 @@ def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent
 
     Of `law` only the tangential law is used, which must describe the interface.
     """
-    return [law.join(piece, groups, body=body) for piece, body in pieces(groups, modulus, hardness, soft_film_exponent)]
+    return [law.join(segment, groups, body=body) for segment, body in segments(groups, modulus, hardness, soft_film_exponent)]
 
 
 RECORD = FilmLaw(

@@ -48,7 +48,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.joining import Law, within
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM, THIN_LAYER
 from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
@@ -158,8 +158,8 @@ def onset(tau: np.ndarray, bound: np.ndarray) -> np.ndarray:
     return np.clip(u, 0.0, 0.5 * math.pi)
 
 
-def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
-    """Return the pieces, each with the body that limits the pressure.
+def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
+    """Return the segments, each with the body that limits the pressure.
 
     With growing displacement the film is squeezed, then the substrate limits the pressure, then the film is pressed through.
     """
@@ -171,9 +171,9 @@ def pieces(groups: Groups) -> list[tuple[NormalPiece, str]]:
         widths += [size / bound for size in (0.7, 2.5, 8.0, 25.0)]
     edges = np.sort(edges_at(0.0, *widths, np.inf), axis=1)
     return [
-        (NormalPiece(squeezed, angle, row, edges_at(0.0, u_c), "plastic"), "film"),
-        (NormalPiece(bounded, angle, row, edges_at(u_c, 0.5 * math.pi), "plastic"), "substrate"),
-        (NormalPiece(pressed_through, depth_beyond, row, edges, "plastic"), "substrate"),
+        (NormalSegment(squeezed, angle, row, edges_at(0.0, u_c), "plastic"), "film"),
+        (NormalSegment(bounded, angle, row, edges_at(u_c, 0.5 * math.pi), "plastic"), "substrate"),
+        (NormalSegment(pressed_through, depth_beyond, row, edges, "plastic"), "substrate"),
     ]
 
 
@@ -186,9 +186,9 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     as_wide = 0.5 * groups.film_aspect**2  # a = t
     angle_there = np.arcsin(np.sqrt(np.minimum(as_wide / tau, 1.0)))
     found = []
-    for piece, body in pieces(groups):
-        there = np.sqrt(np.maximum(as_wide - tau, 0.0)) if piece.normal is pressed_through else angle_there
-        joined = law.join(piece, groups, body=body)
+    for segment, body in segments(groups):
+        there = np.sqrt(np.maximum(as_wide - tau, 0.0)) if segment.normal is pressed_through else angle_there
+        joined = law.join(segment, groups, body=body)
         found += [within(joined, -np.inf, there), replace(within(joined, there, np.inf), in_half_space=False)]
     return found
 

@@ -22,7 +22,7 @@ body against a rigid body, unless `films` and the groups after it say otherwise.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
 of modulus $E_P$ and hardness $\chi H$, with $\chi$ from [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the chosen
-composite. Beyond, the plastic pieces of the law follow, with the modulus and Poisson's ratio at yield, shifted to
+composite. Beyond, the plastic segments of the law follow, with the modulus and Poisson's ratio at yield, shifted to
 displacement, load and area of the layered contact. Their load, without the adhesion, scales with the hardness at their depth.
 *Reconstructed*: this continuation. It equals the asperity law for thin and for thick films, and if film and body are equal.
 Below a hard film on a soft substrate the load may fall with depth.
@@ -45,7 +45,7 @@ from stiction.engine.regime import Regime, columns
 from stiction.laws.film.shared.layered_rows import edge_pull, outer_pull, rows
 from stiction.laws.film.shared.layered_yield import Hardness, cut_at_yield
 from stiction.laws.joining import Law, normal_states
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.records.registry import FilmLaw, Limit, Validity, composites_of
 from stiction.records.sources import Source
 from stiction.solvers.layered.asperity import (
@@ -74,8 +74,8 @@ def _first(unloading: bool) -> Any:
     return fill_first
 
 
-def elastic(groups: Groups, law: Law) -> NormalPiece:
-    """Return the piece of the elastic asperity on the film, with the adhesion (none, DMT or JKR) of the asperity law.
+def elastic(groups: Groups, law: Law) -> NormalSegment:
+    """Return the segment of the elastic asperity on the film, with the adhesion (none, DMT or JKR) of the asperity law.
 
     groups: complete groups, from `Groups.resolved`.
     """
@@ -91,11 +91,11 @@ def elastic(groups: Groups, law: Law) -> NormalPiece:
         unloading, first = False, np.zeros(laws)
     cuts = np.maximum(_CUTS / parameters[1][:, None], first[:, None])
     edges = edges_at(first, *np.minimum(cuts, 1e100).T, np.inf)
-    piece = NormalPiece(normal, coordinate, parameters, edges, "elastic", lowest)
+    segment = NormalSegment(normal, coordinate, parameters, edges, "elastic", lowest)
     if unloading:
-        lowest = float(np.min(normal_states(piece, first)[:, 0], initial=0.0))
-        piece = NormalPiece(normal, coordinate, parameters, edges, "elastic", lowest)
-    return piece
+        lowest = float(np.min(normal_states(segment, first)[:, 0], initial=0.0))
+        segment = NormalSegment(normal, coordinate, parameters, edges, "elastic", lowest)
+    return segment
 
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
@@ -104,7 +104,7 @@ def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) ->
     record: Any = composites_of("hardness")[hardness]
     pull = np.zeros(len(whole)) if "no adhesion" in law.asperity.traits else outer_pull(whole)
     first, following = cut_at_yield(elastic(whole, law), law, whole, Hardness(record, whole, float(soft_film_exponent)), pull)
-    return [law.join(piece, groups, body="film") for piece in (first, *following)]
+    return [law.join(segment, groups, body="film") for segment in (first, *following)]
 
 
 RECORD = FilmLaw(

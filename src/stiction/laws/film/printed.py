@@ -29,7 +29,7 @@ from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import RECORD as CORRECTED
 from stiction.laws.asperity.roy_chowdhury_ghosh_1994 import flow, onset
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.joining import Law, Weights, within
-from stiction.laws.piece import NormalPiece, edges_at
+from stiction.laws.segment import NormalSegment, edges_at
 from stiction.laws.shared_claims import DEEP_FILM
 from stiction.laws.tangential.soft_coating_2015 import RECORD as TANGENTIAL
 from stiction.laws.tangential.soft_coating_2015 import grip_printed
@@ -54,14 +54,14 @@ def coordinate(x, theta):
     return max(x, 0.0) ** 0.25
 
 
-def pieces(groups: Groups, branch: str) -> list[NormalPiece]:
+def segments(groups: Groups, branch: str) -> list[NormalSegment]:
     u_1, w_1 = onset(groups)
     edges = edges_at(jkr.first_contact(groups.theta, "loading"), u_1)
-    return [NormalPiece(normal, coordinate, (groups.theta,), edges, "elastic"), flow(groups, w_1)]
+    return [NormalSegment(normal, coordinate, (groups.theta,), edges, "elastic"), flow(groups, w_1)]
 
 
 LAW = Law(
-    replace(CORRECTED, pieces=pieces),
+    replace(CORRECTED, segments=segments),
     replace(TANGENTIAL, tangential_resistance=grip_printed, junctions=()),
     {"branch": "loading"},
 )
@@ -72,12 +72,12 @@ def bare_regimes(groups: Groups) -> list[Regime]:
     return LAW.regimes(groups, Weights(friction=_GRIP))
 
 
-def _film_weights(piece: NormalPiece) -> tuple[Weights, Weights]:
-    """Return the weights of a film piece before and after the film is pressed through (x = tau).
+def _film_weights(segment: NormalSegment) -> tuple[Weights, Weights]:
+    """Return the weights of a film segment before and after the film is pressed through (x = tau).
 
     Beyond tau the printed equations keep the elastic load and drop the plastic load (departures D5, D9).
     """
-    return Weights(friction=_GRIP), Weights(friction=0.0) if piece.state == "elastic" else Weights(load=0.0)
+    return Weights(friction=_GRIP), Weights(friction=0.0) if segment.state == "elastic" else Weights(load=0.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:
@@ -89,7 +89,7 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)
     substrate = groups.substrate()
-    elastic, plastic = LAW.pieces(substrate)
+    elastic, plastic = LAW.segments(substrate)
     from_film = within(elastic, (tau + elastic.edges[:, 0] ** 4) ** 0.25, np.inf)
     labels = {"body": "substrate", "touching": False}
     return [

@@ -43,7 +43,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.regime import Regime
 from stiction.laws.film.shared.plastic import at_pressure
 from stiction.laws.joining import Law
-from stiction.laws.piece import NormalPiece, edges_at, root_of
+from stiction.laws.segment import NormalSegment, edges_at, root_of
 from stiction.laws.shared_claims import PLASTIC_FILM, SOFT_FILM
 from stiction.records.registry import Departure, FilmLaw
 from stiction.records.sources import Source
@@ -89,7 +89,7 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     between = edges_at(np.sqrt(first), np.sqrt(last))
     return [
         law.join(at_pressure(groups.eta * n_H, 0.0, first), groups, body="film"),
-        law.join(NormalPiece(shared, root_of, (stiffness,), between, "plastic"), groups, body="substrate"),
+        law.join(NormalSegment(shared, root_of, (stiffness,), between, "plastic"), groups, body="substrate"),
         law.join(at_pressure(groups.eta, last, np.inf), groups, body="substrate"),
     ]
 

@@ -31,7 +31,7 @@ from stiction.engine.regime import Regime
 from stiction.laws.film.shared.cut_film import film_regimes
 from stiction.laws.film.shared.weaker import weaker_regimes
 from stiction.laws.joining import Law, Weights, coordinates, normal_states, states
-from stiction.laws.piece import displaced, edges_at
+from stiction.laws.segment import displaced, edges_at
 from stiction.laws.shared_claims import DEEP_FILM
 from stiction.records.registry import Departure, FilmLaw, Validity
 from stiction.records.sources import Source
@@ -55,7 +55,7 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
-    deforming = film_regimes(law, groups, tau, lambda piece: (before, after))
+    deforming = film_regimes(law, groups, tau, lambda segment: (before, after))
     load, slip_limited, yield_limited = _kept(law, groups)
     in_series = film_shear == "in_series" and law.tangential is not None and not law.interfacial
     if in_series:
@@ -75,11 +75,11 @@ def _kept(law: Law, groups: Groups) -> np.ndarray:
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
     kept = np.zeros((3, len(groups)))
-    for piece in law.pieces(film):
-        regime = law.join(piece, film, weights)
-        u = coordinates(piece, groups.tau)
-        at_first, at_last = piece.edges[:, 0], piece.edges[:, -1]
-        start, _, _, width = normal_states(piece, at_first).T
+    for segment in law.segments(film):
+        regime = law.join(segment, film, weights)
+        u = coordinates(segment, groups.tau)
+        at_first, at_last = segment.edges[:, 0], segment.edges[:, -1]
+        start, _, _, width = normal_states(segment, at_first).T
         # First touch is at no displacement, to rounding: a film of no thickness is there.
         there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
         kept[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T

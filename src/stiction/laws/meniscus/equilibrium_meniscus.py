@@ -58,7 +58,7 @@ from stiction.contact.liquid import CONFIRMED, CONFIRMED_OF_WATER
 from stiction.engine.compiled import formula
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.laws.meniscus.kind import Meniscus
-from stiction.laws.piece import displaced, edges_at
+from stiction.laws.segment import displaced, edges_at
 from stiction.records.registry import Validity
 from stiction.records.sources import Source
 

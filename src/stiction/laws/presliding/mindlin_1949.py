@@ -53,8 +53,8 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.presliding.kind import Presliding
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import Validity
 from stiction.records.sources import Source
 
@@ -130,9 +130,9 @@ def resistance(u, w, load, area, K_beta):
     return stiffness(area, K_beta), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the tangential stiffness on a piece, as a `TangentialResistance` that the engine can sum."""
-    return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(piece.edges[:, 0]))
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
+    """Return the tangential stiffness on a segment, as a `TangentialResistance` that the engine can sum."""
+    return TangentialResistance(resistance, (groups.K_beta,), branch=np.array(segment.edges[:, 0]))
 
 
 RECORD = Presliding(

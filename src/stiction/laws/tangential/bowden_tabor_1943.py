@@ -7,7 +7,7 @@ $$
 T=\frac{\tau_0}H\,\eta\,A\qquad(\text{SI:}\ T=\tau_0\,\pi a^2)
 $$
 
-for every piece, elastic or plastic. If all contacts are plastic, $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law
+for every segment, elastic or plastic. If all contacts are plastic, $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law
 needs `interfacial_shear_strength`.
 
 *Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
@@ -15,7 +15,7 @@ needs `interfacial_shear_strength`.
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw
 from stiction.records.sources import Source
 
@@ -34,8 +34,8 @@ def resistance(u, w, load, area, eta, shear_strength):
     return shear_force(area, eta, shear_strength), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a piece, elastic or plastic."""
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
+    """Return the resistance on a segment, elastic or plastic."""
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength))
 
 

@@ -15,7 +15,7 @@ Ignoring tension is this project's choice. For heavy loads $\mu$ tends to $\alph
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.bowden_tabor_1943 import shear_force
 from stiction.laws.tangential.shared.zero_load import zero_load
 from stiction.records.registry import Limit, TangentialLaw
@@ -28,9 +28,9 @@ def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
     return shear_force(area, eta, shear_strength) + pressure_coefficient * max(load, 0.0), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a piece; it has a kink at zero load."""
-    turns = zero_load(piece)
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
+    """Return the resistance on a segment; it has a kink at zero load."""
+    turns = zero_load(segment)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
     return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])
 

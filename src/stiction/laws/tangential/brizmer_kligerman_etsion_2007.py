@@ -28,12 +28,12 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity.brizmer_kligerman_etsion_2006 import LEAST_NU, critical_values
 from stiction.laws.joining import coordinates, normal_states
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.zero_load import zero_load
 from stiction.records.registry import TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Where the sum over a piece that begins under load is split, over the displacement there.
+# Where the sum over a segment that begins under load is split, over the displacement there.
 _SPLITS = (8.0, 64.0, 512.0, 4096.0)
 
 
@@ -53,17 +53,17 @@ def resistance(u, w, load, area, L_c):
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     L_c = critical_values(groups.eta, groups.nu, groups.hardness_to_yield)[1]
-    first = np.ascontiguousarray(piece.edges[:, 0])
+    first = np.ascontiguousarray(segment.edges[:, 0])
     # T grows as P^0.65 from where the load begins to press, which is a broken power in any smooth coordinate: at first touch,
     # or, of a plastic junction that adheres, where its tension ends.
-    begins = zero_load(piece)
+    begins = zero_load(segment)
     begins = first if begins is None else begins
-    at_first = normal_states(piece, first)
+    at_first = normal_states(segment, first)
     touches = at_first[:, 2] <= 0.0
-    # Where a piece begins under load, that power begins before it, about as far off as the piece is from first touch.
-    near = [coordinates(piece, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
+    # Where a segment begins under load, that power begins before it, about as far off as the segment is from first touch.
+    near = [coordinates(segment, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
     kinks = np.stack([begins, *(np.where(touches, begins, one) for one in near)], axis=1)
     return TangentialResistance(resistance, (L_c,), kinks, np.where(touches, begins, -np.inf))
 

@@ -41,8 +41,8 @@ from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece, TangentialResistance
-from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond, of_whole_piece
+from stiction.laws.segment import NormalSegment, TangentialResistance
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond, of_whole_segment
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.records.sources import Source
 
@@ -118,20 +118,20 @@ def resistance(u, w, load, area, w_c, nu, K_H):
 
 
 def tangential_resistance(
-    piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+    segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance on a piece that is elastic at its start.
+    """Return the resistance on a segment that is elastic at its start.
 
     The stresses are Hertz's. Beyond first yield there is no resistance, unless `plastic_junctions` names another law.
     """
-    if piece.state == "plastic":
-        return of_whole_piece(plastic_junctions, piece, groups)
+    if segment.state == "plastic":
+        return of_whole_segment(plastic_junctions, segment, groups)
     K_H = hardness_coefficient(groups.nu)
     w_c = critical_interference(groups.eta, K_H)
     # The yielding place moves from the edge to the axis; there the resistance ends like a square root of w_c - w.
-    kinks = [coordinates(piece, w) for w in (first_on_axis(groups.nu, K_H) * w_c, w_c)]
+    kinks = [coordinates(segment, w) for w in (first_on_axis(groups.nu, K_H) * w_c, w_c)]
     published = TangentialResistance(resistance, (w_c, groups.nu, K_H), np.stack(kinks, axis=1), kinks[1][:, None])
-    return beyond(plastic_junctions, w_c, published, piece, groups)
+    return beyond(plastic_junctions, w_c, published, segment, groups)
 
 
 RECORD = TangentialLaw(

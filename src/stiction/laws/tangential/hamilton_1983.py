@@ -65,7 +65,7 @@ from numpy.polynomial import chebyshev
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece, TangentialResistance, edges_at
+from stiction.laws.segment import NormalSegment, TangentialResistance, edges_at
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from stiction.laws.tangential.shared.hamilton_field import Stress, dragged, least_over, pressed, von_mises
 from stiction.records.registry import TangentialLaw
@@ -272,14 +272,14 @@ def _crossing(passed, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     return high
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic piece, the force at first yield; None for other pieces, which resist nothing."""
-    if piece.state != "elastic":
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance on an elastic segment, the force at first yield; None for other segments, which resist nothing."""
+    if segment.state != "elastic":
         return None
     eta, k = groups.eta, groups.hardness_to_yield
     steps, series = series_for(groups.nu)
-    endless = replace(piece, edges=edges_at(piece.edges[:, 0], np.inf))
-    # Hertz: p0/Y = 1.5 k sqrt(w)/eta. A kink beyond the piece is left where it is: near its end it is still felt.
+    endless = replace(segment, edges=edges_at(segment.edges[:, 0], np.inf))
+    # Hertz: p0/Y = 1.5 k sqrt(w)/eta. A kink beyond the segment is left where it is: near its end it is still felt.
     kinks = np.stack([coordinates(endless, (s * eta / (1.5 * k)) ** 2) for s in steps[:3]], axis=1)
     return TangentialResistance(resistance, (eta, k, groups.nu, *steps, *series), kinks, branch=kinks[:, 2:])
 

@@ -36,7 +36,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential import brizmer_kligerman_etsion_2007 as full_stick
 from stiction.laws.tangential.bowden_tabor_1943 import shear_force
 from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk
@@ -70,8 +70,8 @@ def resistance(u, w, load, area, L_c, eta, shear_strength, share):
     return (force, 0.0) if share < 1.0 else (0.0, force)
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
-    stick = full_stick.tangential_resistance(piece, groups)
+def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
+    stick = full_stick.tangential_resistance(segment, groups)
     share = np.minimum(share_of_bulk(groups, alpha), 1.0)
     return TangentialResistance(
         resistance, (*stick.parameters, groups.eta, groups.shear_strength, share), stick.kinks, stick.branch

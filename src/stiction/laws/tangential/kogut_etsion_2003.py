@@ -24,7 +24,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.asperity.chang_etsion_bogy_1987 import critical_interference, hardness_coefficient
 from stiction.laws.joining import coordinates, normal_states
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.records.sources import Source
@@ -51,14 +51,16 @@ def resistance(u, w, load, area, w_c):
     return 0.0, load * friction_coefficient(w / w_c) if w > 0.0 else 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS) -> TangentialResistance:
+def tangential_resistance(
+    segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+) -> TangentialResistance:
     w_c = critical_interference(groups.eta, hardness_coefficient(groups.nu))
-    kinks = np.stack([coordinates(piece, w_c), coordinates(piece, NONE_FROM * w_c)], axis=1)
-    first = np.ascontiguousarray(piece.edges[:, 0])
+    kinks = np.stack([coordinates(segment, w_c), coordinates(segment, NONE_FROM * w_c)], axis=1)
+    first = np.ascontiguousarray(segment.edges[:, 0])
     # Q grows as w^0.982 from first touch, which is a broken power in any smooth coordinate.
-    touches = normal_states(piece, first)[:, 0] <= 0.0
+    touches = normal_states(segment, first)[:, 0] <= 0.0
     published = TangentialResistance(resistance, (w_c,), kinks, np.where(touches, first, -np.inf))
-    return beyond(plastic_junctions, NONE_FROM * w_c, published, piece, groups)
+    return beyond(plastic_junctions, NONE_FROM * w_c, published, segment, groups)
 
 
 RECORD = TangentialLaw(
@@ -87,6 +89,6 @@ RECORD = TangentialLaw(
     ),
     notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
     "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. plastic_junctions names "
-    "another law for asperities beyond six critical interferences. The published pieces do not meet: mu falls from 0.520 to "
+    "another law for asperities beyond six critical interferences. The published segments do not meet: mu falls from 0.520 to "
     "0.511 at one critical interference (with their load Q rises by 1.2 %), and from 0.036 to 0 at six.",
 )

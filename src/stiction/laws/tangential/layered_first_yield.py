@@ -39,7 +39,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.hamilton_1983 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_strength import strength_at, strengths
 from stiction.records.registry import Limit, TangentialLaw
@@ -57,13 +57,13 @@ def resistance(u, w, load, area, *row):
     return 0.0, row[0] * area * strength_at(u, row[2], row[3], row[4:]) ** 0.5
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic piece, the force at first yield; None for other pieces, which resist nothing."""
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance on an elastic segment, the force at first yield; None for other segments, which resist nothing."""
     if groups.n_E is None:
-        return of_a_half_space(piece, groups)
-    if piece.state != "elastic":
+        return of_a_half_space(segment, groups)
+    if segment.state != "elastic":
         return None
-    curve, bends = strengths(piece, groups.resolved())
+    curve, bends = strengths(segment, groups.resolved())
     end = np.ascontiguousarray(curve[0])[:, None]
     scale = np.broadcast_to(groups.eta / groups.hardness_to_yield, len(groups))
     return TangentialResistance(resistance, (scale, *curve), np.concatenate([bends, end], axis=1), branch=end)

@@ -28,7 +28,7 @@ film)
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.savkoor_briggs_1977 import share_that_peels
 from stiction.laws.tangential.savkoor_briggs_1977 import tangential_resistance as of_a_half_space
 from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
@@ -41,18 +41,18 @@ def resistance(u, w, load, area, *row):
     return peeling_force(u, load, area, row), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces.
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance on an elastic segment of a JKR asperity; None for other segments.
 
     The energy balance does not apply to plastic asperities, which resist nothing.
     """
     if groups.n_E is None:
-        return of_a_half_space(piece, groups)
-    if piece.state != "elastic":
+        return of_a_half_space(segment, groups)
+    if segment.state != "elastic":
         return None
     whole = groups.resolved()
     share_that_peels(whole)  # or is refused
-    own, vanishes = peeling_columns(piece, whole)
+    own, vanishes = peeling_columns(segment, whole)
     return TangentialResistance(resistance, own, vanishes)
 
 

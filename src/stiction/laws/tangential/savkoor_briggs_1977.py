@@ -10,7 +10,7 @@ T=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
 $\zeta$ is `peeling` of the contact, by default 1. The value 0 (no peeling) raises an error, because the force would be
-infinite. Only elastic pieces resist. *Check*, at $\nu=0.3$, for equal bodies or one rigid body:
+infinite. Only elastic segments resist. *Check*, at $\nu=0.3$, for equal bodies or one rigid body:
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
@@ -30,7 +30,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.quantities.errors import InputError
 from stiction.records.registry import TangentialLaw
 from stiction.records.sources import Source
@@ -63,16 +63,16 @@ def resistance(u, w, load, area, theta, K_beta):
     return slip_resistance(load, theta, K_beta), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces.
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance on an elastic segment of a JKR asperity; None for other segments.
 
     The energy balance does not apply to plastic asperities, which resist nothing.
     """
-    if piece.state != "elastic":
+    if segment.state != "elastic":
         return None
     share = share_that_peels(groups)
     # G_N + zeta G_T = gamma, and G_T is as T^2 beta: the tangential compliance counts zeta times.
-    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(piece, groups))
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta * share), no_resistance(segment, groups))
 
 
 def share_that_peels(groups: Groups) -> np.ndarray:
@@ -86,15 +86,15 @@ def share_that_peels(groups: Groups) -> np.ndarray:
     return share
 
 
-def no_resistance(piece: NormalPiece, groups: Groups) -> np.ndarray | None:
+def no_resistance(segment: NormalSegment, groups: Groups) -> np.ndarray | None:
     """Return the coordinate (n, 1) at which the load alone pulls a JKR contact off, or None in loading.
 
     The peeling force is proportional to |u^3 - S/2|, which has a kink there.
     """
-    if piece.lowest >= 0.0:
+    if segment.lowest >= 0.0:
         return None
     S = np.sqrt(6.0 * math.pi / groups.theta)
-    return coordinates(piece, -S / 6.0 * np.cbrt(S / 2.0))[:, None]  # w = u (u^3 - (2/3) S) at u^3 = S/2
+    return coordinates(segment, -S / 6.0 * np.cbrt(S / 2.0))[:, None]  # w = u (u^3 - (2/3) S) at u^3 = S/2
 
 
 RECORD = TangentialLaw(

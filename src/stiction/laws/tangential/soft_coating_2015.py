@@ -33,11 +33,11 @@ import math
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
 from stiction.laws.tangential.shared.edge_yield import lesser, yield_resistance
 from stiction.laws.tangential.shared.lesser import Force, lesser_of
-from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_piece
+from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_segment
 from stiction.laws.tangential.shared.slip_or_yield import kinks_of
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw
 from stiction.records.sources import Source
@@ -63,39 +63,39 @@ def resistance_printed(u, w, load, area, *row):
 
 
 def tangential_resistance(
-    piece: NormalPiece, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
+    segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance on a piece of a JKR asperity with the coordinate u = x^(1/4).
+    """Return the resistance on a segment of a JKR asperity with the coordinate u = x^(1/4).
 
     If film and body are solved together, the stiffness and the stresses of both are used.
     """
-    if piece.state != "elastic":
-        return of_whole_piece(plastic_junctions, piece, groups)
+    if segment.state != "elastic":
+        return of_whole_segment(plastic_junctions, segment, groups)
     if groups.n_E is not None:
-        return _on_a_film(piece, groups)
-    return _grip(piece, groups, resistance, printed=False)
+        return _on_a_film(segment, groups)
+    return _grip(segment, groups, resistance, printed=False)
 
 
-def _on_a_film(piece: NormalPiece, groups: Groups) -> TangentialResistance:
+def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     # What a bare contact, and a film of half-spaces, do without, and is slow to import.
     from stiction.laws.tangential.shared.coated_edge import edge_columns, edge_root
     from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
 
     whole = groups.resolved()
-    own, vanishes = peeling_columns(piece, whole)
-    return lesser_of(piece, Force(peeling_force, own), Force(edge_root, edge_columns(whole)), vanishes)
+    own, vanishes = peeling_columns(segment, whole)
+    return lesser_of(segment, Force(peeling_force, own), Force(edge_root, edge_columns(whole)), vanishes)
 
 
-def grip_printed(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    return _grip(piece, groups, resistance_printed, printed=True)
+def grip_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    return _grip(segment, groups, resistance_printed, printed=True)
 
 
-def _grip(piece, groups, formula_of, printed: bool) -> TangentialResistance | None:
-    if piece.state != "elastic":
+def _grip(segment, groups, formula_of, printed: bool) -> TangentialResistance | None:
+    if segment.state != "elastic":
         return None
     # G_N + zeta G_T = gamma: the tangential compliance counts zeta times.
     K_beta = groups.K_beta if groups.peeling is None else groups.K_beta * groups.peeling
-    kinks, branch = kinks_of(groups, K_beta, piece.edges[:, -1], printed, unloading=piece.lowest < 0.0)
+    kinks, branch = kinks_of(groups, K_beta, segment.edges[:, -1], printed, unloading=segment.lowest < 0.0)
     return TangentialResistance(
         formula_of, (groups.theta, groups.eta, K_beta, groups.nu, groups.hardness_to_yield), kinks, branch
     )

@@ -36,7 +36,7 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.junctions import ALPHA, share_of_bulk, where_pressure_is
 from stiction.quantities.errors import InputError
 from stiction.records.registry import Limit, TangentialLaw, Validity
@@ -60,8 +60,8 @@ def resistance(u, w, load, area, eta, shear_strength, share):
     return shear_strength * eta * grown_area(load, area, eta, share), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> TangentialResistance:
-    """Return the resistance on a piece; it has kinks where growth begins and where the mean pressure reaches the hardness.
+def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) -> TangentialResistance:
+    """Return the resistance on a segment; it has kinks where growth begins and where the mean pressure reaches the hardness.
 
     Raises InputError if the interface is as strong as the bulk.
     """
@@ -73,7 +73,7 @@ def tangential_resistance(piece: NormalPiece, groups: Groups, alpha: str) -> Tan
         why = f"below {bound:.4g}, the shear strength of the bulk over H: stronger junctions grow without limit"
         raise InputError("shear_strength", found, f"{why} in tabor_1959; use junction_growth")
     pressures = [groups.eta * np.sqrt((1.0 - share) * (1.0 + share)), groups.eta]
-    kinks = np.concatenate([where_pressure_is(piece, pressure) for pressure in pressures], axis=1)
+    kinks = np.concatenate([where_pressure_is(segment, pressure) for pressure in pressures], axis=1)
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, share), kinks)
 
 

@@ -17,7 +17,7 @@ import math
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
@@ -39,10 +39,10 @@ def resistance(u, w, load, area, theta, K_beta):
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    if piece.state != "elastic":
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    if segment.state != "elastic":
         return None
-    return TangentialResistance(resistance, (groups.theta, groups.K_beta), no_resistance(piece, groups))
+    return TangentialResistance(resistance, (groups.theta, groups.K_beta), no_resistance(segment, groups))
 
 
 RECORD = TangentialLaw(

@@ -43,7 +43,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.savkoor_briggs_1977 import no_resistance, share_that_peels
 from stiction.records.registry import Limit, TangentialLaw
 from stiction.records.sources import Source
@@ -108,23 +108,23 @@ def resistance(u, w, load, area, theta, K_beta, kappa):
     return unit * peeling_force(load * theta / (1.5 * math.pi), kappa), 0.0
 
 
-def tangential_resistance(piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic piece of a JKR asperity; None for other pieces, which resist nothing."""
-    if piece.state != "elastic":
+def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance on an elastic segment of a JKR asperity; None for other segments, which resist nothing."""
+    if segment.state != "elastic":
         return None
     share = share_that_peels(groups)
-    kinks = [_to_hertz(piece, groups, 1.0 - share)[:, None], no_resistance(piece, groups)]
+    kinks = [_to_hertz(segment, groups, 1.0 - share)[:, None], no_resistance(segment, groups)]
     parameters = (groups.theta, groups.K_beta, 1.0 - share)
     return TangentialResistance(resistance, parameters, np.concatenate([one for one in kinks if one is not None], axis=1))
 
 
-def _to_hertz(piece: NormalPiece, groups: Groups, kappa: np.ndarray) -> np.ndarray:
+def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:
     """Return the coordinate u (n,) beyond which shear shrinks the contact to Hertz's area before it slides."""
     with np.errstate(divide="ignore"):
         p = 1.0 / (kappa * np.sin(0.5 * math.pi * kappa)) ** 2
     S = np.sqrt(6.0 * math.pi / groups.theta)
     y = 0.5 * S * (1.0 + np.sqrt(1.0 + p))  # u^3 of the JKR contact, from P = y (y - S) and p = 4 P/S^2
-    return coordinates(piece, np.where(np.isfinite(y), np.cbrt(y) * (y - 2.0 / 3.0 * S), np.inf))
+    return coordinates(segment, np.where(np.isfinite(y), np.cbrt(y) * (y - 2.0 / 3.0 * S), np.inf))
 
 
 RECORD = TangentialLaw(

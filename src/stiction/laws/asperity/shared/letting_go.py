@@ -30,7 +30,7 @@ from stiction.engine.bisection import up_to
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.joining import within
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 
 
 @formula
@@ -60,8 +60,8 @@ def let_go(w, w_max, w_res, load_max, area_max):
     return load_max * share * math.sqrt(share), area_max * share
 
 
-_STEP = 1e-6  # to the side, for a slope: the coordinates of pieces are of the order of one, or of their own first value
-_FARTHEST = 1e6  # no asperity on an endless piece is pressed farther beyond its first coordinate
+_STEP = 1e-6  # to the side, for a slope: the coordinates of segments are of the order of one, or of their own first value
+_FARTHEST = 1e6  # no asperity on an endless segment is pressed farther beyond its first coordinate
 
 
 @formula
@@ -117,8 +117,8 @@ def _freeing(normal: Callable, parameters: int) -> Any:
     def fill_free(distance, table, edges, out):
         """Fill `out` with the loading coordinate of the asperity that has just lost contact after unloading.
 
-        If even the first point of the piece is still in contact, the coordinate is extrapolated along a straight line. The
-        square root of the distance to it is then smooth on the piece.
+        If even the first point of the segment is still in contact, the coordinate is extrapolated along a straight line. The
+        square root of the distance to it is then smooth on the segment.
         """
         for i in range(distance.size):
             row = unpack(table[i], parameters)
@@ -150,7 +150,7 @@ def _clamping(normal: Callable, parameters: int) -> Any:
     def fill_clamped(table, edges, out):
         """Fill `out` with the coordinate up to which the residual displacement is limited to zero (see `_overshoots`).
 
-        It is the first coordinate of the piece if the residual is never limited.
+        It is the first coordinate of the segment if the residual is never limited.
         """
         for i in range(out.size):
             low, last = edges[i, 0], edges[i, edges.shape[1] - 1]
@@ -160,26 +160,26 @@ def _clamping(normal: Callable, parameters: int) -> Any:
     return fill_clamped
 
 
-def drawn_apart(pieces: list[NormalPiece], distance: np.ndarray) -> list[NormalPiece]:
+def drawn_apart(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
     """Return the asperity law after loading and an increase of the separation by `distance` (n,), over sigma.
 
-    pieces: the loading law, as a list of NormalPiece, of asperities without adhesion. Summed over heights at the separation h,
-    the returned pieces give load and area of a surface that was first loaded to the separation h - distance.
+    segments: the loading law of asperities without adhesion, a list of NormalSegment. Summed over heights at the separation
+    h, the returned segments give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
     found = []
-    for piece in pieces:
-        laws, count = len(piece.edges), len(piece.parameters)
-        released, released_coordinate = _let_go_by(piece.normal, piece.coordinate, count)
-        table, clamped, free = columns(piece.parameters, laws), np.empty(laws), np.empty(laws)
-        _clamping(piece.normal, count)(table, np.ascontiguousarray(piece.edges), clamped)
-        first, last = piece.edges[:, 0], piece.edges[:, -1]
-        parts = [within(piece, first, clamped), within(piece, clamped, last)] if (clamped > first).any() else [piece]
+    for segment in segments:
+        laws, count = len(segment.edges), len(segment.parameters)
+        released, released_coordinate = _let_go_by(segment.normal, segment.coordinate, count)
+        table, clamped, free = columns(segment.parameters, laws), np.empty(laws), np.empty(laws)
+        _clamping(segment.normal, count)(table, np.ascontiguousarray(segment.edges), clamped)
+        first, last = segment.edges[:, 0], segment.edges[:, -1]
+        parts = [within(segment, first, clamped), within(segment, clamped, last)] if (clamped > first).any() else [segment]
         for part in parts:
             edges = np.ascontiguousarray(part.edges)
-            _freeing(piece.normal, count)(far, table, edges, free)
+            _freeing(segment.normal, count)(far, table, edges, free)
             empty = np.isinf(free) | ~(edges[:, -1] > edges[:, 0])
             origin = np.where(empty, 0.0, free)
             edges = np.where(empty[:, None], 0.0, np.sqrt(np.maximum(edges - origin[:, None], 0.0)))
-            found.append(NormalPiece(released, released_coordinate, (*piece.parameters, far, origin), edges, piece.state))
+            found.append(NormalSegment(released, released_coordinate, (*segment.parameters, far, origin), edges, segment.state))
     return found

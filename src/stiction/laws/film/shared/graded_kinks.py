@@ -36,7 +36,7 @@ BRANCHES = 4  # places where the yield resistance ends like a square root
 CAPACITY = 40  # edges
 FAR = 79  # cells of the scan, equal in ln u
 SPARE = 8  # samples that are put in at kinks
-INNER = 16  # samples of the load's slope on a piece
+INNER = 16  # samples of the load's slope on a segment
 # Kinks at more than this displacement are left alone: no asperity gets there.
 _DEEPEST = 10.0  # u; x = 10^4
 # Before these, cells are equal in ln(u - start). The first sample at the closest, where the spacing changes, cells per e-fold.
@@ -84,10 +84,10 @@ def _add_zeros(which, places, values, law, out, count):
 
 @formula
 def _sample_loads(law, edges, count, places, loads, slopes):
-    """Sample load and slope at INNER places inside every piece between the first `count` edges."""
-    for piece in range(count - 1):
-        low, high = edges[piece], edges[piece + 1]
-        inner = places[piece * INNER :]
+    """Sample load and slope at INNER places inside every segment between the first `count` edges."""
+    for segment in range(count - 1):
+        low, high = edges[segment], edges[segment + 1]
+        inner = places[segment * INNER :]
         for k in range(INNER):
             inner[k] = low + (high - low) * _PLACES[k]
     for k in range(INNER * (count - 1)):
@@ -131,7 +131,7 @@ def _descent(low, high, law):
 
 @formula
 def _first_flowing(part, count):
-    """Return the index of the first piece in which the asperity flows, or of the last edge if there is none."""
+    """Return the index of the first segment in which the asperity flows, or of the last edge if there is none."""
     first = 0
     while first < count - 1 and (part[first] < 0 or part[first] % 2 == 0):
         first += 1
@@ -198,7 +198,7 @@ def _fixed_edges(law, tau, out):
     """Fill the edges that are known in advance; return the first three and the number of edges.
 
     The first three are: start of the contact, end of the scan, and the coordinate at which the film is pressed through.
-    Further edges cut long pieces.
+    Further edges cut long segments.
     """
     pull, _, n_H, linear, square = law[:5]
     S, bodies = math.sqrt(6.0 * pull), law[ALONE:]
@@ -207,7 +207,7 @@ def _fixed_edges(law, tau, out):
     out[0], out[1] = start, top
     through = depth_coordinate(tau, S, bodies) if tau < top**4 else top
     out[2] = max(through, start)
-    out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long pieces are hard to integrate
+    out[3] = math.sqrt(math.sqrt(start**4 + 2.0))  # where w is about 2: long segments are hard to integrate
     count = 4
     if n_H != 1.0 and max(linear, square) > 0.0:
         # A hard film fades over many times its own thickness: an edge on the way.
@@ -304,7 +304,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
     """Fill `branch` with the branch points of the yield resistance, and return the new number of edges.
 
     The first branch point is below the start, the others are out[first:count]. An edge is added between two of them, because
-    the substitution that removes a square root works at one end of a piece only.
+    the substitution that removes a square root works at one end of a segment only.
     """
     branch[:] = -math.inf
     found = out[first:count]
@@ -317,7 +317,7 @@ def _add_branches(start, at_start, law, out, first, count, branch):
             low = start * (1.0 - below)
             at_low, below = signal(NUMBERS[REAL], low, law, 0.0), 3.0 * below
         if at_low < 0.0:
-            branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no piece there: about
+            branch[0] = low - at_low * (high - low) / (at_high - at_low)  # there is no segment there: about
         elif at_start < _FELT:  # beside the line of real u
             branch[0] = start
         known = 1
@@ -331,14 +331,14 @@ def _add_branches(start, at_start, law, out, first, count, branch):
 
 @formula
 def _name_parts(law, through, edges, count, part):
-    """Fill `part` with the part (see `find_kinks`) of every piece between the edges, the endless last one included."""
+    """Fill `part` with the part (see `find_kinks`) of every segment between the edges, the endless last one included."""
     edges[count:] = _END
     part[:] = -1
-    for piece in range(count):
-        low, high = edges[piece], edges[piece + 1]
+    for segment in range(count):
+        low, high = edges[segment], edges[segment + 1]
         plastic = signals(0.5 * (low + min(high, 2.0 * low)), law)[0] > 0.0
         name = (0 if high <= through else 2) + (1 if plastic else 0)
-        part[piece] = name if high > low else -1
+        part[segment] = name if high > low else -1
 
 
 def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -346,8 +346,8 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
 
     parameters: (n, PARAMETERS). tau (n,): displacement at which the film is pressed through.
 
-    Returns edges (n, CAPACITY) in u; the part of each piece (n, CAPACITY - 1): 0 elastic film, 1 plastic film, 2 elastic
-    substrate, 3 plastic substrate, -1 no piece; plateaus (n, 6): three pairs (start, level), from `start` on the load is at
+    Returns edges (n, CAPACITY) in u; the part of each segment (n, CAPACITY - 1): 0 elastic film, 1 plastic film, 2 elastic
+    substrate, 3 plastic substrate, -1 no segment; plateaus (n, 6): three pairs (start, level), from `start` on the load is at
     least `level`; branch points (n, 4).
     """
     laws = len(parameters)
@@ -361,17 +361,17 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
 def _gather(edges, part, wanted, out):
     for i in range(edges.shape[0]):
         at = 0
-        for piece in range(part.shape[1] - 1, -1, -1):
-            if part[i, piece] == wanted:
-                out[i, at], out[i, at + 1] = edges[i, piece], edges[i, piece + 1]
+        for segment in range(part.shape[1] - 1, -1, -1):
+            if part[i, segment] == wanted:
+                out[i, at], out[i, at + 1] = edges[i, segment], edges[i, segment + 1]
                 at += 2
         out[i, at:] = edges[i, 0]
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:
-    """Return the edges (n, m) of a regime that consists of all pieces of one part.
+    """Return the edges (n, m) of a regime that consists of all segments of one part.
 
-    The pieces need not be adjacent. They are listed from the deepest on, so that the gap between two of them is a pair of
+    The segments need not be adjacent. They are listed from the deepest on, so that the gap between two of them is a pair of
     edges that does not increase, which the engine skips.
     """
     most = int((part == wanted).sum(axis=1).max(initial=1))

@@ -2,7 +2,7 @@
 
 The asperity yields where its mean pressure reaches the value at which its law yields on a half-space. This half-space has the
 modulus E_P and the hardness chi felt at this radius and depth, where the depth leaves out the stretch by adhesion. Beyond
-yield, the plastic pieces of the law on this half-space are shifted to the displacement, load and area of the layered contact.
+yield, the plastic segments of the law on this half-space are shifted to the displacement, load and area of the layered contact.
 Their load, without the adhesion, scales with the hardness at their depth.
 """
 
@@ -18,7 +18,7 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.crossings import narrowing
 from stiction.engine.regime import columns
 from stiction.laws.joining import Law, normal_states
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 from stiction.records.registry import Composite
 from stiction.solvers.layered.asperity import _hertzian, edged, touch
 
@@ -115,66 +115,66 @@ def felt(groups: Groups, modulus: np.ndarray, hardness: np.ndarray, place: np.nd
 
 
 def cut_at_yield(
-    elastic: NormalPiece, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
-) -> tuple[NormalPiece, list[NormalPiece]]:
-    """Return the elastic piece up to yield, and the plastic pieces that follow.
+    elastic: NormalSegment, law: Law, groups: Groups, hardness: Hardness, pull: np.ndarray
+) -> tuple[NormalSegment, list[NormalSegment]]:
+    """Return the elastic segment up to yield, and the plastic segments that follow.
 
     pull (n,): adhesive force on a plastic asperity.
     """
     ones = np.ones(len(groups))
-    pieces = law.pieces(felt(groups, groups.n_E, hardness.n_H, -ones))
-    if all(piece.state == "elastic" for piece in pieces):
+    segments = law.segments(felt(groups, groups.n_E, hardness.n_H, -ones))
+    if all(segment.state == "elastic" for segment in segments):
         return elastic, []
     table, of_hardness = columns(elastic.parameters, len(groups)), columns(hardness.row, len(groups))
     find, found = _onset(elastic.normal, hardness.value, len(elastic.parameters)), np.empty((len(groups), 5))
     own, of_yield = felt(groups, groups.n_E, hardness.n_H, -ones), ones
     for _ in range(_ROUNDS):
-        before, of_yield = of_yield, _pressure_at_yield(pieces, own)
+        before, of_yield = of_yield, _pressure_at_yield(segments, own)
         find(table, groups.eta * of_yield, of_hardness, found)
         own = felt(groups, *found[:, 1:4].T)
-        pieces = law.pieces(own)
+        segments = law.segments(own)
         if np.allclose(of_yield, before, rtol=1e-9, atol=0.0):
             break
     last = np.maximum(found[:, 0], elastic.edges[:, 0])
     until = replace(elastic, edges=np.minimum(elastic.edges, last[:, None]))
-    return until, _following(until, pieces, found, hardness, pull)
+    return until, _following(until, segments, found, hardness, pull)
 
 
-def _pressure_at_yield(pieces: list[NormalPiece], own: Groups) -> np.ndarray:
-    """Return the mean pressure over the hardness (n,) at the end of the elastic pieces."""
-    last = _last_elastic(pieces)
+def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
+    """Return the mean pressure over the hardness (n,) at the end of the elastic segments."""
+    last = _last_elastic(segments)
     _, _, load, area = normal_states(last, last.edges[:, -1]).T
     return load / (area * own.eta)
 
 
-def _last_elastic(pieces: list[NormalPiece]) -> NormalPiece:
-    return next(before for before, after in pairwise(pieces) if after.state != "elastic")
+def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
+    return next(before for before, after in pairwise(segments) if after.state != "elastic")
 
 
-def _following(elastic, pieces, found, hardness: Hardness, pull) -> list[NormalPiece]:
-    """Return the plastic pieces of the law, shifted to the point at which the layered contact yields."""
-    first, last = _last_elastic(pieces), elastic.edges[:, -1]
+def _following(elastic, segments, found, hardness: Hardness, pull) -> list[NormalSegment]:
+    """Return the plastic segments of the law, shifted to the point at which the layered contact yields."""
+    first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
     modulus, felt_hardness = found[:, 1], found[:, 2]
     shallower = found[:, 4] - w
     move = w - own_w, load - modulus * own_load, modulus, area - own_area, pull, 1.0 / felt_hardness, shallower, *hardness.row
     moved = []
-    for piece in pieces:
-        if piece.state == "elastic":
+    for segment in segments:
+        if segment.state == "elastic":
             continue
-        normal, coordinate = _moved(piece.normal, piece.coordinate, hardness.value, len(piece.parameters))
-        one = NormalPiece(normal, coordinate, (*piece.parameters, *move), piece.edges, piece.state)
+        normal, coordinate = _moved(segment.normal, segment.coordinate, hardness.value, len(segment.parameters))
+        one = NormalSegment(normal, coordinate, (*segment.parameters, *move), segment.edges, segment.state)
         kinks = _places(one, hardness.depths - shallower[:, None])
-        moved.append(replace(one, edges=np.sort(np.concatenate([piece.edges, kinks], axis=1), axis=1)))
+        moved.append(replace(one, edges=np.sort(np.concatenate([segment.edges, kinks], axis=1), axis=1)))
     return moved
 
 
-def _places(piece: NormalPiece, w: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, m) of a piece at the displacements w (n, m), limited to its ends."""
-    out, edges = np.empty(w.shape), np.ascontiguousarray(piece.edges)
-    fill = _filling(piece.normal, piece.coordinate, len(piece.parameters))
-    fill(np.ascontiguousarray(w), columns(piece.parameters, len(w)), edges, out)
+def _places(segment: NormalSegment, w: np.ndarray) -> np.ndarray:
+    """Return the coordinates (n, m) of a segment at the displacements w (n, m), limited to its ends."""
+    out, edges = np.empty(w.shape), np.ascontiguousarray(segment.edges)
+    fill = _filling(segment.normal, segment.coordinate, len(segment.parameters))
+    fill(np.ascontiguousarray(w), columns(segment.parameters, len(w)), edges, out)
     return out
 
 
@@ -197,9 +197,9 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
 
 @cache
 def _moved(normal: Any, coordinate: Any, hardness: Any, parameters: int) -> tuple[Any, Any]:
-    """Return the formulas `along` and `back` of a piece shifted to the layered contact.
+    """Return the formulas `along` and `back` of a segment shifted to the layered contact.
 
-    parameters: number of parameters of the piece. These follow them: shift of displacement and load, modulus, shift of the
+    parameters: number of parameters of the segment. These follow them: shift of displacement and load, modulus, shift of the
     area, pull, 1 over the hardness at yield, depth minus displacement, and the parameters of the hardness.
     """
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, displaced, edges_at
+from stiction.laws.segment import NormalSegment, displaced, edges_at
 
 
 @formula
@@ -15,6 +15,6 @@ def normal(w, pressure):
     return w, 1.0, 2.0 * pressure * w, 2.0 * w
 
 
-def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalPiece:
-    """Return a plastic piece with this pressure (n,) between the displacements low and high (n,)."""
-    return NormalPiece(normal, displaced, (pressure,), edges_at(low, high), "plastic")
+def at_pressure(pressure: np.ndarray, low: np.ndarray | float, high: np.ndarray | float) -> NormalSegment:
+    """Return a plastic segment with this pressure (n,) between the displacements low and high (n,)."""
+    return NormalSegment(normal, displaced, (pressure,), edges_at(low, high), "plastic")

@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula
 from stiction.engine.crossings import MOST, crossing
 from stiction.engine.regime import Regime, columns
 from stiction.laws.joining import Law, Weights, coordinates, states
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 
 _DEEPEST = 1e3  # over sigma: no asperity that counts is pressed so far
 
@@ -62,26 +62,28 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
     """
     film_groups, substrate = groups.film(), groups.substrate()
     tau = np.broadcast_to(np.asarray(groups.tau, dtype=float), len(groups))
-    film = [law.join(piece, film_groups, Weights(unit=groups.n_E)) for piece in law.pieces(film_groups)]
+    film = [law.join(segment, film_groups, Weights(unit=groups.n_E)) for segment in law.segments(film_groups)]
     regimes = []
-    for piece in law.pieces(substrate):
-        below = law.join(piece, substrate, Weights(shift=tau))
-        deepest = coordinates(piece, _DEEPEST)
+    for segment in law.segments(substrate):
+        below = law.join(segment, substrate, Weights(shift=tau))
+        deepest = coordinates(segment, _DEEPEST)
         for above in film:
             ends = [states(above, above.edges[:, at])[:, 0] for at in (0, -1)]
             start, end = (np.where(np.isfinite(above.edges[:, at]), ends[at], np.inf) for at in (0, -1))
-            first, last = coordinates(piece, start - tau), coordinates(piece, end - tau)
-            first = np.where(start <= tau, coordinates(piece, 0.0), first)
-            regimes.append(_shared(below, above, piece, tau, first, np.minimum(last, deepest)))
+            first, last = coordinates(segment, start - tau), coordinates(segment, end - tau)
+            first = np.where(start <= tau, coordinates(segment, 0.0), first)
+            regimes.append(_shared(below, above, segment, tau, first, np.minimum(last, deepest)))
     return regimes
 
 
-def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, first: np.ndarray, last: np.ndarray) -> Regime:
-    """Return the regime of one substrate piece below one film regime, with the weaker resistance of the two.
+def _shared(
+    below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray, first: np.ndarray, last: np.ndarray
+) -> Regime:
+    """Return the regime of one substrate segment below one film regime, with the weaker resistance of the two.
 
     Its edges are the kinks of both, and the places at which the other of the two becomes the weaker.
     """
-    inner = [_mapped(above, at, piece, tau) for at in range(above.edges.shape[1])]
+    inner = [_mapped(above, at, segment, tau) for at in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
     edges = np.minimum(np.maximum(edges, first[:, None]), np.maximum(first, last)[:, None])
     back = _back(above.coordinate, len(above.parameters))
@@ -98,24 +100,24 @@ def _shared(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray, f
         below.state,
         "substrate",
         touching=False,
-        branch=_branches(below, above, piece, tau),
+        branch=_branches(below, above, segment, tau),
         lowest=below.lowest,
     )
 
 
-def _branches(below: Regime, above: Regime, piece: NormalPiece, tau: np.ndarray) -> np.ndarray | None:
-    """Return the coordinates (n, b) of the substrate piece at which either resistance starts like a square root."""
+def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
+    """Return the coordinates (n, b) of the substrate segment at which either resistance starts like a square root."""
     found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
     for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
         there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
         w = states(above, np.where(there, at, above.edges[:, 0]))[:, 0] - tau
-        found.append(np.where(there & (w >= 0.0), coordinates(piece, w), -np.inf)[:, None])
+        found.append(np.where(there & (w >= 0.0), coordinates(segment, w), -np.inf)[:, None])
     return np.concatenate(found, axis=1) if found else None
 
 
-def _mapped(above: Regime, at: int, piece, tau: np.ndarray) -> np.ndarray:
-    """Return an edge of the film's regime as a coordinate of the substrate piece."""
+def _mapped(above: Regime, at: int, segment, tau: np.ndarray) -> np.ndarray:
+    """Return an edge of the film's regime as a coordinate of the substrate segment."""
     edge = above.edges[:, at]
     finite = np.isfinite(edge)
     w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]
-    return coordinates(piece, np.where(finite, w, np.inf) - tau)
+    return coordinates(segment, np.where(finite, w, np.inf) - tau)

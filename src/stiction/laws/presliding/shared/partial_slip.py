@@ -15,12 +15,12 @@ from stiction.engine.compiled import formula
 from stiction.engine.crossings import crossing
 from stiction.engine.regime import columns
 from stiction.laws.joining import coordinates, with_kinks
-from stiction.laws.piece import NormalPiece, TangentialResistance
 from stiction.laws.presliding.mindlin_1949 import loss_share, slip_share, stiffness
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import TangentialLaw
 
 _DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
-_MOST = 4  # places on a piece where an asperity begins to slide, or no longer does
+_MOST = 4  # places on a segment where an asperity begins to slide, or no longer does
 
 
 @cache
@@ -66,12 +66,12 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: floa
     amplitude, in the unit of force times sigma. kept: fraction of its strength that an asperity keeps once it slides.
     """
 
-    def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
-        strength = tangential.tangential_resistance(piece, groups, **options)
+    def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
+        strength = tangential.tangential_resistance(segment, groups, **options)
         if strength is None:
             return None
         more = groups.K_beta, displacement, np.full(len(displacement), kept)
-        begins = _begins(piece, strength, more[:2])
+        begins = _begins(segment, strength, more[:2])
         branches = [begins] if strength.branch is None else [np.reshape(strength.branch, (len(begins), -1)), begins]
         kinks = begins if strength.kinks is None else np.concatenate([strength.kinks, begins], axis=1)
         return TangentialResistance(
@@ -99,12 +99,12 @@ def _sticking(resistance: Callable, own: int) -> Any:
 def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
     """Return the tangential law whose resistance is the stiffness at zero displacement of the contacts that have a strength."""
 
-    def resistance(piece: NormalPiece, groups: Groups, **options: str) -> TangentialResistance | None:
-        strength = tangential.tangential_resistance(piece, groups, **options)
+    def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
+        strength = tangential.tangential_resistance(segment, groups, **options)
         if strength is None:
             return None
         formula_of = _sticking(strength.resistance, len(strength.parameters))
-        first = np.array(piece.edges[:, :1])
+        first = np.array(segment.edges[:, :1])
         branches = [first] if strength.branch is None else [np.reshape(strength.branch, (len(first), -1)), first]
         return TangentialResistance(
             formula_of, (*strength.parameters, groups.K_beta), strength.kinks, np.concatenate(branches, axis=1)
@@ -113,12 +113,12 @@ def sticking_law(tangential: TangentialLaw) -> TangentialLaw:
     return replace(tangential, tangential_resistance=resistance)
 
 
-def _begins(piece: NormalPiece, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
+def _begins(segment: NormalSegment, strength: TangentialResistance, more: tuple[np.ndarray, ...]) -> np.ndarray:
     """Return the coordinates (n, 4) at which an asperity is about to slide; unused entries are the first coordinate."""
-    edges = with_kinks(piece.edges, strength.kinks)
-    edges = np.ascontiguousarray(np.minimum(edges, coordinates(piece, _DEEPEST)[:, None]))
-    excess = _not_yet(piece.normal, len(piece.parameters), strength.resistance, len(strength.parameters))
-    parameters = (*piece.parameters, *strength.parameters, *more)
+    edges = with_kinks(segment.edges, strength.kinks)
+    edges = np.ascontiguousarray(np.minimum(edges, coordinates(segment, _DEEPEST)[:, None]))
+    excess = _not_yet(segment.normal, len(segment.parameters), strength.resistance, len(strength.parameters))
+    parameters = (*segment.parameters, *strength.parameters, *more)
     out = np.empty((len(edges), _MOST))
     crossing(excess, len(parameters))(columns(parameters, len(edges)), edges, out)
     return out

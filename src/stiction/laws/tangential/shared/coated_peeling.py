@@ -1,4 +1,4 @@
-"""Compute the tangential force at which an adhesive asperity on a film peels, as a curve along its elastic piece.
+"""Compute the tangential force at which an adhesive asperity on a film peels, as a curve along its elastic segment.
 
 Under the load P and a shear force T, the edge of a contact of radius a releases the energy
 
@@ -17,8 +17,8 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
-from stiction.laws.piece import NormalPiece
-from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+from stiction.laws.segment import NormalSegment
+from stiction.laws.tangential.shared.even_spline import SEGMENTS, spline, to_coefficients
 from stiction.solvers.layered.asperity import EDGED, parted
 from stiction.solvers.layered.bodies import bodies_of, per_root
 from stiction.solvers.layered.curves import TERMS
@@ -107,8 +107,8 @@ def _fill(rows, root, curves, first, out):
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
-        for at in range(PIECES):
-            y = at / PIECES
+        for at in range(SEGMENTS):
+            y = at / SEGMENTS
             u = first[i] * math.exp(_HALFWAY * y / (1.0 - y))
             hertz, pull = parted(u, row)
             load = hertz - pull
@@ -119,34 +119,34 @@ def _fill(rows, root, curves, first, out):
                 start *= 1.05
                 hertz, pull = parted(start, row)
             out[i, at] = sign * math.sqrt(_largest(start, load, row, root[i], curves[i])) / u**3
-        out[i, PIECES] = math.exp(-0.5 * curves[i, 1])
+        out[i, SEGMENTS] = math.exp(-0.5 * curves[i, 1])
 
 
-def peeling_columns(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
+def peeling_columns(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray | None]:
     """Return the parameters (n,) of `peeling_force` and, in unloading, the coordinate (n, 1) at which the force vanishes.
 
-    In loading the coordinate is None. The piece is a JKR asperity of a film law that solves film and body together. groups:
+    In loading the coordinate is None. The segment is a JKR asperity of a film law that solves film and body together. groups:
     complete groups of contacts with a film. If `peeling` is 0, the force is practically infinite.
     """
     share = np.maximum(1.0 if groups.peeling is None else groups.peeling, _LEAST_SHARE)
     scale = np.broadcast_to(np.sqrt(32.0 * math.pi * groups.n_g / (groups.theta * share)), len(groups))
-    curve, vanishes = _curves(piece, groups)
-    return (scale, *curve), vanishes[:, None] if piece.lowest < 0.0 else None
+    curve, vanishes = _curves(segment, groups)
+    return (scale, *curve), vanishes[:, None] if segment.lowest < 0.0 else None
 
 
-def _curves(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """Return start and spline coefficients (n,) of the curve, and the coordinate (n,) at which the force vanishes.
 
     The coordinate is the start of the curve if the force vanishes nowhere.
     """
-    laws, first = len(groups), np.ascontiguousarray(piece.edges[:, 0])
+    laws, first = len(groups), np.ascontiguousarray(segment.edges[:, 0])
     different, which = bodies_of(groups)
     shapes = np.array([shear_curve(one) for one in different])[which]
     # K beta of film and bodies are the contact's own; what lies between them is solved.
     film = np.where(groups.film_aspect > 0.0, groups.film_K_beta / groups.n_E, groups.K_beta)
     ends = [np.broadcast_to(np.log(one), laws) for one in (film, groups.K_beta)]
-    values = np.empty((laws, PIECES + 1))
-    _fill(columns(piece.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
+    values = np.empty((laws, SEGMENTS + 1))
+    _fill(columns(segment.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
     return (first, *(values @ to_coefficients().T).T), _vanishes(first, values)
 
 
@@ -154,7 +154,7 @@ def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation; else `first`."""
     at = np.maximum((values < 0.0).sum(axis=1), 1)
     below, above = (np.take_along_axis(values, one[:, None], axis=1)[:, 0] for one in (at - 1, at))
-    y = (at - np.clip(above / (above - below), 0.0, 1.0)) / PIECES
+    y = (at - np.clip(above / (above - below), 0.0, 1.0)) / SEGMENTS
     return np.where(below < 0.0, first * np.exp(_HALFWAY * y / (1.0 - y)), first)
 
 

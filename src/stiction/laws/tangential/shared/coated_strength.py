@@ -1,7 +1,7 @@
-"""Tabulate the mean traction at which a coated asperity first yields, as a spline along its elastic piece.
+"""Tabulate the mean traction at which a coated asperity first yields, as a spline along its elastic segment.
 
 The tables of `solvers.layered.first_yield` tell whether film or body yields under given mean pressure and mean traction; the
-piece gives the pressure. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end and p is
+segment gives the pressure. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end and p is
 proportional to the square root of the contact radius. They are dense near y = 1, where the load alone causes yield, because
 the traction falls to zero over the last few per cent of the pressure. The spline represents the square of the traction, which
 falls there linearly.
@@ -17,8 +17,8 @@ from stiction.contact.indices import Groups
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
-from stiction.laws.piece import NormalPiece
-from stiction.laws.tangential.shared.even_spline import PIECES, spline, to_coefficients
+from stiction.laws.segment import NormalSegment
+from stiction.laws.tangential.shared.even_spline import SEGMENTS, spline, to_coefficients
 from stiction.solvers.layered.bodies import Bodies, bodies_of, per_root
 from stiction.solvers.layered.first_yield import ANGLES, PLACES, table_of_norms
 
@@ -87,13 +87,13 @@ def _filling(normal: Callable, parameters: int) -> Any:
             high = halve(low, high, given)
             unit = min(root[i], _FARTHEST / high)
             place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
-            for at in range(PIECES + 1):
-                left = 1.0 - at / PIECES
+            for at in range(SEGMENTS + 1):
+                left = 1.0 - at / SEGMENTS
                 u = max(np.expm1((1.0 - left * left) / place[i, 2]) / unit, 1e-12 * high)
                 _, _, load, area = normal(u, *row)
                 s = load / (scale[i] * area)
                 out[i, at] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
-            out[i, PIECES] = 0.0
+            out[i, SEGMENTS] = 0.0
 
     return fill
 
@@ -105,26 +105,26 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
     """
     bent = np.abs(np.diff(values, n=2, axis=1))
     at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
-    left = 1.0 - at / PIECES
+    left = 1.0 - at / SEGMENTS
     return np.expm1((1.0 - left * left) / place[:, 2:]) / place[:, 1:2]
 
 
-def strengths(piece: NormalPiece, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return the squared mean traction at which film or body yields along an elastic piece, and where its curve bends.
+def strengths(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Return the squared mean traction at which film or body yields along an elastic segment, and where its curve bends.
 
     The first is the arguments of `strength_at` as columns (n,): u where the load alone causes yield, factor and scale of the
-    coordinate, spline coefficients. The second is coordinates (n, k). The piece belongs to a film law that solves film and
+    coordinate, spline coefficients. The second is coordinates (n, k). The segment belongs to a film law that solves film and
     body together. groups: complete groups of contacts with a film.
     """
     laws = len(groups)
     different, which = bodies_of(groups)
     tables = np.exp(np.stack([_table(one) for one in different]))
-    place, values = np.empty((laws, 3)), np.empty((laws, PIECES + 1))
+    place, values = np.empty((laws, 3)), np.empty((laws, SEGMENTS + 1))
     there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws).astype(float)
     scale = np.ascontiguousarray(np.broadcast_to(groups.eta / groups.hardness_to_yield, laws))
     strength = np.ascontiguousarray(np.broadcast_to(groups.n_H, laws))
-    fill = _filling(piece.normal, len(piece.parameters))
-    fill(columns(piece.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
+    fill = _filling(segment.normal, len(segment.parameters))
+    fill(columns(segment.parameters, laws), scale, per_root(groups), strength, there, which, tables, place, values)
     return (*place.T, *(values @ to_coefficients().T).T), _bends(place, values)
 
 

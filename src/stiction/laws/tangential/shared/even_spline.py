@@ -6,28 +6,28 @@ import numpy as np
 
 from stiction.engine.compiled import formula
 
-PIECES = 56
+SEGMENTS = 56
 
 
 @lru_cache(maxsize=1)
 def to_coefficients() -> np.ndarray:
-    """Return the matrix that turns PIECES + 1 values at the knots into PIECES + 3 B-spline coefficients.
+    """Return the matrix that turns SEGMENTS + 1 values at the knots into SEGMENTS + 3 B-spline coefficients.
 
     Both ends are not-a-knot.
     """
     from scipy.interpolate import BSpline  # slow to import
 
-    knots = np.arange(-3.0, PIECES + 4.0)
-    basis = BSpline(knots, np.eye(PIECES + 3), 3)
+    knots = np.arange(-3.0, SEGMENTS + 4.0)
+    basis = BSpline(knots, np.eye(SEGMENTS + 3), 3)
     third = basis.derivative(3)
-    same = np.stack([third(at + 0.5) - third(at - 0.5) for at in (1.0, PIECES - 1.0)])
-    return np.linalg.inv(np.concatenate([basis(np.arange(PIECES + 1.0)), same]))[:, : PIECES + 1]
+    same = np.stack([third(at + 0.5) - third(at - 0.5) for at in (1.0, SEGMENTS - 1.0)])
+    return np.linalg.inv(np.concatenate([basis(np.arange(SEGMENTS + 1.0)), same]))[:, : SEGMENTS + 1]
 
 
 @formula
 def spline(y, coefficients):
     """Return the value of the spline at y, 0 to 1."""
-    place = min(y * PIECES, PIECES - 1e-9)
+    place = min(y * SEGMENTS, SEGMENTS - 1e-9)
     at = int(place)
     t = place - at
     r = 1.0 - t

@@ -1,4 +1,4 @@
-"""Compare the strength of the interface with that of the bulk, and find where a piece reaches a given pressure.
+"""Compare the strength of the interface with that of the bulk, and find where a segment reaches a given pressure.
 
 A junction under the mean pressure p and the mean shear stress tau is fully plastic if p^2 + alpha tau^2 = H^2. Without
 pressure its bulk therefore shears at H/sqrt(alpha).
@@ -15,14 +15,14 @@ from stiction.engine.compiled import formula
 from stiction.engine.crossings import crossing
 from stiction.engine.regime import columns
 from stiction.laws.joining import coordinates
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 
 # alpha: of a bulk that shears at Y/sqrt(3) (von Mises), 3 (H/Y)^2; or the 9 that is quoted from Tabor's experiments.
 ALPHA: dict[str, Callable[[np.ndarray], np.ndarray]] = {"von_mises": lambda k: 3.0 * k * k, "9": lambda k: 9.0 + 0.0 * k}
 _DEEPEST = 100.0  # over sigma: no asperity that counts is pressed so far
-_ROUNDING = 1e-13  # a plastic piece is at its pressure everywhere, to rounding: that is no crossing
+_ROUNDING = 1e-13  # a plastic segment is at its pressure everywhere, to rounding: that is no crossing
 _SAMPLES = 12  # pressures rise, and fall slowly if they do
-_MOST = 2  # on a piece: where the pressure rises above, and where a hardness that falls brings it back
+_MOST = 2  # on a segment: where the pressure rises above, and where a hardness that falls brings it back
 
 
 def share_of_bulk(groups: Groups, alpha: str) -> np.ndarray:
@@ -40,15 +40,15 @@ def _above(normal: Callable, parameters: int) -> Any:
     return above
 
 
-def where_pressure_is(piece: NormalPiece, pressure: np.ndarray) -> np.ndarray:
-    """Return the coordinates (n, 2) at which the mean pressure of a piece equals `pressure` (n,).
+def where_pressure_is(segment: NormalSegment, pressure: np.ndarray) -> np.ndarray:
+    """Return the coordinates (n, 2) at which the mean pressure of a segment equals `pressure` (n,).
 
     Unused entries are the first coordinate.
     """
-    last = np.minimum(piece.edges[:, -1], coordinates(piece, _DEEPEST))
-    edges = np.ascontiguousarray(np.minimum(piece.edges, last[:, None]))
-    parameters = (*piece.parameters, pressure * (1.0 + _ROUNDING))
+    last = np.minimum(segment.edges[:, -1], coordinates(segment, _DEEPEST))
+    edges = np.ascontiguousarray(np.minimum(segment.edges, last[:, None]))
+    parameters = (*segment.parameters, pressure * (1.0 + _ROUNDING))
     out = np.empty((len(edges), _MOST))
-    find = crossing(_above(piece.normal, len(piece.parameters)), len(parameters), _SAMPLES)
+    find = crossing(_above(segment.normal, len(segment.parameters)), len(parameters), _SAMPLES)
     find(columns(parameters, len(edges)), edges, out)
     return out

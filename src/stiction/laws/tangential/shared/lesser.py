@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.shared.edge_yield import lesser
 from stiction.laws.tangential.shared.turns import turns
 
@@ -56,11 +56,11 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
     return signed
 
 
-def lesser_of(piece: NormalPiece, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
-    """Return the smaller of both forces on the elastic piece of an adhesive asperity; kinks (n, k): further kinks."""
+def lesser_of(segment: NormalSegment, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
+    """Return the smaller of both forces on the elastic segment of an adhesive asperity; kinks (n, k): further kinks."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
-    signed = _signed(peeling.formula, width, yielding.formula, piece.normal, len(piece.parameters))
-    found = turns(signed, piece, own, 2, _MOST)
-    branch = np.where(found[:, 1] > piece.edges[:, :1], found[:, 1], -np.inf)
+    signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))
+    found = turns(signed, segment, own, 2, _MOST)
+    branch = np.where(found[:, 1] > segment.edges[:, :1], found[:, 1], -np.inf)
     whole = np.concatenate([found.reshape(len(found), -1), *([] if kinks is None else [kinks])], axis=1)
     return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, whole, branch)

@@ -1,6 +1,6 @@
 """Give yielded junctions a resistance by another law, chosen with the option plastic_junctions.
 
-The published law stays unchanged. Only where it gives no resistance, beyond a displacement or on a whole piece, the other law
+The published law stays unchanged. Only where it gives no resistance, beyond a displacement or on a whole segment, the other law
 is used. The requirements of the other law on elastic asperities are not checked there.
 """
 
@@ -12,19 +12,19 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
-from stiction.laws.piece import NormalPiece, TangentialResistance
+from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, find, resolve_options
 
 # From a weak interface to full stick.
 LAWS = ("bowden_tabor_1943", "tabor_1959", "junction_growth", "brizmer_kligerman_etsion_2007")
 
 
-def of_whole_piece(plastic_junctions: str, piece: NormalPiece, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance of the law named by `plastic_junctions` on a whole piece, or None if no law is named."""
+def of_whole_segment(plastic_junctions: str, segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
+    """Return the resistance of the law named by `plastic_junctions` on a whole segment, or None if no law is named."""
     if plastic_junctions == NO_JUNCTIONS:
         return None
     law = find(plastic_junctions, TangentialLaw)
-    return law.tangential_resistance(piece, groups, **resolve_options([law], {}))
+    return law.tangential_resistance(segment, groups, **resolve_options([law], {}))
 
 
 @cache
@@ -41,13 +41,13 @@ def _from_there_on(published: Callable, own: int, junction: Callable, more: int)
 
 
 def beyond(
-    plastic_junctions: str, start: np.ndarray, published: TangentialResistance, piece: NormalPiece, groups: Groups
+    plastic_junctions: str, start: np.ndarray, published: TangentialResistance, segment: NormalSegment, groups: Groups
 ) -> TangentialResistance:
     """Return the published resistance up to the displacement `start` (n,), and that of the law `plastic_junctions` beyond.
 
     `start` must be one of the kinks of the published resistance.
     """
-    other = of_whole_piece(plastic_junctions, piece, groups)
+    other = of_whole_segment(plastic_junctions, segment, groups)
     if other is None:
         return published
     own, more = len(published.parameters), len(other.parameters)

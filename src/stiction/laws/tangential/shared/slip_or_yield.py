@@ -179,7 +179,7 @@ def kinks_of(
 
     K_beta (n,): K beta times the mode-mixity share. last (n,): end of the elastic asperity. printed: use eq (10) of the 2015
     paper as printed. unloading: start at the smallest stable contact, not at first touch. A kink that does not exist is placed
-    at an end or outside the piece.
+    at an end or outside the segment.
     """
     scale = np.sqrt(6.0 * math.pi / groups.theta) ** (1.0 / 3.0)
     e = groups.eta / (scale * scale)

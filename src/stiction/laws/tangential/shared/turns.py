@@ -1,4 +1,4 @@
-"""Find sign changes along a piece, which are kinks of laws that take the smaller of two forces."""
+"""Find sign changes along a segment, which are kinks of laws that take the smaller of two forces."""
 
 from collections.abc import Callable
 from functools import cache
@@ -9,7 +9,7 @@ import numpy as np
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 
 # Steps in ln u that are looked at, up to so many times the first coordinate.
 _STEPS, _FARTHEST = 200, 1e5
@@ -48,13 +48,13 @@ def _finding(signed: Callable, parameters: int) -> Any:
     return fill
 
 
-def turns(signed: Callable, piece: NormalPiece, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
-    """Return the coordinates (n, numbers, most) at which numbers change sign along a piece.
+def turns(signed: Callable, segment: NormalSegment, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
+    """Return the coordinates (n, numbers, most) at which numbers change sign along a segment.
 
-    signed(u, row) returns these numbers; row: parameters of the piece, followed by `parameters` (n,). numbers: how many there
+    signed(u, row) returns these numbers; row: parameters of the segment, followed by `parameters` (n,). numbers: how many there
     are. most: largest number of sign changes of each. Unused entries are the first coordinate.
     """
-    laws = len(piece.edges)
-    whole, out = (*piece.parameters, *parameters), np.empty((laws, numbers, most))
-    _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(piece.edges), out)
+    laws = len(segment.edges)
+    whole, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))
+    _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(segment.edges), out)
     return out

@@ -9,7 +9,7 @@ import numpy as np
 from stiction.engine.bisection import halving
 from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
-from stiction.laws.piece import NormalPiece
+from stiction.laws.segment import NormalSegment
 
 _STEPS = 400  # doublings: from a billionth of the first coordinate to beyond any number
 
@@ -48,15 +48,15 @@ def _zeros(normal: Callable, parameters: int) -> Any:
     return fill_zeros
 
 
-def zero_load(piece: NormalPiece) -> np.ndarray | None:
-    """Return the coordinates (n,) at which the load changes from tension to compression, limited to the ends of the piece.
+def zero_load(segment: NormalSegment) -> np.ndarray | None:
+    """Return the coordinates (n,) at which the load changes from tension to compression, limited to the ends of the segment.
 
-    Returns None for a piece without length.
+    Returns None for a segment without length.
     """
-    laws, count = piece.edges.shape
+    laws, count = segment.edges.shape
     if count < 2:
         return None
     out = np.empty(laws)
-    compiled = _zeros(piece.normal, len(piece.parameters))
-    compiled(columns(piece.parameters, laws), np.ascontiguousarray(piece.edges), out)
+    compiled = _zeros(segment.normal, len(segment.parameters))
+    compiled(columns(segment.parameters, laws), np.ascontiguousarray(segment.edges), out)
     return out

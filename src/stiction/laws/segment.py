@@ -1,4 +1,4 @@
-"""Describe one smooth part (piece) of an asperity's normal behaviour, and the tangential resistance on it."""
+"""Describe one smooth part (segment) of an asperity's normal behaviour, and the tangential resistance on it."""
 
 import math
 from collections.abc import Callable
@@ -14,7 +14,7 @@ STATES = ("elastic", "elastic-plastic", "plastic")
 
 
 @dataclass(frozen=True)
-class NormalPiece:
+class NormalSegment:
     """Describe one smooth part of an asperity's normal behaviour, for n parameter sets ("laws") at once.
 
     normal(u, *parameters) returns displacement, derivative of the displacement by u, load and contact area at the coordinate
@@ -23,7 +23,7 @@ class NormalPiece:
     over pi R sigma.
 
     parameters: arrays (n,), in the order in which `normal` takes them.
-    edges: array (n, m + 1) of coordinates: start, kinks, and end of the piece; the end may be infinite.
+    edges: array (n, m + 1) of coordinates: start, kinks, and end of the segment; the end may be infinite.
     state: one of STATES. lowest: lower bound of the displacement.
     """
 
@@ -37,12 +37,12 @@ class NormalPiece:
 
 @dataclass(frozen=True)
 class TangentialResistance:
-    """Describe the tangential resistance on a piece: the force at which one asperity shears off.
+    """Describe the tangential resistance on a segment: the force at which one asperity shears off.
 
     resistance(u, displacement, load, area, *parameters) returns the slip-limited and the yield-limited force, in the unit of
     the load; at least one of them is zero. parameters: arrays (n,).
 
-    kinks: array (n, k) of coordinates at which the resistance is not smooth, in any order, or None; those outside the piece
+    kinks: array (n, k) of coordinates at which the resistance is not smooth, in any order, or None; those outside the segment
     are ignored. branch: coordinates at which the resistance starts like a fractional power, as in `Regime`, or None.
     """
 
@@ -54,18 +54,18 @@ class TangentialResistance:
 
 @formula
 def displaced(w, *row):
-    """Return the coordinate of a piece whose coordinate is its displacement w."""
+    """Return the coordinate of a segment whose coordinate is its displacement w."""
     return w
 
 
 @formula
 def root_of(w, *row):
-    """Return the coordinate of a piece whose coordinate is the square root of its displacement w."""
+    """Return the coordinate of a segment whose coordinate is the square root of its displacement w."""
     return math.sqrt(max(w, 0.0))
 
 
 def edges_at(*places: np.ndarray | float) -> np.ndarray:
-    """Return m coordinates, each an array (n,) or a number, as edges (n, m) of a piece."""
+    """Return m coordinates, each an array (n,) or a number, as edges (n, m) of a segment."""
     return np.stack(np.broadcast_arrays(*places), axis=1)
 
 
@@ -77,10 +77,10 @@ def from_curve(
     *,
     parameters: tuple[np.ndarray, ...] = (),
     state: str = "elastic",
-) -> NormalPiece:
-    """Return a piece from plain functions for load and contact area against displacement.
+) -> NormalSegment:
+    """Return a segment from plain functions for load and contact area against displacement.
 
-    It runs slower than a piece with formulas in a suitable coordinate, and its sums are accurate to 1e-8. Its coordinate is
+    It runs slower than a segment with formulas in a suitable coordinate, and its sums are accurate to 1e-8. Its coordinate is
     the square root of the displacement beyond `start`, in which curves that begin like a half-integer power are smooth.
 
     Parameters
@@ -88,9 +88,9 @@ def from_curve(
     load, area : functions of (displacement, *parameters)
         Functions of numbers, smooth between `start` and `end`; they may use `math`, `if`, `min` and `max`.
     start : array (n,)
-        Displacement at which the piece starts, over sigma.
+        Displacement at which the segment starts, over sigma.
     end : array (n,) or float
-        Displacement at which it ends, over sigma; infinite for the last piece.
+        Displacement at which it ends, over sigma; infinite for the last segment.
     parameters : arrays (n,)
         Parameters, in the order in which both functions take them.
     state : str
@@ -98,7 +98,7 @@ def from_curve(
     """
     normal, coordinate = _curve(load, area)
     edges = np.sqrt(edges_at(0.0, end - start))
-    return NormalPiece(normal, coordinate, (start, *parameters), edges, state, lowest=float(np.min(start, initial=0.0)))
+    return NormalSegment(normal, coordinate, (start, *parameters), edges, state, lowest=float(np.min(start, initial=0.0)))
 
 
 @cache
