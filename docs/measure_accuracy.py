@@ -79,11 +79,11 @@ def random_cases(coated):
 def table() -> str:
     cases = [list(table_cases()), list(random_cases(False)), list(random_cases(True))]
     lines = [
-        "| nodes | map | 376 reference values | random, bare | random, with a film |",
+        "| nodes | positions | 376 reference values | random, bare | random, with a film |",
         "|---|---|---|---|---|",
     ]
     for counts in RULES:
-        for name, rules in (("straight", straight_rules), ("leaning right", summation._make_rules)):
+        for name, rules in (("unchanged", straight_rules), ("shifted", summation._make_rules)):
             cells = []
             for case in cases:
                 errors = [worst(totals(regimes, h, counts, rules), true, sizes) for regimes, h, true, sizes in case]
