@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from stiction.report.table import prefix, short, some
+from stiction.quantities.sampling import spread_rows
+from stiction.report.table import prefix, short
 
 
 @pytest.mark.parametrize(
@@ -30,5 +31,7 @@ def test_values_are_multiplied_by_what_their_prefix_stands_for(quantity, largest
     assert factor == pytest.approx(per, rel=1e-12) and said == unit
 
 
-def test_some_rows_are_evenly_taken_with_both_ends():
-    assert some(5, 3).tolist() == [0, 2, 4] and some(2, 12).tolist() == [0, 1] and some(1, 4).tolist() == [0]
+def test_rows_are_spread_evenly_with_both_ends():
+    assert (
+        spread_rows(5, 3).tolist() == [0, 2, 4] and spread_rows(2, 12).tolist() == [0, 1] and spread_rows(1, 4).tolist() == [0]
+    )

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, COLOURS, GREY, SKY, along, along_points, canvas, draw_band, finish, look_of
 from stiction.report.several_tables import coordinates_along, of_value, points_dimension
-from stiction.report.table import some
 
 if TYPE_CHECKING:
     import xarray
@@ -88,7 +88,7 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     others = [dim for dim in best.dims if dim != point]
     places = list(np.ndindex(*(data.sizes[dim] for dim in others)))
     x = data[point].values
-    for line, chosen in enumerate(some(len(places), _LINES)):
+    for line, chosen in enumerate(spread_rows(len(places), _LINES)):
         place = dict(zip(others, places[chosen], strict=True))
         texts = [
             f"{coordinate} = {of_value(data, coordinate, index)}"

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.report.pictures import (
     COLOUR_MAP,
@@ -34,7 +35,7 @@ from stiction.report.several_tables import (
     shown_quantity,
     varied,
 )
-from stiction.report.table import prefix, some
+from stiction.report.table import prefix
 
 if TYPE_CHECKING:
     import xarray
@@ -54,7 +55,7 @@ def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         figure = _maps(data, dims)
     elif len(dims) == 2:
         by, against = sorted(dims, key=lambda dim: data.sizes[dim])
-        places = [{points: int(point)} for point in some(data.sizes[points], _PANELS)] if points else [{}]
+        places = [{points: int(point)} for point in spread_rows(data.sizes[points], _PANELS)] if points else [{}]
         figure, panels = canvas(5.2 * len(places) + 0.5, 4.8, 1, len(places), sharey=True)
         for axes, place in zip(panels, places, strict=True):
             _lines(axes, data.isel(place), against, by)
@@ -77,7 +78,7 @@ def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> 
     """
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
-    places = [{by: int(index)} for index in some(data.sizes[by], _LINES)] if by else [{}]
+    places = [{by: int(index)} for index in spread_rows(data.sizes[by], _LINES)] if by else [{}]
     for number, place in enumerate(places):
         y = data[name].isel(place).values
         drawn = np.isfinite(y) & (y > 0.0)
@@ -127,12 +128,12 @@ def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
     """
     points = points_dimension(data)
     count = data.sizes[points] if points else 1
-    places = [{points: int(index)} if points else {} for index in some(count, _MAPS)]
+    places = [{points: int(index)} if points else {} for index in spread_rows(count, _MAPS)]
     columns = min(len(places), 3)
     if len(dims) > 2:
         dims = sorted(dims, key=lambda dim: -data.sizes[dim])
         fixed = {dim: (data.sizes[dim] - 1) // 2 for dim in dims[4:]} | ({points: (count - 1) // 2} if points else {})
-        outer = {dim: some(data.sizes[dim], _MULTIPLES) for dim in reversed(dims[2:4])}
+        outer = {dim: spread_rows(data.sizes[dim], _MULTIPLES) for dim in reversed(dims[2:4])}
         places = [fixed | dict(zip(outer, map(int, index), strict=True)) for index in product(*outer.values())]
         columns = len(outer[dims[2]])
     rows = -(-len(places) // columns)

@@ -3,9 +3,10 @@
 from itertools import product
 from typing import TYPE_CHECKING
 
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import span
-from stiction.report.table import Table, numbers, shown, some, with_unit
+from stiction.report.table import Table, numbers, shown, with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -67,14 +68,14 @@ def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """
     name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
     intervals = f"{name}_low" in data
-    columns = some(data.sizes[points], 2 if intervals else _POINTS).tolist() if points else [0]
+    columns = spread_rows(data.sizes[points], 2 if intervals else _POINTS).tolist() if points else [0]
     each = max(2, int(_ROWS ** (1.0 / len(dims)) + 1e-9))
     most = data[name].size if all_rows else _ROWS if len(dims) == 1 else each
     heads = [_head(coordinate) for dim in dims for coordinate in coordinates_along(data, dim)]
     heads += [f"{_HEADS[name]} at\n{of_point(data, column)}" for column in columns]
     results = data[[name, f"{name}_low", f"{name}_high"] if intervals else [name]]
     rows = []
-    for indices in product(*(some(data.sizes[dim], most).tolist() for dim in dims)):
+    for indices in product(*(spread_rows(data.sizes[dim], most).tolist() for dim in dims)):
         place = dict(zip(dims, indices, strict=True))
         cells = [of_value(data, name, index) for dim, index in place.items() for name in coordinates_along(data, dim)]
         for column in columns:

@@ -13,6 +13,7 @@ from rich.segment import Segment
 from rich.table import Table as Printed
 from rich.text import Text
 
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
@@ -73,7 +74,7 @@ class Table:
 
         A ranked table keeps its first rows; others keep evenly spaced rows including the first and the last.
         """
-        chosen = range(min(len(self.rows), most)) if self.ranked else some(len(self.rows), most)
+        chosen = range(min(len(self.rows), most)) if self.ranked else spread_rows(len(self.rows), most)
         looks = [self.looks[row] for row in chosen] if self.looks else ()
         return replace(self, rows=[self.rows[row] for row in chosen], looks=looks)
 
@@ -122,11 +123,6 @@ class Table:
                 texts[1:] = [Text.assemble("\n", text) for text in texts[1:]]
             table.add_row(*texts, style=self.looks[number] if self.looks else None)
         return table
-
-
-def some(count: int, most: int) -> np.ndarray:
-    """Return at most `most` evenly spaced indices from 0 to count - 1, including both ends."""
-    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 
 def short(value: float, digits: int = 4) -> str:

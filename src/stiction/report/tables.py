@@ -11,12 +11,13 @@ from rich.text import Text
 
 from stiction.contact.contact import Contact
 from stiction.laws.validity import warnings_of
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES, AsperityLaw, FilmLaw, Record, RoughSurface, TangentialLaw, find
 from stiction.report.answer import grade_line, model_line, model_record, number
 from stiction.report.plain_formulas import as_text
-from stiction.report.table import Table, facts, notes, numbers, prefix, short, shown, some, with_unit
+from stiction.report.table import Table, facts, notes, numbers, prefix, short, shown, with_unit
 from stiction.solving.accuracy.film_errors import in_words
 from stiction.solving.unused import unused_of
 
@@ -46,7 +47,7 @@ def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[s
     """
     heads = HEADS if heads is None else heads
     count = data["load"].size
-    chosen = some(count, count if all_rows else _ROWS)
+    chosen = spread_rows(count, count if all_rows else _ROWS)
     names = [name for name in heads if name in data]
     columns = [_column(data[name], name, chosen) for name in names]
     units = any(unit for unit, _ in columns)

@@ -15,6 +15,7 @@ from stiction.contact.subject import Subject
 from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
+from stiction.quantities.sampling import spread_rows
 from stiction.records.registry import RoughSurface, find
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
@@ -22,7 +23,6 @@ from stiction.solving.sliding import slide
 from stiction.solving.solve import solve
 from stiction.studies.comparison.compare import compare
 from stiction.studies.prediction.predict import is_predicted, predict
-from stiction.studies.pressing_loads import few_places
 from stiction.studies.uncertainty.bands import with_bands
 from stiction.studies.uncertainty.drawing import solves_maps
 
@@ -141,7 +141,7 @@ def slide_case(
     choice = choice_of_case(case, case.choice if choice is None else choice)
     arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
     given_at = {name: getattr(case, name) for name in ("separation", "load") if getattr(case, name) is not None}
-    points = {name: row[few_places(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
+    points = {name: row[spread_rows(np.size(row), _FEW)] if np.ndim(row) else row for name, row in given_at.items()}
     subject = case.subject if solves_maps(choice) else case.subject.as_numbers()
     data = slide(
         subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip,

@@ -7,11 +7,6 @@ from stiction.solving.choice import DEFAULT_MODEL, RECOMMENDED
 from stiction.solving.solve import solve
 
 
-def few_places(size: int, few: int) -> np.ndarray:
-    """Return at most `few` evenly spaced indices of a list of this size, including the first and the last."""
-    return np.unique(np.linspace(0, size - 1, min(size, few)).round().astype(int))
-
-
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """Return the loads of a case above 0 (n,), and the index of its working load among them.
 

@@ -9,8 +9,8 @@ rows, and reads them for node-to-surface contact.
 from typing import TYPE_CHECKING
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.sampling import spread_rows
 from stiction.report.exports.abaqus import surface_behavior
-from stiction.report.table import some
 
 if TYPE_CHECKING:
     import xarray
@@ -27,6 +27,6 @@ def content(table: "xarray.Dataset") -> str:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
         raise InputError("to", "calculix", "a format that needs no stiffness, e.g. abaqus", why)
     mu, slope = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "tangential_stiffness"))
-    few = table.isel(row=some(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
+    few = table.isel(row=spread_rows(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION", *surface_behavior(few)]
     return "\n".join([*lines, "*FRICTION", f"{mu:.8g}, {slope:.8g}"]) + "\n"

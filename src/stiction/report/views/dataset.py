@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
+from stiction.quantities.sampling import spread_rows
 from stiction.report.files import record, write_csv
-from stiction.report.table import Table, facts, numbers, some, with_unit
+from stiction.report.table import Table, facts, numbers, with_unit
 from stiction.report.view import View
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def dataset_view(name: str, data: "xarray.Dataset") -> View:
         yield facts([(str(variable), _cell(data[variable])) for variable in data.data_vars if not data[variable].dims])
         for along, names in columns.items():
             shown = names[:_COLUMNS]
-            rows = [[_cell(data[variable][row]) for variable in shown] for row in some(data.sizes[along], _ROWS)]
+            rows = [[_cell(data[variable][row]) for variable in shown] for row in spread_rows(data.sizes[along], _ROWS)]
             yield Table(numbers(*map(str, shown), wrap=True), rows)
             if len(names) > _COLUMNS:
                 yield Text(f"{len(names) - _COLUMNS} more columns are in {name}_{along}.csv (--out)", style="dim")

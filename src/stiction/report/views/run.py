@@ -9,11 +9,12 @@ import numpy as np
 from rich.text import Text
 
 from stiction.quantities.dimensions import in_columns
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
 from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
-from stiction.report.table import Table, notes, numbers, short, some
+from stiction.report.table import Table, notes, numbers, short
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.view import Picture, View, picture, regime_picture
 from stiction.solving.method_spread import METHOD
@@ -37,7 +38,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
     rows = []
     # Where numbers are several, of each the first: the files have them all.
     first = data.isel({point: 0 for point in several})
-    for index in some(data.sizes[dim] if dim else 1, _ROWS):
+    for index in spread_rows(data.sizes[dim] if dim else 1, _ROWS):
         point = first.isel({dim: int(index)}) if dim else first
         band, error = point[f"{name}_quantile"].values, point[f"{name}_quantile_error"].values
         worst = float(np.nanmax(error)) if np.isfinite(error).any() else np.nan

@@ -9,6 +9,7 @@ import numpy as np
 from stiction import __version__
 from stiction.case.read import wants_ranges, without_studies
 from stiction.case.text import case_text, show_exactly, with_written
+from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.design.missed import missed_objectives, off_targets
@@ -35,11 +36,7 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
     )
     if len(search.plan.objectives) == 2:
         front = search.front()
-        chosen = (
-            front[np.unique(np.linspace(0, len(front) - 1, min(len(front), _SHOWN)).round().astype(int))]
-            if front.size
-            else front
-        )
+        chosen = front[spread_rows(len(front), _SHOWN)]
         more = {f"pareto_{name}": column for name, column in _columns(search, chosen, "pareto").items()}
         data = data.merge(xarray.Dataset(more, coords={"pareto": np.arange(len(chosen))}))
     _, objectives, worst, _ = search.archive.table()

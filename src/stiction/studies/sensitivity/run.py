@@ -12,13 +12,13 @@ from stiction.case.read import Case, as_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
+from stiction.quantities.sampling import spread_rows
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.solve import solve
 from stiction.studies.case_results import choice_of_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict
-from stiction.studies.pressing_loads import few_places
 from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
 from stiction.studies.uncertainty.bands import drawing_said, warning_shares
@@ -133,7 +133,7 @@ def _at_few_loads(case: Case, working: float | None) -> Case:
     """Return the case with at most nine of its loads, among them the one nearest to the working load."""
     if case.load is None or case.load.size <= _LOADS:
         return case
-    places = few_places(case.load.size, _LOADS)
+    places = spread_rows(case.load.size, _LOADS)
     if working is not None:
         nearest = int(np.argmin(np.abs(case.load - working)))
         places[np.argmin(np.abs(places - nearest))] = nearest
