@@ -1,1 +1,1 @@
-"""growth of the interface strength with the time at rest ("none" leaves it out)"""
+"""growth of the interface strength with the hold time ("none" leaves it out)"""

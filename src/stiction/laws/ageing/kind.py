@@ -1,4 +1,4 @@
-"""Define ageing laws: growth of the interface strength with time at rest, added to a model."""
+"""Define ageing laws: growth of the interface strength with the hold time, added to a model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from stiction.records.registry import OF_AREA, Addition, FilmLaw, RoughSurface, 
 
 @dataclass(frozen=True, kw_only=True)
 class Ageing(Addition):
-    """Describe an ageing law: the strength of the interface grows with the time at rest.
+    """Describe an ageing law: the strength of the interface grows with the hold time.
 
     aged(groups) returns the groups with the interface strength after the hold time. The contact area is not changed.
     """

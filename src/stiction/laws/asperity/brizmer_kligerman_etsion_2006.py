@@ -2,8 +2,9 @@ r"""One asperity without adhesion in full stick with its counterface: Brizmer, K
 
 *Assumes*: an elastic, perfectly plastic sphere on a rigid flat in full stick, without slip anywhere in the contact. The
 formulas are fitted to finite elements. *Source*: [brizmer_kligerman_etsion_2006]; critical values and load are taken from an
-independent code. The critical values are those of a frictionless Hertz contact (in slip), multiplied by ratios that depend on
-Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with $C_\nu=1.234+1.256\nu$; in stick
+independent code. The critical displacement $w_c$ and load $P_c$, at first yield in stick, are those of a frictionless Hertz
+contact (slip) times ratios that depend on Poisson's ratio. In slip $w_s=(\tfrac23C_\nu\eta/k)^2$ with
+$C_\nu=1.234+1.256\nu$, the largest pressure over the yield stress; in stick
 
 $$
 w_c=\left[6.82\nu-7.83\,(\nu^2+0.0586)\right]w_s,\qquad P_c=\left[8.88\nu-10.13\,(\nu^2+0.089)\right]w_s^{3/2}
@@ -14,17 +15,22 @@ $$
 A=w\left\{1+\exp\left[\frac1{1-r^\alpha}\right]\right\},\qquad r=\frac w{w_c}>1
 $$
 
-with $\beta=0.174+0.08\nu$, $\alpha=0.25+0.125\nu$; below, $P=P_cr^{3/2}$ and $A=w$. The brackets are 0.8825 and 0.8507 at
-$\nu=0.3$, 0.994 and 1.006 at $\nu=\tfrac12$; they are fitted for $\nu\ge0.2$ and constant below. In SI $\omega_s=(\pi
-C_\nu(1-\nu^2)Y/(2E))^2R$; here $E/(1-\nu^2)$ is $E^*$ of any pair and $Y=H/k$.
+with $\beta=0.174+0.08\nu$ and $\alpha=0.25+0.125\nu$. Up to first yield ($r\le1$), $P=P_cr^{3/2}$ and $A=w$. The ratios in
+square brackets are 0.8825 (displacement) and 0.8507 (load) at $\nu=0.3$, 0.994 and 1.006 at $\nu=\tfrac12$. They are fitted
+for $\nu\ge0.2$ and kept constant below. In SI $\omega_s=(\pi C_\nu(1-\nu^2)Y/(2E))^2R$; here $E/(1-\nu^2)$ is $E^*$ of any
+pair and $Y=H/k$.
 
-Load and area are continuous. *Limit*: Hertz's area; Hertz's load times 1.026 at $\nu=0.3$, times 1.043 at most, because stick
-makes the contact stiffer. *Unknown*: the exponent $\alpha$ of the area is from memory, and the critical area is assumed to be
+Load and area are continuous at first yield. *Limit* without yield: Hertz's area, and Hertz's load times 1.026 at $\nu=0.3$
+(1.043 at most), because stick makes the contact stiffer. *Unknown*: the exponent $\alpha$ of the area is from memory, and the
+critical area is assumed to be
 $\pi R\omega_c$. The only check of both is the agreement with the [other elastic-plastic
 laws](#the-elastic-plastic-laws-side-by-side). *Trap*: a public implementation has $6.82-7.83(\ldots)$, without the $\nu$.
 *Coordinate*: $u=\sqrt w$.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. [All
+symbols](#1-units).
 """
 
 import math
@@ -128,20 +134,22 @@ RECORD = AsperityLaw(
         Source(
             "brizmer_kligerman_etsion_2006",
             "contact area",
-            "reconstructed: the exponent 0.25 + 0.125 nu is as commonly remembered and could not be looked up; the critical "
-            "area is taken as pi R delta_c",
+            "reconstructed: the exponent 0.25 + 0.125 nu is from memory and could not be checked; the critical area is "
+            "assumed to be pi R delta_c",
         ),
     ),
     segments=segments,
     traits=frozenset({"no adhesion"}),
-    verified="load within 6 % and area within 10 % of Kogut and Etsion and of Jackson and Green for 1.5 to 110 critical "
-    "interferences, which is the only check of the area's exponent; continuous by its closed form",
+    verified="load within 6 % and area within 10 % of kogut_etsion_2002 and jackson_green_2005 from 1.5 to 110 critical "
+    "interferences, the only check of the area's exponent; load and area continuous at first yield",
     needs=("hardness_group", "nu", "hardness_to_yield"),
-    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are kept constant below nu = 0.2"),),
+    validity=(
+        Validity("nu", LEAST_NU, 0.5, "the law is fitted for larger nu; below, its ratios of stick to slip are kept constant"),
+    ),
     limits=(
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-9),
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("load",), 0.045),
     ),
-    notes="Stick makes the elastic asperity stiffer than Hertz's: by 2.6 % for nu = 0.3, by 4.3 % at most. The yield stress "
-    "is H/k.",
+    notes="Before yield, stick raises the load above Hertz's at the same displacement: by 2.6 % for nu = 0.3, by 4.3 % at "
+    "most. The yield stress is hardness over hardness_to_yield.",
 )

@@ -7,9 +7,12 @@ $$
 P=w^{3/2}-\frac{2\pi}\theta,\qquad A=w\qquad(w\ge0)
 $$
 
-It is valid for Tabor parameters below about 0.1. Asperities that do not touch are not attracted. *Limit*: `hertz`.
+The law is valid for Tabor parameters below about 0.1. Asperities that do not touch are not attracted. *Limit*: `hertz` without
+adhesion ($\theta\to\infty$).
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion. [All symbols](#1-units).
 """
 
 import math
@@ -43,13 +46,13 @@ RECORD = AsperityLaw(
     key="dmt",
     title="Elastic sphere, adhesion around the contact",
     grade="B",
-    sources=(Source("derjaguin_muller_toporov_1975", "", "load less 2 pi gamma R, in the form of Maugis 1992"),),
+    sources=(Source("derjaguin_muller_toporov_1975", "", "Hertz's load minus 2 pi gamma R, in the form of Maugis 1992"),),
     segments=segments,
     traits=frozenset({"Hertz's shape"}),
-    verified="independent integrals at 30 digits; Hertz without adhesion",
+    verified="loads, areas and their sums over heights, computed independently at 30 digits; equal to Hertz without adhesion",
     needs=("theta",),
     validity=(
-        Validity("tabor_parameter", 0.0, 0.1, "adhesion around the contact is valid only for stiff, small asperities"),
+        Validity("tabor_parameter", 0.0, 0.1, "the law describes the adhesion of stiff, small asperities only"),
         ELASTIC,
     ),
     limits=(Limit("hertz", {"theta": 1e14}, ("load", "contact_area"), 1e-9),),

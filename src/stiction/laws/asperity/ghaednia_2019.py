@@ -1,10 +1,11 @@
 r"""One asperity without adhesion whose material hardens: Ghaednia, Brake, Berryhill & Jackson 2019.
 
-*Assumes*: the flattened sphere of Jackson and Green, made of a material with bilinear hardening. Its stress rises with
-Young's modulus up to the yield stress $Y$ and with the tangent modulus $E_t$ beyond (`tangent_modulus` of the softer
-material; the group is `hardening` $=e=E_t/E$). Up to $1.9\,\omega_c$ the contact is Hertz's. Beyond, area and load lie
-between those of the sphere without hardening and Hertz's, closer to Hertz's the stronger the hardening. *Source*:
-[ghaednia_2019], eqs. (1) to (6) and (23) to (31), with constants from codes of one author's group.
+*Assumes*: the flattened sphere of [`jackson_green_2005`](#jackson_green_2005), made of a material with bilinear hardening. Its
+stress rises with Young's modulus $E$ up to the yield stress $Y$ and with the tangent modulus $E_t$ beyond (`tangent_modulus`
+of the softer material; the group `hardening` is $e=E_t/E$). Up to $1.9\,\omega_c$ the contact is Hertz's, with $\omega_c$ the
+displacement at first yield. Beyond, area and load lie between those of the sphere without hardening and Hertz's, closer to
+Hertz's the stronger the hardening. *Source*: [ghaednia_2019], eqs. (1) to (6) and (23) to (31), with constants from codes of
+one author's group. Contact radius $a$, load $P$ and limiting pressure $H_G$ at the displacement $\omega$ are
 
 $$
 a=a_e+(a_p-a_e)\exp\Upsilon,\qquad P=P_p+(P_e-P_p)\left(1-\exp(-3.3e)\right),\qquad
@@ -15,21 +16,22 @@ $$
 \Upsilon=\frac{-2se^{\,1-(\omega-\omega_c)/R}}{(4-3\exp(-2se))(1-e)},\qquad s=\sqrt{E/Y}
 $$
 
-(eqs. 25, 30, 28 and 26; the power in the last is one of $e=E_t/E$) with $a_e$, $P_e$ Hertz's (eqs. 1 and 31) and $a_p$, $P_p$
-Jackson and Green's (eqs. 23, 24, 27 and 29) with this $H_G$. $E$ is the modulus of the sphere itself. With
-`other_body="alike"` (default) both bodies are equal and $E=2(1-\nu^2)E^*$; with `"rigid"` one body is rigid and
-$E=(1-\nu^2)E^*$. $\Upsilon=0$ for $e=0$. $H_G$ is constant beyond $a=R$.
+(eqs. 25, 30, 28 and 26). $\exp$ is the exponential function; the last equation has a power of $e=E_t/E$. $a_e$ and $P_e$ are
+Hertz's (eqs. 1 and 31), $a_p$ and $P_p$ are Jackson and Green's (eqs. 23, 24, 27 and 29) with this $H_G$. $E$ is the modulus
+of the sphere itself. With `other_body="alike"` (default) both bodies are equal and $E=2(1-\nu^2)E^*$; with `"rigid"` one body
+is rigid and $E=(1-\nu^2)E^*$. $\Upsilon=0$ for $e=0$. $H_G$ is constant beyond $a=R$.
 
 *Reconstructed*, hence grade C: eq. (26) is taken from these codes, not from print. The codes quote the printed form, which
 has the opposite sign and $\omega$ in place of $\omega-\omega_c$, and call it wrong. Eq. (31) is used without its printed
 factor $\pi$, which Hertz's force does not have.
 
-*Limits*: at $e=0$ the area is exactly that in `jackson_green_2005`. For blunt asperities the load is too; the limiting
-pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load has covered 96 % of the difference
-between $P_p$ and Hertz's. *Coordinate*: $u=\sqrt w$.
+*Limits*: at $e=0$ the area is exactly that of `jackson_green_2005`. The load is the same for blunt asperities only, because
+the limiting pressures differ if $a/R$ is not small. At $e\to1$ the area is Hertz's, and the load is $P_p$ plus 96 % of the
+difference between Hertz's load and $P_p$. *Coordinate*: $u=\sqrt w$.
 
-*Check*: radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. Four of these rows,
-for $E=192$ GPa, $\nu=0.3$, $R=1.4$ mm, $Y=330$ MPa (equal spheres, flattened against the plane between them):
+*Check*: contact radius and force agree with thirteen rows of an independent code's regression file to $10^{-12}$. Four of
+these rows, for two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm), each flattened against the
+plane between them:
 
 | $E_t$ | interference (m) | contact radius (m) | force (N) |
 |---|---|---|---|
@@ -38,7 +40,9 @@ for $E=192$ GPa, $\nu=0.3$, $R=1.4$ mm, $Y=330$ MPa (equal spheres, flattened ag
 | 620 MPa | $2.644729276723\cdot10^{-7}$ | $1.982362642132\cdot10^{-5}$ | $6.888366827256\cdot10^{-1}$ |
 | 0 | $2.644729276723\cdot10^{-7}$ | $1.989065002445\cdot10^{-5}$ | $6.885474816181\cdot10^{-1}$ |
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import math
@@ -187,9 +191,9 @@ RECORD = AsperityLaw(
         Source(
             "ghaednia_2019",
             "eqs 1 to 6 and 23 to 31",
-            "as in the code of one author's group: eq 26 is not as printed, and eq 31 is without its factor pi",
+            "as in the code of one author's group: eq 26 differs from print, and eq 31 is used without its printed factor pi",
         ),
-        Source("jackson_green_2005", "the sphere that does not harden"),
+        Source("jackson_green_2005", "the sphere without hardening"),
         Source("hertz_1882", "the elastic asperity"),
     ),
     segments=segments,
@@ -200,12 +204,12 @@ RECORD = AsperityLaw(
             1,
             1.00474,
             1.0,
-            "at 1.9 omega_c, without hardening; exp(-3.3 E_t/E) times as much with it",
+            "at 1.9 omega_c, without hardening; with it the excess over 1 is multiplied by exp(-3.3 E_t/E)",
             {"theta": 1e3, "lam": 1e2, "nu": 0.3, "hardness_to_yield": 2.8, "sharpness": 0.02, "hardening": 0.0},
         ),
     ),
-    verified="that code (TMDSimPy), two materials at E_t/E = 0.0032, one at none: area and load at 0.5 to 8 omega_c to 1e-12, "
-    "with `other_body` rigid; the limits of no hardening and of E_t -> E",
+    verified="contact radius and force of the code TMDSimPy to 1e-12, with `other_body` rigid: two materials with "
+    "E_t/E = 0.0032 and one without hardening, at 0.5 to 8 omega_c; limits of no hardening and of E_t -> E",
     needs=("hardness_group", "nu", "hardness_to_yield", "sharpness", "hardening"),
     limits=(
         Limit("jackson_green_2005", {"hardening": 0.0}, ("contact_area",), 1e-9),
@@ -214,10 +218,10 @@ RECORD = AsperityLaw(
         elastic_limit("hertz"),
     ),
     load_falls=False,
-    notes="The yield stress is H/k, k = H/Y. The law is written in E* of the pair, and E and E_t of the asperity: `other_body` "
-    "says what E is, that of either of two bodies alike (the case of most figures of the source), or of the one that is not "
-    "rigid. For E_t -> E the area becomes Hertz's, the load only nearly: by 96 %. Without hardening this is Jackson and Green "
-    "but for the limiting hardness, which has a cosine in place of their exponential; they differ where a/R is not small. "
-    "The figures go to omega/R = 0.05. From a = R on the limiting hardness is held at its least value, S_y; and as omega nears "
-    "R, eq 26 takes the area back to Hertz's.",
+    notes="The yield stress Y is hardness over hardness_to_yield. The law uses E* of the pair, and E and E_t of the asperity. "
+    "`other_body` states how E follows from E*: two equal bodies (alike, as in most figures of the source) or one rigid body. "
+    "For E_t -> E the area becomes Hertz's, and the load covers 96 % of the difference to Hertz's. Without hardening the law "
+    "is that of Jackson and Green with another limiting pressure, a cosine in place of their exponential; the two differ where "
+    "a/R is not small. The figures of the source end at omega/R = 0.05. Beyond a = R the limiting pressure is kept at its "
+    "smallest value, Y; as omega approaches R, the area returns to Hertz's by eq 26.",
 )

@@ -1,6 +1,6 @@
 r"""One elastic asperity without adhesion: Hertz 1882.
 
-*Assumes*: elastic, smooth bodies without adhesion; $a\ll R$. *Source*: [hertz_1882].
+*Assumes*: elastic, smooth bodies without adhesion and friction; a contact radius $a\ll R$. *Source*: [hertz_1882].
 
 $$
 P=w^{3/2},\qquad A=w
@@ -9,9 +9,10 @@ $$
 In SI $P=\tfrac43E^*R^{1/2}\omega^{3/2}$, $a^2=R\omega$, largest pressure
 $p_0=\tfrac32P/(\pi a^2)=(2E^*/\pi)\sqrt{\omega/R}$. *Coordinate*: $u=\sqrt w$, in which load and area are polynomials.
 
-**First yield.** Without shear, a Hertz contact first yields (von Mises) on its axis, below the surface ([johnson_1985], eq.
-3.45 for the stresses). The table compares the exact value, from `first_yield`, with the values in the elastic-plastic laws:
-Jackson and Green $1.295\,e^{0.736\nu}$, Brizmer et al. $1.234+1.256\nu$, Chang et al. $2.8\,(0.454+0.41\nu)$:
+**First yield.** Without shear, a Hertz contact first yields (von Mises, yield stress $Y$) on its axis, at a depth $z$ below
+the surface ([johnson_1985], eq. 3.45 for the stresses). The table compares the exact $p_0/Y$, from `first_yield`, with the
+fits in the elastic-plastic laws: $1.295\,e^{0.736\nu}$ of Jackson and Green, $1.234+1.256\nu$ of Brizmer et al.,
+$2.8\,(0.454+0.41\nu)$ of Chang et al.:
 
 | $\nu$ | depth $z/a$ | exact $p_0/Y$ | Jackson and Green | Brizmer et al. | Chang et al. |
 |---|---|---|---|---|---|
@@ -24,10 +25,12 @@ Jackson and Green $1.295\,e^{0.736\nu}$, Brizmer et al. $1.234+1.256\nu$, Chang 
 | 0.45 | 0.5310 | 1.8061 | 1.8035 | 1.7992 | 1.7878 |
 | 0.499 | 0.5475 | 1.8758 | 1.8697 | 1.8607 | 1.8441 |
 
-The fit of Jackson and Green is within 0.4 % throughout. The others are straight lines, with errors up to 2.5 % for $\nu$
-outside 0.2 to 0.4.
+The fit of Jackson and Green is within 0.4 % throughout. The other two are linear in $\nu$, with errors up to 2.5 % outside
+$\nu$ = 0.2 to 0.4.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import math
@@ -95,6 +98,6 @@ RECORD = AsperityLaw(
     sources=(Source("hertz_1882", "load and contact area of two elastic spheres"),),
     segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
-    verified="closed forms; sums F_n(h) at 30 digits",
+    verified="closed forms of load and area; sums over Gaussian heights at 30 digits",
     validity=(ELASTIC,),
 )

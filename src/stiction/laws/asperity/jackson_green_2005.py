@@ -1,8 +1,9 @@
 r"""One asperity without adhesion whose hardness falls as it is flattened: Jackson & Green 2005.
 
-*Assumes*: an elastic, perfectly plastic hemisphere on a rigid flat, fitted to finite elements. The limit of the mean
-pressure, $H_G$, falls as the contact radius grows relative to $R$. There is no fully plastic segment with the hardness $H$.
-*Source*: [jackson_green_2005]; constants are taken from two independent codes.
+*Assumes*: an elastic, perfectly plastic hemisphere on a rigid flat; the formulas are fitted to finite elements. The mean
+pressure tends to the limit $H_G$, which falls as the contact radius $a$ grows relative to $R$. There is no fully plastic
+segment with the hardness $H$. *Source*: [jackson_green_2005]; constants are taken from two independent codes. With the
+displacement $w_c$ and load $P_c$ at first yield:
 
 $$
 w_c=\left(\tfrac23C\eta/k\right)^2,\quad C=1.295\,e^{0.736\nu},\quad P_c=w_c^{3/2},\quad r=w/w_c;\qquad\text{Hertz to}\ r=1.9
@@ -18,24 +19,28 @@ B=0.14\,e^{23Y/E^*},\qquad\frac{H_G}Y=2.84\left[1-\exp\left(-0.82\,(a/R)^{-0.7}\
 $$
 
 The yield stress is $Y=H/k$. In SI $\omega_c=(\pi CY/(2E^*))^2R$ and $P_c=\tfrac43(R/E^*)^2(\tfrac12C\pi Y)^3$; the source's
-argument of $H_G$, $\tfrac\pi2C(Y/E^*)\sqrt{r(r/1.9)^B}$, is this $a/R$. *Jump* of the load at 1.9: 1.0047 at $\nu=0.3$ for
-blunt asperities, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; the area is continuous. The exponent $B$ is fitted to metals and
-grows without limit if $Y/E^*$ is not small; here it is constant beyond $Y/E^*=0.1$. *Coordinate*: $u=\sqrt w$.
+argument of $H_G$, $\tfrac\pi2C(Y/E^*)\sqrt{r(r/1.9)^B}$, is this $a/R$. *Jump*: at $r=1.9$ the load of blunt asperities is
+multiplied by 1.0047 at $\nu=0.3$, 1.075 at $\nu=0$, 0.966 at $\nu=\tfrac12$; the area is continuous. The exponent $B$ is
+fitted to metals and becomes very large if $Y/E^*$ is not small; here it is constant beyond $Y/E^*=0.1$. *Coordinate*:
+$u=\sqrt w$.
 
-*Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. An independent code of the later law for hardening materials
-([ghaednia_2019]), run without hardening on two like spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius 1.4 mm),
-gives the values below. It presses one sphere on a rigid plane, with twice the radius and modulus of the pair and half the
-displacement, so that its $Y/E^*$ is half of the pair's:
+*Check*: $H_G/Y=2.6137$ at $a/R=0.2$ and 2.0905 at 0.5. The table is from an independent code of the later law for hardening
+materials ([ghaednia_2019]), run without hardening on two equal spheres ($E=192$ GPa, $\nu=0.3$, $Y=330$ MPa, effective radius
+1.4 mm). The code presses one sphere on a rigid plane, with twice the effective radius, twice the contact modulus and half the
+displacement of the pair, so that its $Y/E^*$ is half of the pair's:
 
-| displacement [m] | contact radius [m] | load [N] | here |
+| displacement [m] | contact radius [m] | load [N] | this law |
 |---|---|---|---|
-| 4.407882127871e-8 | 7.855593535195e-6 | 4.870544928015e-2 | elastic, the same |
-| 8.815764255743e-8 | 1.110948691796e-5 | 1.377598138669e-1 | elastic, the same |
-| 2.644729276723e-7 | 1.989065002445e-5 | 6.885474816181e-1 | radius the same; load to $3\cdot10^{-5}$ |
+| 4.407882127871e-8 | 7.855593535195e-6 | 4.870544928015e-2 | equal (elastic) |
+| 8.815764255743e-8 | 1.110948691796e-5 | 1.377598138669e-1 | equal (elastic) |
+| 2.644729276723e-7 | 1.989065002445e-5 | 6.885474816181e-1 | radius equal; load within $3\cdot10^{-5}$ |
 
-With the limiting hardness of this code, the last load agrees to $10^{-11}$: $H_G/Y=2.84-0.92(1-\cos(\pi a/R))$.
+The last load agrees to $10^{-11}$ with the limiting pressure of this code, $H_G/Y=2.84-0.92(1-\cos(\pi a/R))$.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio;
+$\varsigma=\sqrt{\sigma/R}$. [All symbols](#1-units).
 """
 
 import math
@@ -130,7 +135,7 @@ def segments(groups: Groups) -> list[NormalSegment]:
 
 RECORD = AsperityLaw(
     key="jackson_green_2005",
-    title="Elastic-plastic sphere whose hardness falls as it is flattened",
+    title="Elastic-plastic sphere whose limiting pressure falls as it is flattened",
     grade="B",
     sources=(
         Source("jackson_green_2005", "contact area, load and limiting hardness", "constants from independent codes"),
@@ -143,17 +148,18 @@ RECORD = AsperityLaw(
             1,
             1.00474,
             1.0,
-            "at 1.9 omega_c, blunt asperities; 1.075 for nu = 0, 0.966 for nu = 1/2, and less for sharp ones",
+            "at 1.9 omega_c, for blunt asperities and nu = 0.3; 1.075 for nu = 0, 0.966 for nu = 1/2; smaller for sharp ones",
             {"theta": 1e3, "lam": 1e2, "nu": 0.3, "hardness_to_yield": 2.8, "sharpness": 0.02},
         ),
     ),
-    verified="an independent code of its extension to hardening, at none: area and, with the hardness taken there, load to "
-    "1e-11; within 6 % (load) and 10 % (area) of Kogut and Etsion and of Brizmer et al. for 1.5 to 110 omega_c",
+    verified="an independent code of the extension to hardening, run without hardening: contact radius, and load with the "
+    "limiting pressure of that code, to 1e-11; load within 6 % and area within 10 % of kogut_etsion_2002 and "
+    "brizmer_kligerman_etsion_2006 from 1.5 to 110 omega_c",
     needs=("hardness_group", "nu", "hardness_to_yield", "sharpness"),
     limits=(elastic_limit("hertz"),),
     validity=(FITTED_TO_METALS,),
     load_falls=False,
-    notes="The yield stress is H/k. There is no fully plastic segment with the hardness H: "
-    "H_G, which the mean pressure tends to, is 2.84 S_y at most and falls with the contact radius over R. "
-    "Made for metals: exp(23 S_y/E*) in the exponent of the area explodes, and stays from S_y/E* = 0.1 on what it is there.",
+    notes="The yield stress Y is hardness over hardness_to_yield. The mean pressure does not tend to the hardness H but to "
+    "H_G, which is 2.84 Y at most and falls as contact radius over R grows. The fit is for metals: the exponent of the "
+    "area, 0.14 exp(23 Y/E*), would become very large for soft elastic materials; it is kept constant beyond Y/E* = 0.1.",
 )

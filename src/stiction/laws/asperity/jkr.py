@@ -1,8 +1,9 @@
 r"""One elastic asperity with adhesion that acts inside the contact: Johnson, Kendall & Roberts 1971.
 
 *Assumes*: elastic bodies; adhesion acts only inside the contact and is described by an energy balance at its edge. *Source*:
-[johnson_kendall_roberts_1971]. With $S=\sqrt{6\pi/\theta}$, the 4.34 $\theta^{-1/2}$ of eqs. (1) and (2) of the 2015 paper,
-and the coordinate $u=x^{1/4}$, $x=a^2/(R\sigma)$ being the apparent displacement:
+[johnson_kendall_roberts_1971]. $S=\sqrt{6\pi/\theta}$ is the strength of adhesion (4.34 $\theta^{-1/2}$ in eqs. (1) and (2) of
+the 2015 paper, [soft_coating_2015]). The coordinate is $u=x^{1/4}$ with $x=a^2/(R\sigma)$, $a$ the contact radius; $x$ is the
+apparent displacement, at which a contact without adhesion would have this radius:
 
 $$
 w=u^4-\tfrac23S\,u,\qquad P=u^3(u^3-S),\qquad A=u^4
@@ -11,20 +12,23 @@ $$
 In SI $P=Ka^3/R-\sqrt{6\pi\gamma Ka^3}$, $\omega=a^2/R-\sqrt{8\pi\gamma a/(3K)}$. In loading, contact begins at $w=0$, under
 the tension $\tfrac89P_c$. With `branch="unloading"` it continues below $w=0$ down to the point where $dw/du=0$.
 
-With $\pi\gamma R$ as unit of the load, $(\pi\gamma R^2/K)^{1/3}$ of $a$ and $(\pi^2\gamma^2R/K^2)^{1/3}$ of the displacement
-(Maugis's units), the characteristic states are
+Characteristic states in Maugis's units: load over $\pi\gamma R$, contact radius $a$ over $(\pi\gamma R^2/K)^{1/3}$,
+displacement over $(\pi^2\gamma^2R/K^2)^{1/3}$:
 
 | state | $a$ | displacement | load |
 |---|---|---|---|
 | no load | $6^{1/3}=1.817121$ | 1.100642 | 0 |
-| no displacement: first touch | $(8/3)^{1/3}=1.386723$ | 0 | −4/3 |
+| zero displacement: first touch | $(8/3)^{1/3}=1.386723$ | 0 | −4/3 |
 | largest tension: pull-off at given load | $(3/2)^{1/3}=1.144714$ | −0.436790 | −3/2 |
 | most stretched: pull-off at given displacement | $6^{-1/3}=0.550321$ | −0.908560 | −5/6 |
 
 *Valid* for Tabor parameters above about 5, without yield. *Limit*: `hertz` for $\theta\to\infty$. *Trap*: some codes write
 $6\pi\gamma R$, where $\gamma$ is the surface energy of one surface, half the work of adhesion.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $P_c=\tfrac32\pi\gamma R$ pull-off
+force. [All symbols](#1-units).
 """
 
 import math
@@ -145,7 +149,8 @@ RECORD = AsperityLaw(
     sources=(Source("johnson_kendall_roberts_1971", "load and displacement of one contact"),),
     segments=segments,
     traits=frozenset({"JKR", "Hertz's shape"}),
-    verified="points of the source in closed form; integrals at 30 digits; Hertz without adhesion",
+    verified="characteristic states of the source in closed form; loads, areas and sums over heights at 30 digits; equal to "
+    "Hertz without adhesion",
     needs=("theta",),
     validity=(
         SHORT_RANGE,

@@ -1,8 +1,9 @@
 r"""One elastic-plastic asperity without adhesion, fitted to finite elements: Kogut & Etsion 2002.
 
 *Assumes*: an elastic, perfectly plastic sphere on a rigid flat without friction. Power laws are fitted to finite elements.
-*Source*: [kogut_etsion_2002]; constants are taken from two independent codes. Load and area are given over $P_c=w_c^{3/2}$
-and $A_c=w_c$, with the critical interference of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
+*Source*: [kogut_etsion_2002]; constants are taken from two independent codes. Load and area are given over their values at
+first yield, $P_c=w_c^{3/2}$ and $A_c=w_c$, with the critical interference of
+[`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987),
 
 $$
 w_c=\left(\tfrac23K_H\eta\right)^2,\quad K_H=0.454+0.41\nu,\quad r=w/w_c:
@@ -15,11 +16,13 @@ $$
 | 6 to 110 | $1.40\,r^{1.263}$ | $0.94\,r^{1.146}$ |
 | above 110 | $(3/K_H)\,r$: mean pressure $H$ | $2r$ |
 
-*Jumps*: load +3 % and area −7 % at $r=1$; +1.7 % and +2.9 % at 6. At 110 the load changes by the factor $0.647/K_H$ (+8 % at
-$\nu=0.3$, from 530.2 to 571.9; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by 1.071. *Trap*: a public
-implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
+*Jumps*: load +3 % and area −7 % at $r=1$; load +1.7 % and area +2.9 % at $r=6$. At $r=110$ the load is multiplied by
+$0.647/K_H$ (+8 % at $\nu=0.3$, from 530.2 to 571.9 $P_c$; +37 % at $\nu=0$, −5 % near $\nu=\tfrac12$) and the area by 1.071.
+*Trap*: a public implementation divides by $R$ in $\omega_c$ where it should multiply. *Coordinate*: $u=\sqrt w$.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import numpy as np
@@ -94,8 +97,8 @@ RECORD = AsperityLaw(
         Jump(2, 1.01679, 1.02903, "at 6 omega_c"),
         Jump(3, 1.07878, 1.07117, "at 110 omega_c; the load's factor is 0.647/K_H", {"nu": 0.3}),
     ),
-    verified="constants against two independent codes; within 6 % (load) and 10 % (area) of Brizmer et al. and of Jackson "
-    "and Green for 1.5 to 110 omega_c",
+    verified="constants equal those of two independent codes; load within 6 % and area within 10 % of "
+    "brizmer_kligerman_etsion_2006 and jackson_green_2005 from 1.5 to 110 omega_c",
     needs=("hardness_group", "nu"),
     validity=(
         # 0.94 r^1.146 at the last interference ratio that was computed, r = 110

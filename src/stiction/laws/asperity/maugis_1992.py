@@ -1,9 +1,10 @@
 r"""One elastic asperity with adhesion of constant stress in a ring around the contact: Maugis 1992.
 
-*Assumes*: elastic bodies. In a ring $a<r<c$ around the contact the surfaces attract each other with the constant stress
-$\sigma_0$, up to a gap $\gamma/\sigma_0$ (a Dugdale zone). As the Tabor parameter grows, the law changes from DMT (stiff,
-small spheres) to JKR (soft, large spheres). *Source*: [maugis_1992]. In Maugis's units - contact radius $\mathcal A$ over
-$(\pi\gamma R^2/K)^{1/3}$, displacement $D$ over $(\pi^2\gamma^2R/K^2)^{1/3}$, load over $\pi\gamma R$ - with $m=c/a$:
+*Assumes*: elastic bodies. In a ring around the contact, from the contact radius $a$ to the outer radius $c$, the surfaces
+attract each other with the constant stress $\sigma_0$, up to a gap $\gamma/\sigma_0$ (a Dugdale zone). As the Tabor parameter
+grows, the law changes from DMT (stiff, small spheres) to JKR (soft, large spheres). *Source*: [maugis_1992]. In Maugis's units
+the contact radius $\mathcal A$ is over $(\pi\gamma R^2/K)^{1/3}$, the displacement $D$ over $(\pi^2\gamma^2R/K^2)^{1/3}$ and
+the load over $\pi\gamma R$. With $m=c/a$ and the parameter $\lambda_M$ of the attraction:
 
 $$
 \tfrac12\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+(m^2-2)\arctan\sqrt{m^2-1}\right]
@@ -15,10 +16,10 @@ D=\mathcal A^2-\tfrac43\lambda_M\mathcal A\sqrt{m^2-1},\qquad
 \frac{\text{load}}{\pi\gamma R}=\mathcal A^3-\lambda_M\mathcal A^2\left[\sqrt{m^2-1}+m^2\arctan\sqrt{m^2-1}\right]
 $$
 
-The first equation states that the attraction ends at the gap at $c$. With $g=(\pi/\theta)^{1/3}$: $w=g^2D$,
-$P=g^3\cdot\text{load}/(\pi\gamma R)$, $A=g^2\mathcal A^2$. For a given ring this equation is quadratic in $\mathcal A$, so
-that everything is explicit in $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$. This is the coordinate here; it is 0 where the surfaces
-only just touch and grows with the contact. With $B=\mathcal A/s$, which is finite there, all functions are smooth:
+The first equation states that the gap at $c$ equals the range $\gamma/\sigma_0$. With $g=(\pi/\theta)^{1/3}$ the units here
+are $w=g^2D$, $P=g^3\cdot\text{load}/(\pi\gamma R)$ and $A=g^2\mathcal A^2$. For a given $m$ the first equation is quadratic in
+$\mathcal A$, so that all results are explicit in the coordinate $s=1/\sqrt{m^2-1}=a/\sqrt{c^2-a^2}$. $s$ is 0 for a contact
+at a point and grows with the contact radius. With $B=\mathcal A/s$, which stays finite at $s=0$, all functions are smooth:
 
 $$
 \tfrac12\lambda_MF\,B^2+\tfrac43\lambda_M^2G\,B=1,\quad
@@ -37,11 +38,15 @@ Lennard-Jones half-spaces, $16\gamma/(9\sqrt3\,\varepsilon)$.
 | pull-off force over $\pi\gamma R$ | 1.9983 | 1.9506 | 1.8156 | 1.6007 | 1.5168 | 1.5016 | 1.5000 |
 | load at first touch over $\pi\gamma R$ | −1.9445 | −1.7494 | −1.5736 | −1.4055 | −1.3455 | −1.3345 | −1.3333 |
 
-The difference to JKR falls as $\mu_T^{-2}$, that to DMT only as $\mu_T^{1/2}$. *Departure*: here, as for JKR and DMT, an
-asperity attracts only while it touches, in loading from $w=0$ on. In the source the ring attracts before contact. In
-unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until it has shrunk to a point.
+The difference from JKR falls as $\mu_T^{-2}$ for large $\mu_T$, the difference from DMT only as $\mu_T^{1/2}$ for small
+$\mu_T$. *Departure*: here, as for JKR and DMT, an asperity attracts only while it touches, in loading from $w=0$ on. In the
+source the ring attracts before contact. In unloading the contact lasts until $dw/ds=0$ or, for small $\lambda_M$, until it has
+shrunk to a point.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
+$\mu_T=(R\gamma^2/(E^{*2}\varepsilon^3))^{1/3}$ Tabor parameter, $\varepsilon$ equilibrium distance. [All symbols](#1-units).
 """
 
 import math
@@ -200,7 +205,7 @@ RECORD = AsperityLaw(
     grade="B",
     sources=(Source("maugis_1992", "", "the equations, in the source's own units"),),
     segments=segments,
-    verified="solved anew for the ring at 30 digits; JKR and DMT as limits",
+    verified="the source's equations solved independently at 30 digits; JKR and DMT as limits",
     needs=("theta", "tabor_parameter"),
     validity=(ELASTIC,),
     limits=(
@@ -211,8 +216,9 @@ RECORD = AsperityLaw(
     ),
     own_options={"branch": ("loading", "unloading")},
     load_falls=False,
-    notes="Asperities attract only while they touch: in loading from zero displacement on, as JKR's and DMT's do here. "
-    "The source's surfaces attract before that. lambda_M is 1.157 times the Tabor parameter, which takes the attracting stress "
-    "to be the largest between two Lennard-Jones half-spaces; DMT below about 0.1, JKR above about 5. "
-    "JKR is approached with the inverse square of the Tabor parameter, DMT only with its square root.",
+    notes="Asperities attract only while they touch: in loading from zero displacement on, like those of jkr and dmt. In the "
+    "source they attract before contact. lambda_M is 1.157 times the Tabor parameter; this sets the attracting stress to the "
+    "largest stress between two Lennard-Jones half-spaces. The law is close to DMT for Tabor parameters below about 0.1 and to "
+    "JKR above about 5. The difference from JKR falls with the inverse square of the Tabor parameter, the difference from DMT "
+    "with its square root.",
 )

@@ -1,18 +1,23 @@
 r"""One adhesive asperity, elastic (JKR) until its mean pressure reaches the hardness, then plastic: Roy Chowdhury & Ghosh 1994.
 
-*Assumes*: the contact follows JKR until its mean pressure reaches the hardness. Then it is fully plastic, with twice the
-truncated area and the adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
-2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] states it.
+*Assumes*: the contact follows [`jkr`](#jkr) until its mean pressure reaches the hardness. Then it is fully plastic: the area is
+$2\pi R\omega$, twice that of a Hertz contact at this displacement, and the load is the hardness times this area minus the
+adhesion $2\pi\gamma R$. It is the asperity of the 2015 paper, its eqs. (1) to (4): [theory, section
+2](theory.md#2-one-asperity-under-normal-load). *Source*: [roy_chowdhury_ghosh_1994], as [soft_coating_2015] states it. With
+$S=\sqrt{6\pi/\theta}$ and the coordinate $u$ of JKR's contact, the plastic segment is
 
 $$
 P=2\eta w-\frac{2\pi}\theta,\qquad A=2w\qquad\text{from}\quad u_1^3-\eta u_1-S=0\ \text{on}
 $$
 
-*Jumps* at this transition, $w_1=u_1^4-\tfrac23Su_1$: load and area are multiplied by 1.276 and 1.399 at $\theta=10$,
-$\lambda=1$, and by 2 and 2 without adhesion. Under strong adhesion the load falls; it becomes tensile if
+*Jumps*: at this transition, where $w_1=u_1^4-\tfrac23Su_1$, the load is multiplied by 1.276 and the area by 1.399 at
+$\theta=10$, $\lambda=1$; both are doubled without adhesion. Under strong adhesion the load falls there; it becomes tensile if
 $\lambda^{1/4}\theta^{-1/6}<0.184$. *Unknown*: the text of the 1994 paper; the law is taken from the 2015 paper.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\eta=\pi H\sqrt{R/\sigma}/K$
+hardness group, $H$ hardness; $\lambda$ plastic adhesion index. [All symbols](#1-units).
 """
 
 import math
@@ -99,19 +104,25 @@ def segments(groups: Groups, branch: str) -> list[NormalSegment]:
 
 RECORD = AsperityLaw(
     key="roy_chowdhury_ghosh_1994",
-    title="JKR sphere until its mean pressure is the hardness, then plastic",
+    title="JKR sphere until its mean pressure reaches the hardness, then fully plastic",
     grade="C",
     sources=(
-        Source("soft_coating_2015", "eqs. (1)-(4)", "the form used; the text of 1994 was not available"),
-        Source("roy_chowdhury_ghosh_1994", "the asperity law as the 2015 paper reports it"),
+        Source("soft_coating_2015", "eqs. (1)-(4)", "the form used; the text of the 1994 paper was not available"),
+        Source("roy_chowdhury_ghosh_1994", "the asperity law, as the 2015 paper reports it"),
         Source("johnson_kendall_roberts_1971", "load and displacement"),
     ),
     segments=segments,
     traits=frozenset({"JKR", "2015", "Hertz's shape"}),
     jumps=(
-        Jump(1, 1.276, 1.399, "where the mean pressure is the hardness; 2 and 2 without adhesion", {"theta": 10.0, "lam": 1.0}),
+        Jump(
+            1,
+            1.276,
+            1.399,
+            "where the mean pressure reaches the hardness, at theta = 10, lam = 1; both double without adhesion",
+            {"theta": 10.0, "lam": 1.0},
+        ),
     ),
-    verified="independent evaluation at 30 digits",
+    verified="loads, areas and their sums over heights, computed independently at 30 digits",
     needs=("theta", "lam"),
     validity=(SHORT_RANGE,),
     limits=(
@@ -120,6 +131,6 @@ RECORD = AsperityLaw(
     ),
     own_options={"branch": ("loading", "unloading")},
     load_falls=False,
-    notes="The load of an asperity jumps where it becomes plastic: up to twofold. Under strong adhesion it "
-    "falls there, and into tension where lambda^(1/4) theta^(-1/6) is below 0.184.",
+    notes="The load of an asperity jumps where it becomes plastic; without adhesion it doubles. Under strong adhesion it falls "
+    "there, and becomes tensile if lambda^(1/4) theta^(-1/6) is below 0.184.",
 )

@@ -1,8 +1,10 @@
 r"""One adhesive asperity, elastic (JKR) until its central pressure reaches a limit: Thornton & Ning 1998.
 
-*Assumes*: the contact follows JKR until the pressure in its centre reaches a limit $p_y$. The area under this limiting
-pressure then spreads. Contact radius and displacement stay related as in JKR. *Source*: [thornton_ning_1998], from
-implementations (stiffness after yield, and unloading); the stiffness is integrated here. With $\eta_y=\eta\,p_y/H$,
+*Assumes*: the contact follows [`jkr`](#jkr) until the pressure in its centre reaches the limiting pressure $p_y$. The area
+under this pressure then spreads from the centre. Contact radius and displacement stay related as in JKR. *Source*:
+[thornton_ning_1998]: the stiffness after yield and the unloading, as implementations of the law have them; the stiffness is
+integrated here. With $\eta_y=\eta\,p_y/H$, $S=\sqrt{6\pi/\theta}$, the coordinate $u$ of JKR's contact and its value $u_y$ at
+yield,
 
 $$
 3u_y^3-2\eta_yu_y-S=0,\qquad P=u_y^6-S\,u_y^2\,u+\eta_y\,(u^4-u_y^4)\quad(u\ge u_y),\qquad w,\ A\ \text{as JKR}
@@ -13,29 +15,36 @@ p_y=\frac{2E^*a_y}{\pi R}-\sqrt{\frac{2\gamma E^*}{\pi a_y}},\qquad
 \frac{dP}{d\omega}=\frac{3\pi Rp_y\sqrt{P_1}-2E^*a_y\sqrt{P_c}}{3\sqrt{P_1}-\sqrt{P_c}},\quad P_1=\frac{Ka^3}R
 $$
 
-The second line is in SI. The load is the sum of ring and yielded centre. JKR's pressure is $p_0q-p_1/q$,
-$q=\sqrt{1-r^2/a^2}$, $p_0=2E^*a/(\pi R)$, $p_1=\sqrt{2\gamma E^*/(\pi a)}$, largest in the centre. From $a_y$ on it is $p_y$
-for $r^2<a^2-a_y^2$ and JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below
-$p_y$ closer to the centre and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at
-$u_y$. Below $p_y=(2E^{*2}\gamma/(\pi^2R))^{1/3}$, JKR's central pressure at zero displacement, the asperity yields at first
-touch; the same formulas hold from there on.
+The second line is in SI, with the contact radius $a$ and its value $a_y$ at yield. The load is the sum of the yielded centre
+and the elastic ring around it. JKR's pressure at the radius $r$ is $p_0q-p_1/q$ with $q=\sqrt{1-r^2/a^2}$,
+$p_0=2E^*a/(\pi R)$ and $p_1=\sqrt{2\gamma E^*/(\pi a)}$; it is largest in the centre. After yield the pressure is $p_y$ for
+$r^2<a^2-a_y^2$ and JKR's pressure outside. This is not the same as JKR's pressure limited to $p_y$, which falls below $p_y$
+closer to the centre and gives a slightly smaller $P$; without adhesion both agree. Load and stiffness are continuous at $u_y$.
+If $p_y$ is below JKR's central pressure at zero displacement, $(2E^{*2}\gamma/(\pi^2R))^{1/3}$, the asperity yields at first
+touch, and the same formulas hold from there on.
 
 The source does not say how to choose $p_y$. With `limiting_pressure="first_yield"`, the default, it is $H/k$ times the exact
 $p_0/Y$ of the table under [`hertz`](#hertz); with `"hardness"` it is $H$. *Check*: at $\theta=40$, $\lambda=10$, $\nu=0.3$,
 $k=2.8$ it yields at $w=0.0776$ under the tension $P=-0.0741$ with the first choice, and at $w=0.4116$, $P=0.1769$ with the
 second.
 
-Unloading from $u_m$, $P_m$ is JKR's with a larger radius around a residual displacement:
+Unloading from the largest load, $P_m$ at $u_m$, follows JKR with the larger radius $R_p$, shifted by the residual
+displacement $w_\text{res}$:
 
 $$
 \frac{R_p}R=\frac{P_1}{P_m+2\sqrt{P_cP_1}}=\frac{u_m^6}{P_m+Su_m^3},\qquad w_\text{res}=u_m^4\left(1-\frac R{R_p}\right),\qquad
 P_\text{pull-off}=\tfrac32\pi\gamma R_p
 $$
 
-(used when a whole surface is [unloaded](#letting-go); in the sum over heights, each asperity is identified by its largest
-contact radius, in $u$). *Limit*: `jkr` for $\lambda\to\infty$. The area stays that of JKR and does not grow by plastic flow.
+These equations are used when a whole surface is [unloaded](#letting-go). The sum over heights then runs over $u_m$ of the
+asperities. *Limit*: `jkr` for $\lambda\to\infty$ (no yield). *Trap*: the contact area is that of JKR at the same displacement;
+it does not grow by plastic flow.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\eta=\pi H\sqrt{R/\sigma}/K$
+hardness group, $H$ hardness; $\lambda$ plastic adhesion index; $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress;
+$P_c=\tfrac32\pi\gamma R$ pull-off force. [All symbols](#1-units).
 """
 
 import math
@@ -264,16 +273,16 @@ def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> li
 
 RECORD = AsperityLaw(
     key="thornton_ning_1998",
-    title="JKR sphere whose pressure has a limit",
+    title="JKR sphere whose pressure is limited",
     grade="B",
     sources=(
-        Source("thornton_ning_1998", "", "stiffness after yield and unloading, as implementations have them; here integrated"),
+        Source("thornton_ning_1998", "", "stiffness after yield, integrated here, and unloading, as implementations have them"),
         Source("johnson_kendall_roberts_1971", "load and displacement up to yield"),
     ),
     segments=segments,
     released=released,
     traits=frozenset({"JKR", "Hertz's shape"}),
-    verified="the source's stiffness and the pressure over the contact, both integrated anew at 30 digits",
+    verified="load by independent integration at 30 digits of the source's stiffness and of the pressure over the contact",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     validity=(
         SHORT_RANGE,
@@ -282,8 +291,8 @@ RECORD = AsperityLaw(
     limits=(Limit("jkr", {"lam": 1e30}, ("load", "contact_area"), 1e-9),),
     own_options={"limiting_pressure": tuple(_LIMITS)},
     load_falls=False,
-    notes="The source takes the limiting pressure as given. By default it is the largest pressure of a Hertz contact "
-    "at first yield, 1.61 times the yield stress at nu = 0.3; or the hardness. The contact area stays JKR's at the same "
-    "displacement: it does not grow as plastic flow would have it. Under strong adhesion an asperity has yielded where it "
-    "first touches, and its load first falls with approach.",
+    notes="The source takes the limiting pressure as given. Here it is the largest pressure of a Hertz contact at first "
+    "yield, 1.61 times the yield stress at nu = 0.3 (first_yield, the default), or the hardness. The contact area is that of "
+    "JKR at the same displacement and does not grow by plastic flow. Under strong adhesion an asperity yields at first touch, "
+    "and its load first falls with approach.",
 )

@@ -1,19 +1,22 @@
 r"""One asperity without adhesion with a smooth transition from Hertz to full plasticity: Zhao, Maietta & Chang 2000.
 
-*Assumes*: the contact is elastic (Hertz) up to a mean pressure of $0.4H$, and fully plastic (area $2\pi R\omega$, mean
-pressure $H$) from 54 times this displacement on. In between the area follows a cubic step and the mean pressure a logarithm.
-*Source*: [zhao_maietta_chang_2000], from an independent code; 0.4 is the commonly quoted value.
+*Assumes*: the contact is elastic (Hertz) up to first yield, at the displacement $\omega_1$ and a mean pressure of $0.4H$. It is
+fully plastic (area $2\pi R\omega$, mean pressure $H$) from $\omega_2=54\,\omega_1$ on. In between the area follows a cubic
+step and the mean pressure a logarithm. *Source*: [zhao_maietta_chang_2000], from an independent code; 0.4 is the commonly
+quoted value.
 
 $$
 w_1=(0.4\,\eta)^2,\quad w_2=54\,w_1,\quad\xi=\frac{w-w_1}{w_2-w_1}:\qquad
 A=w\left(1+3\xi^2-2\xi^3\right),\quad\frac P{\eta A}=0.4+0.6\,\frac{\ln(w/w_1)}{\ln54}
 $$
 
-and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(4E^*))^2R$. Load and area are continuous, and the area has no
-kink. The authors give 54 as a lower bound of $\omega_2/\omega_1$; as usual, it is used as the ratio itself. *Coordinate*:
-$u=\sqrt w$.
+for $w_1<w<w_2$, and $A=2w$, $P=2\eta w$ above. In SI $\omega_1=(3\pi\cdot0.4H/(4E^*))^2R$. Load, area and the slope of the
+area are continuous. The authors give 54 as a lower bound of $\omega_2/\omega_1$; as usual, it is used as the ratio itself.
+*Coordinate*: $u=\sqrt w$.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. [All symbols](#1-units).
 """
 
 import math
@@ -78,20 +81,20 @@ def segments(groups: Groups) -> list[NormalSegment]:
 
 RECORD = AsperityLaw(
     key="zhao_maietta_chang_2000",
-    title="Sphere elastic, then plastic by degrees, without a jump",
+    title="Elastic sphere that becomes fully plastic gradually, without a jump",
     grade="B",
     sources=(
         Source(
             "zhao_maietta_chang_2000",
             "area and mean pressure between first yield and full plasticity",
-            "from independent code; the mean pressure at first yield, 0.4 H, as it is commonly quoted",
+            "from an independent code; the mean pressure at first yield, 0.4 H, as commonly quoted",
         ),
         Source("hertz_1882", "the elastic asperity"),
     ),
     segments=segments,
     traits=frozenset({"no adhesion", "Hertz", "Hertz's shape"}),
-    verified="closed forms at both ends, where load, area and the slope of the area are continuous; independent evaluation",
+    verified="independent evaluation; load, area and slope of the area continuous at both ends of the transition",
     needs=("hardness_group",),
     limits=(elastic_limit("hertz"),),
-    notes="The authors give 54 as the least that omega_2/omega_1 can be; it is taken as the ratio, as is usual.",
+    notes="The authors give 54 as a lower bound of omega_2/omega_1; as usual, it is used as the ratio itself.",
 )

@@ -1,7 +1,8 @@
 r"""Modulus of a film and its substrate as two springs in series under a flat punch: Bec, Tonck & Loubet 2006.
 
 *Assumes*: film and substrate act as two springs in series under a flat punch of radius $a$. *Source*: [bec_2006], as restated
-by the documentation of the NIMS toolbox. With $\xi=t/a$,
+by the documentation of the NIMS toolbox. $E'=E/(1-\nu^2)$ is the reduced modulus of film and substrate together, $E'_f$ of the
+film, $E'_s$ of the substrate. With the film thickness $t$ and $\xi=t/a$,
 
 $$
 \frac{E'_s}{E'}=f\,\frac{E'_s}{E'_f}+1-f,\qquad f=\frac{2\xi}{\pi+2\xi}
@@ -27,11 +28,11 @@ def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
 
 RECORD = Composite(
     key="bec_2006",
-    title="Modulus of film and substrate: two springs in series",
+    title="Modulus of film and substrate together: two springs in series",
     grade="B",
     property="modulus",
     value=value,
     sources=(Source("bec_2006", "", "as restated by the documentation of the NIMS toolbox"),),
-    verified="independent evaluation; film and substrate alone in the limits",
+    verified="independent evaluation; limits of the film alone and of the substrate alone",
     needs=("n_E", "film_aspect"),
 )

@@ -1,7 +1,9 @@
 r"""Hardness of a film on a substrate against depth, fitted to finite elements (a cone): Bhattacharya & Nix 1988.
 
-*Assumes*: a fit to conical indentation in finite elements. The ratio of the yield stresses is taken as the ratio of the
-hardnesses, $n_Y=n_H$. *Source*: [bhattacharya_nix_1988], as restated in later works. With $v=\omega/t$,
+*Assumes*: a fit to finite elements of conical indentation. *Source*: [bhattacharya_nix_1988], as restated in later works. $H$
+is the hardness of film and substrate together at the depth $\omega$, $H_s$ of the substrate. $n_H$, $n_E$ and $n_Y$ are
+hardness, modulus and yield stress of the film over the substrate's; $n_Y=n_H$ is assumed here. With the film thickness $t$ and
+$v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\,e^{-c\,v^m},\qquad c=\frac{n_Y}{n_E}\ (n_H<1),\quad c=\frac{n_H}{n_Y\sqrt{n_E}}\ (n_H>1)
@@ -58,16 +60,16 @@ def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
 
 RECORD = Composite(
     key="bhattacharya_nix_1988",
-    title="Hardness of film and substrate: the film's share fades with depth",
+    title="Hardness of film and substrate together: the effect of the film decays exponentially with depth",
     grade="C",
     property="hardness",
     value=value,
     constants=constants,
     landmarks=landmarks,
     sources=(
-        Source("bhattacharya_nix_1988", "", "as restated; sources disagree on m: 2 if soft and 1 if hard, or the other way"),
+        Source("bhattacharya_nix_1988", "", "as restated; sources disagree on m: 2 for soft and 1 for hard films, or reverse"),
     ),
-    verified="independent evaluation; film and substrate alone in the limits",
+    verified="independent evaluation; limits of the film alone and of the substrate alone",
     needs=("n_E", "n_H", "tau"),
-    notes="Fitted to conical indentation; used here for a sphere. The yield stresses are taken to be as the hardnesses.",
+    notes="Fitted to conical indentation; used here for a sphere. Yield stresses are assumed proportional to hardnesses.",
 )

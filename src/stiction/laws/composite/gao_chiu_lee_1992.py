@@ -1,8 +1,9 @@
 r"""Modulus of a film and its substrate together, by perturbation of the homogeneous half-space: Gao, Chiu & Lee 1992.
 
-*Assumes*: a perturbation of the homogeneous half-space under a flat punch. *Source*: [gao_chiu_lee_1992], as restated by the
-documentation of the NIMS toolbox. With $\xi=t/a$, $I_0$ is the weight of the film in the modulus and $I_1$ in Poisson's
-ratio:
+*Assumes*: film and substrate differ little in modulus; the solution is a perturbation of the homogeneous half-space under a
+flat punch. *Source*: [gao_chiu_lee_1992], as restated by the documentation of the NIMS toolbox. $E'=E/(1-\nu^2)$ is the reduced
+modulus; indices $f$ and $s$ denote film and substrate, no index both together. With the film thickness $t$, the punch radius
+$a$ and $\xi=t/a$, $I_0$ is the weight of the film in the modulus and $I_1$ its weight in Poisson's ratio:
 
 $$
 \frac{E'}{E'_s}=1+\left(\frac{E'_f}{E'_s}-1\right)I_0,\qquad
@@ -13,8 +14,9 @@ $$
 1-\nu=\frac{(1-\nu_s)(1-\nu_f)}{1-(1-I_1)\nu_f-I_1\nu_s},\qquad I_1=\frac2\pi\arctan\xi+\frac\xi\pi\ln\frac{1+\xi^2}{\xi^2}
 $$
 
-*Trap*: the restatement prints $1+[\ldots]$ for $\nu$, and $a/t$ for $\xi$. The graded film uses the mean of both Poisson's
-ratios instead. If the moduli differ by more than a factor of two, the formula deviates from numerical solutions.
+*Trap*: the restatement misprints $\nu=1+[\ldots]$ for $1-[\ldots]$, and $a/t$ for $\xi$. The film law [`graded`](#graded) uses
+the mean of both Poisson's ratios instead. If the moduli differ by more than a factor of two, the formula deviates from
+numerical solutions.
 """
 
 import math
@@ -72,13 +74,13 @@ def value(film_over_substrate, thickness_over_radius, nu_film, nu_substrate):
 
 RECORD = Composite(
     key="gao_chiu_lee_1992",
-    title="Modulus of film and substrate: the moduli weighed by a function of thickness over contact radius",
+    title="Modulus of film and substrate together: average weighted by a function of thickness over contact radius",
     grade="B",
     property="modulus",
     value=value,
     sources=(Source("gao_chiu_lee_1992", "I0, I1", "as restated by the documentation of the NIMS toolbox"),),
-    verified="independent evaluation; film and substrate alone in the limits",
+    verified="independent evaluation; limits of the film alone and of the substrate alone",
     needs=("n_E", "film_aspect", "nu", "film_nu"),
     validity=(Validity("n_E", 0.5, 2.0, "the formula deviates from numerical solutions (Perriot & Barthel 2004)"),),
-    notes="Derived for a flat punch. The restatement misprints 1 + [...] for the 1 - [...] of Poisson's ratio.",
+    notes="Derived for a flat punch. The restatement misprints 1 + [...] for 1 - [...] in Poisson's ratio.",
 )

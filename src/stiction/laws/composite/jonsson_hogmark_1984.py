@@ -1,13 +1,15 @@
 r"""Hardness of a film on a substrate, weighted by their areas under the indenter: Joensson & Hogmark 1984.
 
-*Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid with diagonal $d$.
-*Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox.
+*Assumes*: the hardnesses of film and substrate are weighted by their areas under a Vickers pyramid whose impression has the
+diagonal $d$. *Source*: [jonsson_hogmark_1984], as restated by the documentation of the NIMS toolbox. $H$ is the hardness of
+film and substrate together, $H_s$ of the substrate, $n_H$ of the film over the substrate's, $t$ the film thickness:
 
 $$
 \frac H{H_s}=1+(n_H-1)\left[\frac{2Ct}d-\left(\frac{Ct}d\right)^2\right],\qquad C=1,\ \text{or}\ \tfrac12\ \text{for}\ n_H>6.3
 $$
 
-with $Ct/d$ at most 1. *Reconstructed*: the depth of an asperity is taken as a seventh of $d$, which is this project's choice.
+with $Ct/d$ at most 1. *Reconstructed*: $d$ is taken as seven times the displacement of an asperity, as for the depth of a
+Vickers impression; this is the project's choice.
 """
 
 import numpy as np
@@ -45,15 +47,15 @@ def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
 
 RECORD = Composite(
     key="jonsson_hogmark_1984",
-    title="Hardness of film and substrate: weighed by their areas under the indenter",
+    title="Hardness of film and substrate together: weighted by their areas under the indenter",
     grade="C",
     property="hardness",
     value=value,
     constants=constants,
     landmarks=landmarks,
     sources=(Source("jonsson_hogmark_1984", "", "as restated by the documentation of the NIMS toolbox"),),
-    verified="independent evaluation; film and substrate alone in the limits",
+    verified="independent evaluation; limits of the film alone and of the substrate alone",
     needs=("n_H", "tau"),
     validity=(Validity("n_H", 1.8, 12.9, "outside the hardness ratios of the experiments, which omit 2.3 to 6.3"),),
-    notes="For the Vickers pyramid: the depth of an asperity is taken for a seventh of the diagonal d.",
+    notes="Derived for the Vickers pyramid: the diagonal is taken as seven times the displacement of an asperity.",
 )

@@ -1,13 +1,14 @@
 r"""Hardness of a film on a substrate from deep impressions: Kao & Byrne 1981.
 
-*Assumes*: impressions are deep. *Source*: [kao_byrne_1981], as restated by the documentation of the NIMS toolbox. With
-$v=\omega/t$,
+*Assumes*: impressions are deep compared with the film thickness $t$. *Source*: [kao_byrne_1981], as restated by the
+documentation of the NIMS toolbox. $H$ is the hardness of film and substrate together at the depth $\omega$, $H_s$ of the
+substrate, $n_H$ of the film over the substrate's. With $v=\omega/t$,
 
 $$
 \frac H{H_s}=1+(n_H-1)\min\left(\frac{0.18}v,\,1\right)
 $$
 
-*Reconstructed*: the limit to the film's hardness near the surface is this project's own.
+*Reconstructed*: near the surface $H$ is limited to the film's hardness, which is this project's choice.
 """
 
 import numpy as np
@@ -40,14 +41,14 @@ def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
 
 RECORD = Composite(
     key="kao_byrne_1981",
-    title="Hardness of film and substrate: the film's share falls as one over the depth",
+    title="Hardness of film and substrate together: the effect of the film falls as one over the depth",
     grade="C",
     property="hardness",
     value=value,
     constants=constants,
     landmarks=landmarks,
     sources=(Source("kao_byrne_1981", "", "as restated by the documentation of the NIMS toolbox"),),
-    verified="independent evaluation; the substrate alone in the limit",
+    verified="independent evaluation; limit of the substrate alone",
     needs=("n_H", "tau"),
-    notes="Meant for depths well above 0.18 t; nearer to the surface it is held at the film's hardness.",
+    notes="Valid for depths well above 0.18 t; at smaller depths the hardness is that of the film.",
 )

@@ -1,23 +1,25 @@
 r"""Scatter of friction by junctions of different, independent strength, as on contaminated surfaces.
 
-*Assumes*: each junction has its own interface strength, drawn independently with mean $\tau_0$ and standard deviation
-$c_\tau\tau_0$, whatever its size and load. All junctions slide at the same time. *Source*: none is needed: variances of
-independent numbers add up. The force of a junction follows [bowden_tabor_1943].
+*Assumes*: the interface strength differs from junction to junction. It is a random number with the mean $\tau_0$ and the
+standard deviation $c_\tau\tau_0$, independent of other junctions and of the junction's size and load. All junctions slide at
+the same time. *Source*: the force of a junction is its strength times its area ([bowden_tabor_1943]); variances of independent
+numbers add up.
 
 $$
 s_\mu=\frac{c_\tau\tau_0}P\sqrt{\sum_iA_i^2},\qquad
 \frac{s_\mu}\mu=c_\tau\sqrt{\frac{\langle A^2\rangle}{n\langle A\rangle^2}}
 $$
 
-The sum is over the $n$ junctions that touch; the second formula holds if the force is $\tau_0A$ alone. The result is the
-standard deviation between contacts under the same load that follows from the strength only. It leaves out that other
-asperities touch in each contact, of which another validity warning tells. The mean of $\mu$ does not change. Theories without
-single junctions do not support this law, nor do films, whose junctions belong to two bodies.
+$s_\mu$ is the standard deviation of the friction coefficient $\mu$ between contacts under the same load $P$, as far as it
+follows from the strength. $A_i$ are the areas of the $n$ junctions in contact, and angle brackets denote their mean. The
+second formula holds if the force is $\tau_0A$ alone. The law leaves out that other asperities touch in each contact; another
+validity warning states this scatter. The mean of $\mu$ does not change. Theories without single junctions do not support this
+law, nor do films, whose junctions belong to two bodies.
 
-*Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, $\langle
+*Limit*: many junctions, or $c_\tau=0$: no scatter. *Check*: Hertz's asperities with exponential heights, for which $\langle
 A^2\rangle=2\langle A\rangle^2$: $s_\mu/\mu=c_\tau\sqrt{2/n}$ at every load.
 
-*Units*: $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+[All symbols](#1-units).
 """
 
 from stiction.contact.indices import Groups
@@ -47,11 +49,11 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 RECORD = Contamination(
     key="independent_junctions",
-    title="Spread of friction by junctions of different strength, each independent of the others",
+    title="Scatter of friction by junctions of different, independent strength",
     grade="B",
-    sources=(Source("bowden_tabor_1943", "", "force of one junction; that variances add up needs no source"),),
+    sources=(Source("bowden_tabor_1943", "", "force of one junction; variances of independent junctions add up"),),
     tangential_resistance=tangential_resistance,
-    verified="closed form of exponential heights; draws of strengths; integrals at 20 digits",
+    verified="closed form for exponential heights; simulation with random strengths; sums over heights at 20 digits",
     needs=("hardness_group", "shear_strength", "strength_variation", "roughness_parameter", "nominal_width", "sharpness"),
-    notes="The standard deviation is of single contacts; over many of them the mean friction is that without contamination.",
+    notes="The result is the standard deviation between contacts. Their mean friction is the one without contamination.",
 )

@@ -1,18 +1,21 @@
-r"""Criterion for a rough surface to stick without a load, a single number: Pastewka & Robbins 2014.
+r"""Criterion for a rough surface to stick without a load, a single ratio: Pastewka & Robbins 2014.
 
-*Assumes*: attraction acts on a rim around each contact spot, as far as the gap is within the range $\varrho$ of the
-attraction. A surface sticks if the attraction on the rims is larger than the repulsion in the spots. *Source*:
-[pastewka_robbins_2014], eq. (10), as restated by the authors' group with $\kappa=2$ and spots $4h'/h''$ wide. `stiction
-compare` prints it.
+*Assumes*: attraction acts on a rim around each contact spot, where the gap is below the range $\varrho$ of the attraction. A
+surface sticks if the attraction on the rims is larger than the repulsion in the spots. *Source*: [pastewka_robbins_2014], eq.
+(10), as restated by the authors' group with contact spots $4h'/h''$ wide and area over load $A/A_n=\kappa\,p/(E^*h')$,
+$\kappa=2$. `stiction compare` prints the ratio.
 
 $$
 \frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
 $$
 
-$\varrho$ is taken as the equilibrium distance $\varepsilon$; $h''$ is the root mean square of half the Laplacian of the
-heights. In groups, $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$, $h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$,
-$\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and $\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$: $\varsigma$ cancels.
-*Check*: 14.666 at $\theta=228.041$, $\rho=0.0408$, $\mu_T=5.19282$. The range must be short against $\tfrac{16}3h'^2/h''$.
+$h'$ is the root mean square gradient of the surface, $h''$ the root mean square of half the Laplacian of the heights, $\gamma$
+the work of adhesion and $E^*$ the contact modulus. $\varrho$ is taken as the equilibrium distance $\varepsilon$ and must be
+short compared with $\tfrac{16}3h'^2/h''$. For asperities with the density $\rho=NR\sigma$, $\varsigma=\sqrt{\sigma/R}$, the
+adhesion index $\theta$ and the Tabor parameter $\mu_T$: $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$,
+$h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$, $\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and
+$\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$; $\varsigma$ cancels. *Check*: the ratio is 14.666 at $\theta=228.041$,
+$\rho=0.0408$, $\mu_T=5.19282$. [All symbols](#1-units).
 """
 
 import math
@@ -68,16 +71,17 @@ def stickiness(groups: Groups) -> np.ndarray:
 
 RECORD = Criterion(
     key="pastewka_robbins_2014",
-    title="Stickiness of a rough surface: attraction beside the contact spots against repulsion inside",
+    title="Stickiness of a rough surface: attraction around the contact spots against repulsion in them",
     grade="B",
     sources=(
         Source("pastewka_robbins_2014", "eq. (10)", "as the authors' group restates it: kappa = 2, spots 4 h'/h'' wide"),
-        Source("nayak_1971", "gradient and curvature that belong to sigma, R and N"),
+        Source("nayak_1971", "gradient and curvature of the surface from sigma, R and N"),
     ),
     ratio=stickiness,
     below="it sticks: pulled apart, it holds a tension",
     above="it does not stick: contact needs a load",
-    verified="the same ratio in SI units, to rounding",
+    verified="the same ratio computed in SI units, to rounding",
     needs=("theta", "roughness_parameter", "tabor_parameter"),
-    notes="The range of the attraction is taken as the equilibrium distance and must be short against (16/3) h'^2/h''.",
+    notes="The range of the attraction is taken as the equilibrium distance. It must be short compared with (16/3) h'^2/h'', "
+    "the gap next to a contact spot.",
 )

@@ -14,7 +14,10 @@ tangential law describes the interface. *Check*, as the abstract says: at high p
 less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. However thin the film, a rim of
 it remains around elastic contacts.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
+film thickness. [All symbols](#1-units).
 """
 
 import math

@@ -26,7 +26,9 @@ and it is zero at the edge. Only tangential laws of the interface can be combine
 that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities narrower than the film
 thickness, for which the law is not valid.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import math

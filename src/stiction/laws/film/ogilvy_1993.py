@@ -10,7 +10,9 @@ $$
 If the contact is plastic, this is Bowden and Tabor's soft film, $\mu=\tau_0/H_s$. *Unknown*: the text of the source, which
 solved given surfaces numerically.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\tau_0$ shear strength of the interface. [All symbols](#1-units).
 """
 
 import math

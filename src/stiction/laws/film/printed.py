@@ -13,7 +13,10 @@ terms are in the film's own units (D4); the elastic term of the substrate starts
 plastic term at $w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected variant (D12), and the contact
 area, which the paper does not define as a sum over heights.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\tau=t/\sigma$ film thickness.
+[All symbols](#1-units).
 """
 
 import math

@@ -33,7 +33,10 @@ between the bounds, over a factor $n_H^{-3}$ in load. *Limit*: $\mu=\tau_0/H_f$ 
 thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is this project's own:
 at a given load, $\mu$ of a rough surface is an average over its asperities.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
+asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
+film thickness. [All symbols](#1-units).
 """
 
 import numpy as np

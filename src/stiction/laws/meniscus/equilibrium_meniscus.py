@@ -1,13 +1,14 @@
 r"""Menisci in equilibrium with their vapour, by Kelvin's equation and circular arcs: Orr, Scriven & Rivas 1975.
 
-*Assumes*: the meniscus neither grows nor dries up. Its total curvature is $1/r$ by Kelvin's equation at every distance;
-approach and separation are slow (seconds in humid air). The meniscus is small compared with the asperity, $r\ll R$. Its force
-does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated. Neighbouring menisci do
-not merge. *Sources*: [thomson_1871] for the radius; [orr_scriven_rivas_1975] for the circle approximation and the exact
-meniscus; force between a sphere and a flat as reviewed by [israelachvili_2011] and [butt_kappl_2009], written from memory and
-derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring $2\pi R(2rc-D)$. Menisci between rough surfaces, each in
-equilibrium: [de_boer_de_boer_2007], abstract; its result for a sphere and a flat agrees, see below. Radii at which Kelvin's
-equation was found to hold: [fisher_gamble_middlehurst_1981]; surface tension of water: [iapws_2014].
+*Assumes*: the meniscus is in equilibrium with the vapour. Its total curvature is $1/r$ by Kelvin's equation at every gap,
+so that approach and separation must be slow (seconds in humid air). The meniscus is small compared with the asperity,
+$r\ll R$. Its force does not deform the solids (as in DMT's law), and a sphere that is pressed in is treated as truncated.
+Neighbouring menisci do not merge. *Sources*: [thomson_1871] for the radius $r$; [orr_scriven_rivas_1975] for the circle
+approximation and the exact meniscus; the force between a sphere and a flat as reviewed by [israelachvili_2011] and
+[butt_kappl_2009], written from memory and derived again: Laplace's pressure $\gamma_\mathrm L/r$ on the ring area
+$2\pi R(2rc-D)$. [de_boer_de_boer_2007], abstract, describe menisci between rough surfaces, each in equilibrium; their result
+for a sphere and a flat agrees, see below. Radii at which Kelvin's equation was found to hold are from
+[fisher_gamble_middlehurst_1981], the surface tension of water from [iapws_2014].
 
 $$
 r=\frac{\gamma_\mathrm LV_\mathrm L}{R_\mathrm gT\ln(p_\mathrm s/p)},\quad c=\frac{\cos\theta_1+\cos\theta_2}2,\qquad
@@ -19,34 +20,40 @@ P=-\frac{2\pi}{\theta_\mathrm m}\min\left(1,\;1+\frac w{w_\mathrm m}\right)\quad
 \theta_\mathrm m=\frac{K\sigma^{3/2}}{2\gamma_\mathrm Lc\sqrt R},\quad w_\mathrm m=\frac{2rc}\sigma
 $$
 
-This force is added to the load of the asperity law. An asperity that does not touch is bridged by liquid and attracted if its
-gap is below $2rc$. The force of all menisci is at most Laplace's pressure on the area where the solids do not touch,
-$\gamma_\mathrm L(A_n-A)/r$. The meniscus has no contact area and no resistance to sliding. It presses the solids together,
-and the tangential law uses the load that they carry. If the contact states a work of adhesion, it applies to the solids
-inside the liquid. With a film, the liquid is on the film.
+$\gamma_\mathrm L$ is the surface tension and $V_\mathrm L$ the molar volume of the liquid, $R_\mathrm g$ the gas constant, $T$
+the temperature, $p/p_\mathrm s$ the relative vapour pressure (humidity), $\theta_1$ and $\theta_2$ the contact angles on both
+faces, $F$ the attractive force at the gap $D$. In the units here, $P$ is the (negative) load of the meniscus at the
+displacement $w$ of the asperity; negative $w$ is a gap. $P$ is added to the load of the asperity law.
 
-*Limit*: for zero humidity, $w_\mathrm m\to0$, touching asperities still have the full force, because the force in contact
-does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results warn below the radii at which
-Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which is 94 % relative humidity.
+An asperity that does not touch is bridged by liquid and attracted if its gap is below $2rc$. The force of all menisci is at
+most Laplace's pressure on the area where the solids do not touch, $\gamma_\mathrm L(A_n-A)/r$. The meniscus has no contact
+area and no resistance to sliding. It presses the solids together, and the tangential law uses the load that they carry. A work
+of adhesion of the contact applies to the solids inside the liquid. With a film, the liquid is on the film.
 
-*Trap*: for elastic asperities at displacements above $2rc$ the force falls to half of this value:
-[`hertzian_meniscus`](#hertzian_meniscus). Their contact area grows instead, so that friction with a law of the interface is
-closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest waves of a half to a
-sixteenth of the side, $P/(E^*h')$ 0.002 to 0.05, 30 to 97 % humidity), solved with Laplace's pressure on every point
-([`boundary_elements`](#boundary_elements)). If the menisci pull with more than a tenth of the load, this law gives 0.40 to
-0.91 of their force (mean 0.58), and 1.00 to 1.03 of it on flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*:
-menisci of constant volume, which do not dry up while surfaces separate; their volume depends on their history.
+*Limit*: as the humidity tends to zero, $w_\mathrm m\to0$, but touching asperities still have the full force, because the force
+in contact does not depend on $r$. If $r$ is only a few molecules, there is no such meniscus. Results warn below the radii at
+which Kelvin's equation was confirmed: 4 nm, or 9 nm for water, which is 94 % relative humidity.
+
+*Trap*: for elastic asperities at displacements far above $2rc$ the force falls to half of this value, see
+[`hertzian_meniscus`](#hertzian_meniscus). The missing force increases their contact area, so that friction by a law of the
+interface is closer to the present law. *Measured*: fourteen Gaussian maps of silicon ($\sigma$ 1 to 50 nm, longest wavelength
+a half to a sixteenth of the side, nominal pressure over $E^*h'$ 0.002 to 0.05 with the root mean square gradient $h'$, 30 to
+97 % humidity) were solved with Laplace's pressure on every bridged point ([`boundary_elements`](#boundary_elements)). If the
+menisci pull with more than a tenth of the load, this law gives 0.40 to 0.91 of their force (mean 0.58), and 1.00 to 1.03 of it
+on flooded maps. If they pull less, it gives 0.24 to 1.08. *Unknown*: menisci of constant volume, which do not dry up while
+surfaces separate; their volume depends on their history.
 
 *Check*: separation of a sphere and a flat in equilibrium needs the work $4\pi R\gamma_\mathrm Lrc^2$, half of the surface
-energy $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). Water at 20 °C: $r$ is 0.777 nm
-at 50 % and 5.112 nm at 90 %. The exact meniscus of the same curvature pulls less, by
+energy $2\gamma_\mathrm Lc\cdot4\pi Rrc$ that is created ([de_boer_de_boer_2007], abstract). For water at 20 °C, $r$ is
+0.777 nm at 50 % humidity and 5.112 nm at 90 %. The exact meniscus of the same curvature pulls less than the formula, by
 
 | $2rc/R$ | touching, $\theta_1=\theta_2=0$ | gap $rc$ | touching, 30° and 60° | gap $rc$ |
 |---|---|---|---|---|
 | $10^{-2}$ | 2.8 % | 7.9 % | 4.4 % | 13.4 % |
 | $10^{-4}$ | 0.28 % | 0.79 % | 0.46 % | 1.31 % |
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$, with the tip radius $R$, the standard deviation $\sigma$ of the
+asperity heights and $K=\tfrac43E^*$ ($E^*$ contact modulus). [All symbols](#1-units).
 """
 
 import math
@@ -100,19 +107,19 @@ def pull(groups: Groups) -> list[Regime]:
 
 RECORD = Meniscus(
     key="equilibrium_meniscus",
-    title="Menisci in equilibrium with their vapour, of a pull that does not change in contact",
+    title="Menisci in equilibrium with the vapour, whose force is constant in contact",
     grade="B",
     sources=(
-        Source("thomson_1871", "", "the radius of a meniscus over its vapour"),
-        Source("orr_scriven_rivas_1975", "", "circle approximation; the exact meniscus, solved anew as a check"),
-        Source("israelachvili_2011", "", "force of a sphere and a flat; written down from memory and derived again"),
-        Source("butt_kappl_2009", "", "the same, reviewed; the abstract was seen"),
-        Source("de_boer_de_boer_2007", "abstract", "work of parting a sphere and a flat in equilibrium"),
+        Source("thomson_1871", "", "Kelvin's equation: the radius of a meniscus at a given humidity"),
+        Source("orr_scriven_rivas_1975", "", "circle approximation; the exact meniscus, solved independently as a check"),
+        Source("israelachvili_2011", "", "force of a sphere and a flat; written from memory and derived again"),
+        Source("butt_kappl_2009", "", "review of the same; only the abstract was available"),
+        Source("de_boer_de_boer_2007", "abstract", "work of separating a sphere and a flat in equilibrium"),
         Source("fisher_gamble_middlehurst_1981", "abstract", "radii at which the Kelvin equation was found to hold"),
         Source("iapws_2014", "", "surface tension of water, from memory, checked against 72.74 mN/m at 20 C"),
     ),
     pull=pull,
-    verified="exact menisci of constant curvature by quadrature; sums over heights at 20 digits",
+    verified="exact menisci of constant curvature, by numerical integration; sums over heights at 20 digits",
     needs=("meniscus_index", "meniscus_height"),
     validity=(
         *VALIDITY,
@@ -124,7 +131,6 @@ RECORD = Meniscus(
             "menisci pull such elastic asperities less, down to half, and widen their contact area",
         ),
     ),
-    notes="Of plastic asperities, which are "
-    "cut off, the pull does not change; of elastic ones it falls to half as they are pressed in farther than a meniscus is "
-    "high: hertzian_meniscus.",
+    notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "
+    "for elastic asperities it falls to half as the displacement exceeds the height of the meniscus (hertzian_meniscus).",
 )

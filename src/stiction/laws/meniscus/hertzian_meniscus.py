@@ -1,41 +1,42 @@
 r"""Menisci around elastic asperities, whose force falls with displacement: Maugis's ring on Hertz's shape.
 
 *Assumes*: as [`equilibrium_meniscus`](#equilibrium_meniscus), but the gap around the contact is Hertz's. The ring of liquid
-then acts like the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range $2rc$,
-at small Tabor parameters, where it does not deform the solids. *Source*: [maugis_gauthier_manuel_1994], as
+then acts like the attracting ring of [`maugis_1992`](#maugis_1992), with the stress $\gamma_\mathrm L/r$ and the range $2rc$.
+It is computed for small Tabor parameters, where it does not deform the solids. *Source*: [maugis_gauthier_manuel_1994], as
 [intersurface_adhesion_2018] reports it, treats a meniscus as such a ring: JKR's law in dry air, DMT's in moist air. The
-equations follow [maugis_1992] to first order in $\lambda_M$ and are derived here. With $s=a/\sqrt{c^2-a^2}$, $a$ and $c$
-being the inner and the outer radius of the ring,
+equations follow [maugis_1992] to first order in its parameter $\lambda_M$ of the attraction and are derived here. With
+$s=a/\sqrt{b^2-a^2}$, where $a$ is the inner radius of the ring (contact radius) and $b$ the outer radius,
 
 $$
 F=s+(1-s^2)\arctan\tfrac1s,\qquad w=\frac{\pi w_\mathrm ms^2}F,\qquad
 P=-\frac{2\pi}{\theta_\mathrm m}\left(\frac{2\arctan(1/s)}F-1\right)\quad(w\ge0)
 $$
 
-If the asperity does not touch, the straight line of `equilibrium_meniscus` applies, which joins continuously.
+The other symbols, such as the meniscus height $w_\mathrm m=2rc/\sigma$, are those of `equilibrium_meniscus`. If the asperity
+does not touch, the straight line of `equilibrium_meniscus` applies, which joins continuously.
 
-*Limit*: `equilibrium_meniscus` for $w\ll w_\mathrm m$, half of its pull for $w\gg w_\mathrm m$: DMT's force as the derivative
-of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*:
+*Limit*: the force of `equilibrium_meniscus` for $w\ll w_\mathrm m$, and half of it for $w\gg w_\mathrm m$, which is DMT's
+force as the derivative of an energy, $-2\gamma_\mathrm Lc\,\mathrm d(\pi a^2)/\mathrm d\omega$. *Check*:
 
 | $w/w_\mathrm m$ | 0 | 0.1 | 1 | 10 | 100 |
 |---|---|---|---|---|---|
-| pull over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
+| force over $4\pi R\gamma_\mathrm Lc$ | 1 | 0.7958 | 0.6295 | 0.5355 | 0.5081 |
 
 *Trap*: this is the force at a given displacement. The missing part of the force has widened the contact, but the area here is
-still Hertz's area at this displacement. At a given area the force grows instead, to first order in $\lambda_M$,
+still Hertz's area at this displacement. At a given contact area the force grows instead: to first order in $\lambda_M$ it is
 
 $$
 \frac{s+(1+s^2)\arctan\frac1s}F=\ 1.086,\ 1.643,\ 4.659\quad\text{times}\ 4\pi R\gamma_\mathrm Lc\ \text{for}\
 w/w_\mathrm m=0.1,\ 1,\ 10
 $$
 
-so that with a law of the interface friction is too low here, more than with `equilibrium_meniscus`. Use this law for loads
+Friction by a law of the interface is therefore too low here, more so than with `equilibrium_meniscus`. Use this law for loads
 and pull-off forces. Results warn from $w=0.1\,w_\mathrm m$ on.
 
-*Measured*, as with `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force on solved maps, mean 0.48, and
-1.00 to 1.03 of it on flooded maps.
+*Measured*, on the same maps as `equilibrium_meniscus`: this law gives 0.27 to 0.79 of the meniscus force (mean 0.48), and 1.00
+to 1.03 of it on flooded maps.
 
-*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$; [symbols](#1-units).
+*Units*: $w=\omega/\sigma$, $P$ over $KR^{1/2}\sigma^{3/2}$. [All symbols](#1-units).
 """
 
 import math
@@ -99,13 +100,13 @@ def pull(groups: Groups) -> list[Regime]:
 
 RECORD = Meniscus(
     key="hertzian_meniscus",
-    title="Menisci in equilibrium with their vapour, around elastic contacts",
+    title="Menisci in equilibrium with the vapour, around elastic contacts",
     grade="B",
     sources=(
         Source("maugis_1992", "", "the attracting ring, to first order in the attraction; derived here"),
-        Source("maugis_gauthier_manuel_1994", "", "that a meniscus is such a ring; not seen"),
-        Source("intersurface_adhesion_2018", "introduction", "the same, reported"),
-        Source("thomson_1871", "", "the radius of a meniscus over its vapour"),
+        Source("maugis_gauthier_manuel_1994", "", "a meniscus treated as such a ring; not available"),
+        Source("intersurface_adhesion_2018", "introduction", "report of the work of 1994"),
+        Source("thomson_1871", "", "Kelvin's equation: the radius of a meniscus at a given humidity"),
     ),
     pull=pull,
     wants={"Hertz's shape": "it assumes the gap around a Hertz contact"},

@@ -1,14 +1,17 @@
 r"""Presliding of one elastic contact under a tangential force: Mindlin 1949 (and, before him, Cattaneo 1938).
 
-*Assumes*: contacts are elastic and independent. With `presliding="mindlin_1949"` their tangential stiffness before sliding is
-computed. *Source*: [mindlin_1949], the stiffness of each contact at zero force, summed to `tangential_stiffness`,
+*Assumes*: contacts are elastic and independent. With `presliding="mindlin_1949"` the result `tangential_stiffness` is the sum
+of the tangential stiffnesses $k_t$ of all contacts before sliding. *Source*: [mindlin_1949], the stiffness of one contact at
+zero tangential force,
 
 $$
 k_t=\frac{8a}\beta\ \text{(SI)},\qquad\frac{8\sqrt A}{K\beta}\ \text{in the units here}
 $$
 
-For equal bodies $k_t/k_n=2(1-\nu)/(2-\nu)$. The module also describes partial slip of one Hertz contact with the friction
-coefficient $f$,
+$a$ is the contact radius, $A$ the contact area, $\beta$ the tangential compliance of the pair of bodies and $K=\tfrac43E^*$.
+For equal bodies the ratio to the normal stiffness is $k_t/k_n=2(1-\nu)/(2-\nu)$. In partial slip, a Hertz contact with the load
+$P$ and the friction coefficient $f$ at every point carries the tangential force $T$ at the tangential displacement
+$\delta_t$; at $\delta_f$ the whole contact slides,
 
 $$
 T=fP\left[1-(1-s)^{3/2}\right],\qquad s=\frac{\delta_t}{\delta_f},\quad\delta_f=\frac{3fP\beta}{16a}
@@ -16,35 +19,36 @@ $$
 
 Plastic contacts are treated as elastic; the bulk behind the asperities adds no compliance.
 
-**Up to sliding** (`st.slide`): all asperities are displaced by $\delta$. Each carries the force below, with the strength
-$T_m$ from its tangential law in place of $fP$,
+**Up to sliding** (`st.slide`): all asperities have the same tangential displacement $\delta$. Each carries the force of
+partial slip, with the strength $T_m$ from its tangential law in place of $fP$. Their sum over the density $\varphi$ of
+heights, at the separation $h$, is
 
 $$
 F=\int T_m\left[1-(1-s)^{3/2}\right]\varphi(h+w)\,dw,\qquad s=\frac\delta{\delta_f},\quad\delta_f=\frac{3T_m\beta}{16a};
 \qquad r\,T_m\text{ where }s\ge1
 $$
 
-*Sources*: [bjorklund_1997] (the sum, whose text was not available) and [eriten_2011]; $r$, the fraction of its strength that
-an asperity keeps once it slides, is this project's own; $r=1$ is Coulomb's law. With $r=1$, $F$ tends from below to the
-static friction, for which all asperities have their full strength at once. With $r<1$ the asperities do not reach their peaks
-together, and the largest force is lower. The use of $T_m$ for $fP$, even if it is not proportional to the load, is also this
-project's own. In a cycle between $\pm\delta$ unloading follows the same curve at twice the scale ([masing_1926]). The energy
-loss is
+An asperity slides from $s=1$ on and then retains the fraction $r$ of its strength. *Sources*: [bjorklund_1997] for the sum
+(the text was not available) and [eriten_2011]. This project's own are the residual strength $r$, with $r=1$ for Coulomb's law,
+and $T_m$ in place of $fP$ for strengths that are not proportional to the load. With $r=1$, $F$ tends from below to the static
+friction force, where all asperities have their full strength at once. With $r<1$ the asperities do not reach their peaks
+together, and the largest force is lower. In a cycle between $\pm\delta$ unloading follows the same curve at twice the scale
+([masing_1926]). The energy loss of a cycle is
 
 $$
 \Delta W=8\int_0^\delta F\,d\delta'-4\,\delta F,\qquad
 \frac{\Delta W}{T_m\delta_f}=4s-\tfrac{16}5+(1-s)^{3/2}\left(\tfrac{16}5+\tfrac45s\right)\ (s\le1)
 $$
 
-for one asperity, in agreement with [mindlin_deresiewicz_1953]. *Check*, one asperity:
+The second formula is for one asperity, in agreement with [mindlin_deresiewicz_1953]. *Check*, one asperity:
 
 | $s$ | 0.1 | 0.5 | 0.9 | 1 |
 |---|---|---|---|---|
 | $F/T_m$ | 0.146185 | 0.646447 | 0.968377 | 1 |
 | $\Delta W/(T_m\delta_f)$ | 0.0005131 | 0.0727922 | 0.5239613 | 0.8 |
 
-Elastic asperities under Coulomb's law: $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so that
-with exponential heights $F=fP\,(1-e^{-\delta/m})$.
+For elastic asperities under Coulomb's law, $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so
+that $F=fP\,(1-e^{-\delta/m})$ for exponential heights. [All symbols](#1-units).
 """
 
 import math
@@ -137,12 +141,12 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 RECORD = Presliding(
     key="mindlin_1949",
-    title="Tangential stiffness of contacts before they slide",
+    title="Tangential stiffness of elastic contacts before sliding",
     grade="B",
-    sources=(Source("mindlin_1949", "", "the stiffness at no force, and the formulas of partial slip"),),
+    sources=(Source("mindlin_1949", "", "the stiffness at zero tangential force, and the formulas of partial slip"),),
     tangential_resistance=tangential_resistance,
-    verified="closed forms; ratio of tangential to normal stiffness 2 (1 - nu)/(2 - nu) for bodies alike",
+    verified="closed forms; ratio of tangential to normal stiffness, 2 (1 - nu)/(2 - nu) for equal bodies",
     needs=("K_beta",),
     validity=(Validity("plasticity_index", 0.0, 0.6, "plastic contacts are treated as elastic"),),
-    notes="Asperities act alone; the nominal contact adds no compliance.",
+    notes="The stiffness is that of the asperities alone; the bulk of the bodies adds no compliance.",
 )

@@ -10,7 +10,9 @@ $$
 for every segment, elastic or plastic. If all contacts are plastic, $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law
 needs `interfacial_shear_strength`.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. [All symbols](#1-units).
 """
 
 from stiction.contact.indices import Groups

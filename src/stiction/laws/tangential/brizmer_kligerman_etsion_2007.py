@@ -17,7 +17,9 @@ Plastic asperities resist too. Rough surfaces therefore keep $\mu\ge0.27$ at any
 Etsion and of Chang, Etsion and Bogy give almost no friction. *Unknown*: the growth of the junction, which the available texts
 do not print.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus). [All symbols](#1-units).
 """
 
 import math

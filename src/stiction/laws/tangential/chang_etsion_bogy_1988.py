@@ -29,7 +29,9 @@ The axis yields first above 0.9512. The adhesion of the 1988 papers is not inclu
 beyond $\omega_c$ resist according to another law, and results state by how much mu differs from that of the paper; the paper
 itself has `none`.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress. [All symbols](#1-units).
 """
 
 import math

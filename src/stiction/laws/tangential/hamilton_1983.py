@@ -52,7 +52,9 @@ of [`chang_etsion_bogy_1988`](#chang_etsion_bogy_1988-tangential-law) therefore 
 at $\mu=1$ and 7 % at $\mu=2$ ($\nu=0.3$), by 1, 4, 7 and 9 % at $\mu$ = 0.4, 0.6, 1 and 2 ($\nu=0.4$); the axis alone, by 1.6
 % at $\mu=0.2$ and 3.5 % at 0.3.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. [All symbols](#1-units).
 """
 
 import math

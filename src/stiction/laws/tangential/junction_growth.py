@@ -27,7 +27,9 @@ $P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.8
 |---|---|---|---|---|---|---|---|
 | $\mu$ | 0.0057 | 0.0569 | 0.1758 | 0.3120 | 0.6085 | 0.8808 | 1.0242 |
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. [All symbols](#1-units).
 """
 
 import math

@@ -15,7 +15,9 @@ rises by 1.2 %) and from 0.036 to 0 at 6. With another asperity law, the frictio
 coefficient times the load of that law. With `plastic_junctions`, asperities from $6\,\omega_c$ on resist according to another
 law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $w_c$ displacement at first yield. [All symbols](#1-units).
 """
 
 import numpy as np

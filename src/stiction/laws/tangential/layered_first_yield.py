@@ -32,7 +32,10 @@ its place: f film, i interface, b body,
 | 2 | | 0.704 f | 0.684 f | 0.619 f | 0.536 f |
 | 10 | | 0.732 f | 0.601 i | 0.416 i | 0.321 f |
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over yield stress.
+[All symbols](#1-units).
 """
 
 import numpy as np

@@ -26,7 +26,11 @@ $\zeta$ is `peeling` of the contact; with $\zeta=0$ only yield limits the force.
 resist according to another law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
 *Reconstructed*: the seven coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of
+adhesion; $\beta$ tangential compliance of the pair of bodies, $K\beta=\tfrac83(2-\nu)/(1-\nu)$ for equal bodies. [All
+symbols](#1-units).
 """
 
 import math

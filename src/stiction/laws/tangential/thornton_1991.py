@@ -10,7 +10,10 @@ $$
 
 *Unknown*: the force that a contact carries after peeling by the 1991 criterion; it is not included.
 
-*Units*: $P$ and $T$ over $KR^{1/2}\sigma^{3/2}$, $A$ over $\pi R\sigma$, $w=\omega/\sigma$; [symbols](#1-units).
+*Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
+over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\beta$ tangential compliance of the pair of bodies, $K\beta=\tfrac83(2-\nu)/(1-\nu)$
+for equal bodies; $P_c=\tfrac32\pi\gamma R$ pull-off force. [All symbols](#1-units).
 """
 
 import math

@@ -2,8 +2,9 @@ r"""Load of a yielded asperity without adhesion in unloading.
 
 `st.unload` separates a surface after loading. JKR asperities follow their unloading branch, and those of [Thornton and
 Ning](#thornton_ning_1998) their authors' equations. For yielded asperities without adhesion this project uses its own law.
-From the turning point $w_m$, $P_m$, $A_m$ such an asperity unloads elastically, as a sphere that plastic flow has flattened:
-it follows Hertz with the radius $\bar R$ and the residual displacement $w_\text{res}$,
+Unloading starts at the turning point, with displacement $w_m$, load $P_m$ and contact area $A_m$. From there the asperity
+unloads elastically, as a sphere that plastic flow has flattened: it follows Hertz with the larger radius $\bar R$ and the
+residual displacement $w_\text{res}$,
 
 $$
 \bar R/R=A_m^{3/2}/P_m,\qquad w_\text{res}=w_m-\frac{P_m}{\sqrt{A_m}}\ \text{(not below 0)},\qquad
@@ -11,12 +12,13 @@ P=P_m\left(\frac{w-w_\text{res}}{w_m-w_\text{res}}\right)^{3/2}
 $$
 
 Load and area are then continuous at the turning point. In SI units $\bar R=4E^*a_m^3/(3P_m)$ and
-$\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$. The residual displacement of [etsion_kligerman_kadin_2005] is not used, because
-its exponents could not be confirmed. With $w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$ and $r=w_m/w_c$, it would be larger
-by at most $0.11\,w_m$.
+$\omega_\text{res}=\omega_m-3P_m/(4E^*a_m)$, with the contact radius $a_m$. The residual displacement of
+[etsion_kligerman_kadin_2005] is not used, because its exponents could not be confirmed. With
+$w_\text{res}/w_m=(1-r^{-0.28})(1-r^{-0.69})$ and $r=w_m/w_c$, where $w_c$ is the displacement at first yield, it would be
+larger by at most $0.11\,w_m$.
 
-*Units*: $w$ is in units of $\sigma$, $P$ of $KR^{1/2}\sigma^{3/2}$ and $A$ of $\pi R\sigma$. The index $m$ denotes the
-turning point.
+*Symbols*: displacements $w$ are in units of $\sigma$, loads $P$ of $KR^{1/2}\sigma^{3/2}$ and areas $A$ of $\pi R\sigma$, with
+the tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus).
 """
 
 import math

@@ -1,12 +1,13 @@
 """Describe the gradual transition from an elastic to a fully plastic asperity.
 
-In Zhao, Maietta & Chang (2000) the contact area grows from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1, by
-the step 3 xi^2 - 2 xi^3 in the displacement. omega_1 is the displacement at first yield, where the mean pressure is 0.4 H.
-Without adhesion the displacement is proportional to the square of the elastic mean pressure p, so that p/H is 0.4 at omega_1
-and sqrt(54) * 0.4 = 2.94 at omega_2.
+In Zhao, Maietta & Chang (2000) the contact area grows from pi R omega at omega_1 to 2 pi R omega at omega_2 = 54 omega_1 (R:
+tip radius, omega: displacement). It follows the cubic step 3 xi^2 - 2 xi^3, where xi grows linearly with omega from 0 at
+omega_1 to 1 at omega_2. omega_1 is the displacement at first yield, where the mean pressure is 0.4 times the hardness H.
+Without adhesion omega is proportional to the square of the elastic mean pressure p, so that p/H is 0.4 at omega_1 and
+sqrt(54) * 0.4 = 2.94 at omega_2.
 
-This project's own (grade C): the step is taken in (p/H)^2, which is also defined if hardness and modulus change with depth. It
-starts at p = H, where the 2015 paper ends the elastic asperity.
+This project's own change (grade C): xi grows linearly with (p/H)^2, which is also defined if hardness and modulus change with
+depth. The step starts at p = H, where the 2015 paper ends the elastic asperity.
 """
 
 from stiction.engine.compiled import formula
