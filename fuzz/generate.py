@@ -17,7 +17,7 @@ from stiction.web.fields import example_cases
 SECTIONS = ("uncertainty", "sweep", "design", "fit")
 WRONG = ("", "nan", "1e400 m", "-1 nm", "5 parsnip", [], {}, True, -1, 0, 1e300, float("nan"), "no such thing", [1, "2 nm"])
 _QUANTITY = re.compile(r"^([-+]?[0-9]+\.?[0-9]*(?:[eE][-+]?[0-9]+)?)\s*(.*)$")
-_MOST_POINTS = 200  # more are only more work
+_MOST_POINTS = 40  # more are only more work
 _MOST_DEPTH = 6  # of tables in tables that are made
 
 

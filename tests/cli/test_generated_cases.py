@@ -1,5 +1,6 @@
 """A fixed share of the generated cases and other inputs of `make fuzz`: each ends in an answer or in one line."""
 
+import multiprocessing
 import random
 import sys
 from collections import Counter
@@ -28,6 +29,18 @@ def test_a_generated_case_is_answered_or_refused_in_one_line(seed):
 @pytest.mark.parametrize("target", inputs.TARGETS, ids=lambda target: target.__name__)
 def test_other_inputs_are_read_or_refused_in_one_line(target):
     assert not [failure for seed in range(20) for failure in run.failures_of_inputs(seed, target.__name__, 60)]
+
+
+def test_a_worker_that_dies_is_a_failure_and_the_next_goes_on():
+    tried = run.in_workers(range(1, 500), ["measured_tables"], 60)
+    next(tried)
+    (worker,) = multiprocessing.active_children()
+    worker.kill()
+    seed, failures = next((seed, failures) for seed, failures, _ in tried if failures)
+    assert failures == [f"seed {seed}: the process ended with -9"]
+    following, failures, _ = next(tried)
+    tried.close()
+    assert (following, failures) == (seed + 1, []) and not multiprocessing.active_children()
 
 
 def test_another_error_than_an_input_error_is_a_failure():

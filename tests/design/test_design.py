@@ -395,10 +395,28 @@ def test_what_is_told_is_a_function():
         design(case(MOST, RADIUS), tell=3)
 
 
-def test_told_at_once():
+@pytest.mark.parametrize("objective", [MOST, [MOST, {"minimise": "contact_area"}]], ids=["one", "two"])
+@pytest.mark.parametrize("model", ["persson_2001", None], ids=["model", "prediction"])
+def test_the_largest_number_of_designs_is_told_at_once_and_kept(objective, model):
     told = []
-    design(case(MOST, RADIUS), tell=lambda count, text: told.append(count))
-    assert told[0] <= 256 and sorted(set(told)) == told
+    table = case(objective, RADIUS, effort=2)
+    if model is None:
+        del table["solve"]["model"]
+    found = run_design(plan_of_design(table), lambda count, text: told.append((count, text)))
+    counts, texts = zip(*told, strict=True)
+    assert counts[0] <= 256 and sorted(set(counts)) == list(counts)
+    (most,) = {int(text.removeprefix("of at most ").partition(",")[0]) for text in texts}
+    assert counts[-1] == found.archive.count <= most <= 1.5 * found.archive.count + 400
+
+
+def test_the_time_left_is_told_where_it_is_long(monkeypatch):
+    clock = iter(range(0, 100_000, 100))
+    monkeypatch.setattr(design_module.time, "monotonic", lambda: float(next(clock)))
+    told = []
+    design(case(MOST, RADIUS, effort=2), tell=lambda count, text: told.append((count, text)))
+    count, text = told[0]
+    most = int(text.split()[3].strip(","))
+    assert text.endswith(f"at most {100.0 / count * (most - count) / 60.0:.0f} min left") or 100.0 / count * (most - count) < 90
 
 
 @pytest.mark.parametrize(

@@ -47,6 +47,18 @@ def case(contact=None, solve=None, **tables):
     return parse_case({"contact": {**POWER_LAW, **(contact or {})}, "solve": {**SOLVE, **(solve or {})}, **tables})
 
 
+def test_mu_of_stated_values_outside_its_interval_is_said():
+    """mu of this coated contact is largest near lam = 1140: nearly all samples around it give less."""
+    indices = {"theta": 2.2, "n_E": 4.74, "n_H": 0.0847, "tau": 10.4}
+    told = [
+        solve_case(
+            parse_case({"indices": indices | {"lam": lam}, "solve": {"load": [1e-3]}, "uncertainty": {"coverage": 0.5}})
+        ).attrs["outside_validity"]
+        for lam in ({"median": 1140.0, "factor": 3.0}, {"median": 3000.0, "factor": 1.1})
+    ]
+    assert "stated values lies outside its interval" in told[0] and "stated values" not in told[1]
+
+
 def test_bands_of_a_power_law_are_those_of_a_log_normal():
     data = solve_case(case(uncertainty={"count": 4096}))
     nominal = data["friction_coefficient"].values

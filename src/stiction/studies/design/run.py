@@ -3,6 +3,7 @@
 Each chosen number is searched as a share: its position between its low end (0) and its high end (1).
 """
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
     from stiction.case.arguments import CaseFile
 
-# Told how many designs were asked, and the best so far in words.
+# Called with the number of evaluated designs, and a text on how many there will be at most and how long they take.
 Tell = Callable[[int, str], None]
 _FRONT = 12  # designs between the two ends of a front that are searched, of a model
 _DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
@@ -66,13 +67,21 @@ class Archive:
 class Designing:
     """Hold the state of a design search: its plan, its evaluator of designs, and all designs so far.
 
-    stopped: whether the search was interrupted.
+    stopped: whether the search was interrupted. started: clock time at its begin, in seconds.
     """
 
     plan: DesignPlan
     space: Space
     archive: Archive = field(default_factory=Archive)
     stopped: bool = False
+    started: float = field(default_factory=time.monotonic)
+
+    @property
+    def work_left(self) -> str:
+        """Return the largest number of designs to evaluate, and the time that those left take, as text."""
+        count, most = self.archive.count, _most_designs(self)
+        seconds = (time.monotonic() - self.started) / count * max(most - count, 0)
+        return f"of at most {most}, at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else f"of at most {most}"
 
     def best(self) -> np.ndarray:
         """Return the archive indices of the best design for each combination of list entries, the best first.
@@ -106,7 +115,7 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
     case : path, or dict like a case file
         Case with a table [design].
     tell : callable
-        Called with the number of evaluated designs and a text, which is empty.
+        Called with the number of evaluated designs, and a text: their largest number, and the time left if it exceeds 90 s.
 
     Returns
     -------
@@ -176,8 +185,40 @@ def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
     archive.worst.append(answers.worst)
     archive.known.append(answers.known)
     archive.count += len(shares)
-    tell(archive.count, "")
+    tell(archive.count, search.work_left)
     return answers
+
+
+def _most_designs(search: Designing) -> int:
+    """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
+    drawn, plan = _drawn(search), search.plan
+    if not plan.free:
+        return len(drawn)
+    if len(plan.objectives) == 2 and search.space.is_predicted:
+        return len(drawn) + _TOGETHER * _front_rounds(search)
+    generations = len(plan.objectives) * (plan.effort + 1)
+    if len(plan.objectives) == 2:
+        generations += _FRONT * (_front_generations(search) + 1)
+    ways = len(np.unique(search.space.way(drawn), axis=0))
+    refined = 0 if search.space.is_predicted else len(plan.objectives) * min(ways, _REFINED) * (_refinements(search) + 1)
+    return len(drawn) + min(ways, _WAYS) * _population(search) * generations + refined
+
+
+def _population(search: Designing) -> int:
+    few = search.space.is_predicted
+    return max(_FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
+
+
+def _front_generations(search: Designing) -> int:
+    return max(1, search.plan.effort // 3)
+
+
+def _front_rounds(search: Designing) -> int:
+    return max(1, search.plan.effort // _PER_ROUND)
+
+
+def _refinements(search: Designing) -> int:
+    return 60 * (1 + len(search.plan.free))
 
 
 def _drawn(search: Designing) -> np.ndarray:
@@ -220,7 +261,7 @@ def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell)
             lambda shares: _cost(search, number, ceiling, shares.T, tell),
             ends,
             strategy="randtobest1bin",
-            maxiter=search.plan.effort if ceiling is None else max(1, search.plan.effort // 3),
+            maxiter=search.plan.effort if ceiling is None else _front_generations(search),
             tol=_ALIKE,
             mutation=(0.4, 0.9),
             recombination=0.8,
@@ -295,8 +336,7 @@ def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random
     """
     shares, objectives, worst, _ = search.archive.table()
     order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
-    few = search.space.is_predicted
-    size = max(_FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
+    size = _population(search)
     _, first, which = np.unique(search.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
     for way in np.argsort(first)[:_WAYS]:
@@ -337,7 +377,7 @@ def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> No
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
         constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
-        options={"maxfev": 60 * (1 + len(search.plan.free)), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
+        options={"maxfev": _refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
 
 
@@ -374,7 +414,7 @@ def _spread(search: Designing, tell: Tell) -> None:
     step, named = _FIRST_STEP, search.space.named
     if not search.plan.free:
         return  # every design was asked
-    for _ in range(max(1, search.plan.effort // _PER_ROUND)):
+    for _ in range(_front_rounds(search)):
         shares, _, worst, _ = search.archive.table()
         front = search.front()
         parents = shares[front if front.size else np.argsort(worst)[:_FEW]]

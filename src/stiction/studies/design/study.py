@@ -22,7 +22,7 @@ def _run(plan: tuple[Any, ...], tell: Callable[[str], None]) -> tuple[Any, ...]:
     from stiction.studies.design.run import run_design
 
     tell("Designing")
-    return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs evaluated")), plan[1]
+    return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs {text}")), plan[1]
 
 
 STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, limits.", _plan, _run)

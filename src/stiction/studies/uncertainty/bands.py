@@ -74,7 +74,21 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
     for name in draws.tables:
         variables |= _as_variables(name, draws, levels(wanted.coverage))
     data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "share of the points below"}))
-    return _said(data.assign(variables), case, draws)
+    return _with_stated_values_beyond(_said(data.assign(variables), case, draws))
+
+
+def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
+    """Return the dataset with a warning if mu at the stated values is outside its own interval by more than 1 %.
+
+    It is so where mu has its maximum or minimum at these values: samples are then all on one side.
+    """
+    if "friction_coefficient_quantile" not in data:
+        return data
+    mu, ends = data["friction_coefficient"].values, data["friction_coefficient_quantile"].values
+    if not ((1.01 * mu < ends[0]) | (0.99 * mu > ends[-1])).any():
+        return data
+    why = "mu at the stated values lies outside its interval: they give nearly the largest or the smallest mu of all samples"
+    return with_warnings(data, [ValidityWarning(why)])
 
 
 def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tuple]:
