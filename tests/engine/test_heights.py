@@ -108,7 +108,7 @@ def test_windows_leave_out_nothing_that_counts(key):
 
 
 BAD = [
-    ("lognormal", {}, "gaussian, exponential, weibull, empirical"),
+    ("lognormal", {}, "gaussian, exponential, weibull, empirical, discrete"),
     ("gaussian", {"exponent": 2.0}, "no parameter"),
     ("weibull", {}, "exponent"),
     ("weibull", {"exponent": 0.9}, "1 to 100"),
@@ -117,6 +117,10 @@ BAD = [
     ("empirical", {"samples": [1.0, 2.0]}, "10 or more"),
     ("empirical", {"samples": [1.0] * 20}, "not all equal"),
     ("empirical", {"samples": [1.0, math.nan] * 20}, "finite"),
+    ("discrete", {}, "samples"),
+    ("discrete", {"samples": [1.0]}, "2 or more"),
+    ("discrete", {"samples": [2.0, 2.0]}, "not all equal"),
+    ("discrete", {"samples": [1.0, math.inf]}, "finite"),
 ]
 
 
@@ -128,5 +132,5 @@ def test_refused(key, parameters, allowed):
 
 
 def test_table_of_distributions():
-    assert list(DISTRIBUTIONS) == ["gaussian", "exponential", "weibull", "empirical"]
+    assert list(DISTRIBUTIONS) == ["gaussian", "exponential", "weibull", "empirical", "discrete"]
     assert DISTRIBUTIONS["gaussian"]().entire

@@ -85,6 +85,7 @@ def test_exponential_heights():
     friction = F * found["load"].values[:, None]
     carried = friction * -np.expm1(-moved / M)
     assert_allclose(found["tangential_force"], carried, rtol=1e-9)
+    assert_allclose(found["sticking_share"], 1.0 - carried / friction, rtol=1e-9)  # area and load in one proportion
     lost = 8.0 * friction * (moved - M * -np.expm1(-moved / M)) - 4.0 * moved * carried
     assert_allclose(found["energy_loss"][:, 1:], lost[:, 1:], rtol=1e-8)
     assert_allclose(found["energy_loss"][:, 0], friction[:, 0] * 2.0 / 3.0 * M * (moved[0] / M) ** 3, rtol=1e-3)
@@ -100,8 +101,20 @@ def test_any_heights_under_coulombs_law(heights):
     chosen = st.height_distribution(heights, **({"exponent": 2.0} if heights == "weibull" else {}))
     moved = np.array([0.0, 0.003, 0.1, 0.5, 1.5])
     found = st.slide(coulomb(), separation=0.3, heights=chosen, displacement=moved, **COULOMB)
-    load = st.solve(coulomb(), separation=0.3 + moved / M, heights=chosen, **COULOMB)["load"].values
+    apart = st.solve(coulomb(), separation=0.3 + moved / M, heights=chosen, **COULOMB)
+    load, area = apart["load"].values, apart["contact_area"].values
     assert_allclose(found["tangential_force"], F * (load[0] - load), rtol=1e-9, atol=1e-14)
+    assert_allclose(found["sticking_share"], area / area[0], rtol=1e-9)  # where the farther surfaces touch, nothing slips
+
+
+def test_what_slips_does_not_stick():
+    """Asperities without strength and those that slide: a contact that shear has moved far enough sticks nowhere."""
+    given, laws = st.Indices(theta=200.0, lam=30.0), {"model": "chang_etsion_bogy_1988"}
+    found = st.slide(given, separation=1.0, displacement=[0.0, 0.01, 100.0], residual_strength=0.5, **laws)
+    share = found["sticking_share"].values
+    assert 0.0 < share[1] < share[0] < 1.0 and share[2] == 0.0
+    bare = st.solve(given, separation=1.0, **laws)
+    assert share[0] == pytest.approx(float(bare["contact_area_elastic"] / bare["contact_area"]), rel=1e-9)
 
 
 @pytest.mark.parametrize("kept", [0.0, 0.4, 0.9])

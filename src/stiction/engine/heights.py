@@ -1,6 +1,7 @@
 """Provide distributions of asperity heights, standardised to mean 0 and standard deviation 1.
 
 Heights are in units of sigma. To add a distribution, write a density, a window and a constructor, and add it to DISTRIBUTIONS.
+Heights that are listed one by one have no density: sums over them have as many terms as there are heights.
 """
 
 import math
@@ -34,7 +35,8 @@ class Heights:
     part of the interval in which the density is not negligible. shape: parameters of density and window. knots: heights at
     which the density is not smooth; the integration is split there. tops: upper ends of the ranges in which heights occur, at
     which asperities come into contact anew on approach; empty if the density fades out without an end. entire: True if the
-    density is an entire function (it has no singularity), so that sums over many separations can be interpolated.
+    density is an entire function (it has no singularity), so that sums over many separations can be interpolated. listed: the
+    heights of single asperities, which replace the density; empty for a density.
     """
 
     key: str
@@ -44,6 +46,7 @@ class Heights:
     knots: np.ndarray = field(default_factory=lambda: np.zeros(0))
     tops: np.ndarray = field(default_factory=lambda: np.zeros(0))
     entire: bool = False
+    listed: np.ndarray = field(default_factory=lambda: np.zeros(0))
 
 
 @formula
@@ -166,11 +169,27 @@ def empirical(samples: np.ndarray, cells: int | None = None) -> Heights:
     return Heights("empirical", empirical_density, empirical_window, shape, knots, tops)
 
 
+def discrete(samples: np.ndarray) -> Heights:
+    """Return the heights of single asperities, scaled to mean 0 and standard deviation 1 (that of the list, over n).
+
+    samples: 2 or more heights in any unit. Asperities are summed one by one, without a density (Aymard et al. 2024).
+    """
+    samples = np.sort(np.asarray(samples, dtype=float).ravel())
+    if samples.size < 2 or not np.all(np.isfinite(samples)) or samples[0] == samples[-1]:
+        raise InputError(
+            "height_distribution.samples", InWords(f"{samples.size} samples"), "2 or more finite heights, not all equal"
+        )
+    z = (samples - samples.mean()) / samples.std()
+    shape = np.array([z[0], z[-1] - z[0], 0.0, 0.0])  # a polygon without density between the lowest and the highest
+    return Heights("discrete", empirical_density, empirical_window, shape, tops=np.unique(z), listed=z)
+
+
 DISTRIBUTIONS: dict[str, Callable[..., Heights]] = {
     "gaussian": gaussian,
     "exponential": exponential_heights,
     "weibull": weibull,
     "empirical": empirical,
+    "discrete": discrete,
 }
 
 
@@ -189,11 +208,11 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     Parameters
     ----------
     key : str
-        "gaussian", "exponential", "weibull" or "empirical".
+        "gaussian", "exponential", "weibull", "empirical" or "discrete".
     exponent : float, optional
         Shape parameter of "weibull", 1 to 100.
     samples : array_like (n,), optional
-        Measured heights for "empirical", in any unit; 10 or more.
+        Measured heights for "empirical", 10 or more; or the height of every asperity for "discrete", 2 or more. In any unit.
     cells : int, optional
         Number of histogram cells of "empirical"; chosen from the samples by default.
 
@@ -220,6 +239,7 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     try:
         return DISTRIBUTIONS[key](**parameters)
     except TypeError:
-        needs = {"weibull": "the parameter exponent", "empirical": "the parameter samples"}.get(key, "no parameter")
+        samples = "the parameter samples"
+        needs = {"weibull": "the parameter exponent", "empirical": samples, "discrete": samples}.get(key, "no parameter")
         given = InWords(f"{key} with {', '.join(sorted(parameters)) or 'no parameter'}")
         raise InputError("height_distribution", given, needs) from None

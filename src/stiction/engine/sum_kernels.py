@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.compiled import formula, kernel, loop, unpack
+from stiction.engine.compiled import engine_kernel, formula, kernel, loop, unpack
 
 # A segment that is shorter than this, over sigma, has the nodes of the first rule, any other those of the second.
 SHORT = 1.0
@@ -133,6 +133,40 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
                 out[i, quantity] = sums[quantity]
 
     return scatter
+
+
+@cache
+def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
+    """Return the kernel that averages one regime over heights that are listed one by one.
+
+    parameters: number of parameters of the law.
+    """
+
+    @engine_kernel
+    def average(h, law, listed, laws, out):
+        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i], over the heights `listed`."""
+        table, edges, _, _ = laws
+        for i in range(h.size):
+            row = unpack(table[law[i]], parameters)
+            touching = load = area = slip_limited = yield_limited = 0.0
+            for piece in range(edges.shape[1] - 1):
+                left, right = edges[law[i], piece], edges[law[i], piece + 1]
+                if not right > left:
+                    continue
+                lowest, end = along(left, *row)[0], along(right, *row)[0]
+                for place in range(listed.size):
+                    displacement = listed[place] - h[i]
+                    if lowest <= displacement < end:  # a height between two pieces counts once
+                        state = along(min(max(coordinate(displacement, *row), left), right), *row)
+                        touching += 1.0
+                        load += state[2]
+                        area += state[3]
+                        slip_limited += state[4]
+                        yield_limited += state[5]
+            out[i, 0], out[i, 1], out[i, 2] = touching / listed.size, load / listed.size, area / listed.size
+            out[i, 3], out[i, 4] = slip_limited / listed.size, yield_limited / listed.size
+
+    return average
 
 
 def _putting(along: Callable, rows: int) -> Any:

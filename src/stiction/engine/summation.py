@@ -23,7 +23,7 @@ from stiction.engine.nodes import Laws, Parts, Rows, adding, cutting, displaceme
 from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
 from stiction.engine.skeleton import carry_over, near_each_other, skeleton
-from stiction.engine.sum_kernels import LONGEST, scattering, summing
+from stiction.engine.sum_kernels import LONGEST, listing, scattering, summing
 from stiction.engine.tiers import ENGINE, specialised
 from stiction.quantities.errors import InputError
 
@@ -96,13 +96,25 @@ def scattered(
     out = np.empty((len(regimes), h.size, len(QUANTITIES)))
     ENGINE.take(len(regimes) * h.size)
     for regime, sums in zip(regimes, out, strict=True):
-        fill = (_summing_alone if specialised(len(regime.edges), h.size) else _summing_in_stages)(regime, heights)
+        fill = _way_of_summing(heights, len(regime.edges), h.size)(regime, heights)
 
         def fill_share(part: slice, fill=fill, sums=sums) -> None:
             fill(h[part], law[part], sums[part])
 
         in_threads(fill_share, _shares(h.size, threads), threads)
     return out
+
+
+def _way_of_summing(heights: Heights, laws: int, pairs: int) -> Callable:
+    if heights.listed.size:
+        return _summing_listed
+    return _summing_alone if specialised(laws, pairs) else _summing_in_stages
+
+
+def _summing_listed(regime: Regime, heights: Heights) -> Callable:
+    """Return a function fill(h, law, sums), as `_summing_alone` does, that averages over heights listed one by one."""
+    average, laws = listing(regime.along, regime.coordinate, len(regime.parameters)), tuple(Laws.of(regime))
+    return lambda h, law, sums: average(h, law, heights.listed, laws, sums)
 
 
 def _summing_alone(regime: Regime, heights: Heights) -> Callable:

@@ -36,6 +36,11 @@ def _by_numbers(problem: Problem) -> bool:
     return problem.record.of_map is None
 
 
+def _at_random(problem: Problem) -> bool:
+    """Return whether the roughness numbers are statistics; False for asperities that are listed one by one."""
+    return _by_numbers(problem) and not problem.heights.listed.size
+
+
 def _of_asperities(problem: Problem) -> bool:
     """Return whether the theory neglects the interaction between contacts."""
     return not problem.record.up_to_full_contact
@@ -105,14 +110,14 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
      leaves_out_liquid),
     (KELVIN, _solves_menisci),
     (Validity("area_fraction", 0.0, 0.1, "asperities interact, which is left out"), _of_asperities),
-    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _by_numbers),
+    (Validity("touching_share", 0.0, 0.5, "most asperities touch: the surfaces have met at their mean height"), _at_random),
     (Validity("sharpness", 0.0, 0.3, "asperities are too sharp for the theory of small contacts"), _by_numbers),
-    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _by_numbers),
-    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _by_numbers),
+    (Validity("rms_slope", 0.0, 0.3, "slopes are too steep for half-spaces"), _at_random),
+    (Validity("roughness_parameter", 1e-3, 1.0, "asperities are unlike those of a random surface"), _at_random),
     (Validity("thickness_over_radius", 0.0, 1.0, "the film is so thick that it rounds off the asperities"), _by_numbers),
     (Validity("size_effect", 0.0, 10.0, "no measured metal is that much harder under small asperities"), _any),
     (Validity("longest_waves_on_a_side", LEAST_WAVES, inf, "the map is too small a sample of its surface", "statistics"), _any),
-    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _by_numbers),
+    (Validity("touching_asperities", 10.0, inf, _FEW, "statistics"), _at_random),
 )  # fmt: skip
 
 

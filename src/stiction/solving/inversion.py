@@ -339,7 +339,8 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     """Return descending separations (H,), the loads (n, H) there, and the scale (n,) of the loads.
 
     The separations start where the load is below the smallest target and almost nothing touches. They end far beyond
-    the range of any model, where compression exceeds all tension. The scale does not depend on this range.
+    the range of any model, where compression exceeds all tension; asperities of listed heights, which may be nearly alike, are
+    pressed until they carry the largest target. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
     size = np.abs(loads).max(axis=1)
@@ -352,7 +353,8 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     while h[0] < FARTHEST and _touches(loads, size, smallest).any():
         farther = np.minimum(h[0] * _BEYOND[::-1], FARTHEST)
         h, loads = np.concatenate([farther, h]), np.concatenate([more(farther), loads], axis=1)
-    while -h[-1] < FARTHEST and (loads[:, -1] < -loads.min(axis=1)).any():
+    largest = targets.max(axis=1, initial=0.0) if problem.heights.listed.size else 0.0
+    while -h[-1] < FARTHEST and (loads[:, -1] < np.maximum(-loads.min(axis=1), largest)).any():
         nearer = np.maximum(h[-1] * _BEYOND, -FARTHEST)
         h, loads = np.concatenate([h, nearer]), np.concatenate([loads, more(nearer)], axis=1)
     return h, loads, size

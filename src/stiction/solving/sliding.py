@@ -6,6 +6,7 @@ over heights, at the mean separation of the normal load (equations: `laws/presli
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -14,7 +15,7 @@ import numpy as np
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights
-from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_law
+from stiction.laws.presliding.shared.partial_slip import slipping_law, sticking_area_law, sticking_law
 from stiction.quantities.dimensions import aligned, dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import floats
@@ -91,10 +92,10 @@ def slide(
     xarray.Dataset
         friction_force [N] and friction_coefficient, the sum of all strengths, which the force cannot exceed;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
-        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N] and, for a
-        residual strength of 1, energy_loss [J] of a cycle of that amplitude. For a map also friction_efficiency, the largest
-        force over the sum of strengths, and over `displacement` sticking_share; with a spring, drive_displacement [m] and
-        state_is_met, 0 at displacements that the map leaps past.
+        sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N], sticking_share, the
+        part of the contact area that has not slipped, and, for a residual strength of 1, energy_loss [J] of a cycle of that
+        amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
+        drive_displacement [m] and state_is_met, 0 at displacements that the map leaps past.
 
     Raises
     ------
@@ -203,10 +204,14 @@ class Sliding:
 
         Separations and displacements over sigma, of one shape in which the contacts' dimensions come first.
         """
+        return self._summed(h, displacement, lambda tangential, moved: slipping_law(tangential, moved, self.residual))
+
+    def _summed(self, h: np.ndarray, displacement: np.ndarray, law_of: Callable) -> np.ndarray:
+        """Return the two parts of the resistance (2, *shape), with law_of(tangential law, displacements) as tangential law."""
         laws = len(self.problem.groups)
         row = np.repeat(np.arange(laws), math.prod(h.shape) // laws)
         flat, moved = h.reshape(-1), np.ascontiguousarray(displacement, dtype=float).reshape(-1)
-        parts = [self._summed(row[some], flat[some], moved[some]) for some in blocks(flat.size, _LAW_OF_ITS_OWN)]
+        parts = [self._forces(row[some], flat[some], moved[some], law_of) for some in blocks(flat.size, _LAW_OF_ITS_OWN)]
         return np.concatenate(parts, axis=1).reshape(2, *h.shape)
 
     def stiffness(self, h: np.ndarray) -> np.ndarray:
@@ -219,20 +224,24 @@ class Sliding:
         still = replace(self.problem, chosen=chosen.without("presliding", tangential=sticking_law(chosen.tangential)))
         return still.sums_at(h.reshape(len(still.groups), -1))[..., SLIP_LIMITED].sum(axis=0).reshape(h.shape)
 
-    def _summed(self, row: np.ndarray, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+    def _forces(self, row: np.ndarray, h: np.ndarray, displacement: np.ndarray, law_of: Callable) -> np.ndarray:
         chosen = self.problem.chosen
         assert chosen.tangential is not None
-        law = slipping_law(chosen.tangential, displacement, self.residual)
+        law = law_of(chosen.tangential, displacement)
         moved = replace(self.problem, groups=self.problem.groups[row], chosen=chosen.without("presliding", tangential=law))
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the force at displacements of the full shape, and the energy lost in cycles."""
-        h = static["mean_separation"]
-        wide = np.broadcast_to(h.reshape(h.shape + (1,) * (displacement.ndim - h.ndim)), displacement.shape)
-        force, loss = self.at(wide, displacement)
+        """Return the force and the share that sticks at displacements of the full shape, and the energy lost in cycles."""
+        h, area = (
+            np.broadcast_to(table.reshape(table.shape + (1,) * (displacement.ndim - table.ndim)), displacement.shape)
+            for table in (static["mean_separation"], static["contact_area"])
+        )
+        force, loss = self.at(h, displacement)
+        sticking = quotient(self._summed(h, displacement, sticking_area_law)[0], area)
         # What the branches of a cycle are like when asperities have let go is not known.
-        return {"tangential_force": force} | ({"energy_loss": loss} if self.residual == 1.0 else {})
+        lost = {"energy_loss": loss} if self.residual == 1.0 else {}
+        return {"tangential_force": force, "sticking_share": sticking} | lost
 
     def ends(self, static: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Return the largest tangential force and its displacement.

@@ -48,7 +48,18 @@ The second formula is for one asperity, in agreement with [mindlin_deresiewicz_1
 | $\Delta W/(T_m\delta_f)$ | 0.0005131 | 0.0727922 | 0.5239613 | 0.8 |
 
 For elastic asperities under Coulomb's law, $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so
-that $F=fP\,(1-e^{-\delta/m})$ for exponential heights. [All symbols](#1-units).
+that $F=fP\,(1-e^{-\delta/m})$ for exponential heights.
+
+**What still sticks**: the slip of an asperity begins at its rim and leaves the share $1-s$ of its area, so that
+
+$$
+A_\mathrm{stick}=\int A\,\max(1-s,0)\,\varphi(h+w)\,dw
+$$
+
+Under Coulomb's law it is the contact area of the surfaces $\delta/m$ farther apart, which carry the load $P-F/f$. If the
+area is proportional to the load, as that of many rough surfaces nearly is, $A_\mathrm{stick}/A=1-F/(fP)$ follows for any
+roughness. This is the subject of [paggi_pohrt_popov_2014], whose formulas were not available; those here follow from
+[jager_1998]. [All symbols](#1-units).
 """
 
 import math

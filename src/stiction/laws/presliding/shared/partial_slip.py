@@ -46,6 +46,22 @@ def _slipping(resistance: Callable, own: int) -> Any:
 
 
 @cache
+def _sticking_area(resistance: Callable, own: int) -> Any:
+    """Return the formula for the part of the contact area that has not slipped; `own` as in `_slipping`."""
+    compliance, moved = own, own + 1
+
+    @formula
+    def sticking_area(u, w, load, area, *row):
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[:own])
+        strength = slip_limited + yield_limited
+        if strength <= 0.0:
+            return 0.0, 0.0
+        return area * max(1.0 - row[moved] * stiffness(area, row[compliance]) / (1.5 * strength), 0.0), 0.0
+
+    return sticking_area
+
+
+@cache
 def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) -> Any:
     whole = parameters + own
 
@@ -65,17 +81,31 @@ def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: floa
     Its slip-limited part is the force that the contacts carry. Its yield-limited part is the energy lost in a cycle of this
     amplitude, in the unit of force times sigma. kept: fraction of its strength that an asperity keeps once it slides.
     """
+    return _displaced(tangential, _slipping, displacement, np.full(len(displacement), kept))
+
+
+def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
+    """Return the tangential law whose resistance is the area that still sticks after a displacement (n,), over sigma."""
+    return _displaced(tangential, _sticking_area, displacement)
+
+
+def _displaced(tangential: TangentialLaw, formula_of: Callable, displacement: np.ndarray, *kept: np.ndarray) -> TangentialLaw:
+    """Return a tangential law with this formula in place of the strength, for contacts that are displaced.
+
+    formula_of(resistance, number of its parameters): the formula, which has K beta, the displacement and `kept` as further
+    parameters.
+    """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
         strength = tangential.tangential_resistance(segment, groups, **options)
         if strength is None:
             return None
-        more = groups.K_beta, displacement, np.full(len(displacement), kept)
+        more = groups.K_beta, displacement, *kept
         begins = _begins(segment, strength, more[:2])
         branches = [begins] if strength.branch is None else [np.reshape(strength.branch, (len(begins), -1)), begins]
         kinks = begins if strength.kinks is None else np.concatenate([strength.kinks, begins], axis=1)
         return TangentialResistance(
-            _slipping(strength.resistance, len(strength.parameters)),
+            formula_of(strength.resistance, len(strength.parameters)),
             (*strength.parameters, *more),
             kinks,
             np.concatenate(branches, axis=1),
