@@ -2,17 +2,18 @@ r"""A plastic film on an elastic-plastic substrate: after Chang 1997.
 
 *Assumes* (abstract of [chang_1997]): asperities that reach the substrate follow a modified law of Chang, Etsion and Bogy;
 asperities that touch only the soft film are plastic. *Source*: [chang_1997], its abstract. *Reconstruction*, with any
-asperity law without adhesion for the substrate: up to $\omega=t$ only the film deforms. Beyond, the substrate deforms by
-$\omega-t$ according to its own law, and the film carries its hardness on the rest of the area $2\pi R\omega$,
+asperity law without adhesion for the substrate: up to the displacement $\omega=t$, the film thickness, only the film deforms.
+Beyond, the substrate deforms by $\omega-t$ according to its own law, with the load $P_s$ and the area $A_s$. The film carries
+its hardness on the rest of the area $2\pi R\omega$,
 
 $$
 A=2w,\qquad P=\begin{cases}2\eta n_Hw&w<\tau\\P_s(w-\tau)+\eta n_H\left[2w-A_s(w-\tau)\right]&w\ge\tau\end{cases}
 $$
 
-where the bracket is 0 or more. Load and area are continuous at $w=\tau$. Only the substrate resists shear, unless the
-tangential law describes the interface. *Check*, as the abstract says: at high plasticity index the film changes area and load
-less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. However thin the film, a rim of
-it remains around elastic contacts.
+where a negative bracket counts as 0. Load and area are continuous at $w=\tau$. Only the substrate resists shear, unless the
+tangential law describes the interface. *Check* of the abstract's statements: at high plasticity index the film changes area
+and load less; a thin film stiffens a lightly loaded contact. *Unknown*: all equations of the source. *Trap*: even at zero film
+thickness a rim of film around elastic contacts carries load.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -119,22 +120,22 @@ DEPARTURES = (
 
 RECORD = FilmLaw(
     key="chang_1997",
-    title="Plastic film, cut through by the asperities that reach the elastic-plastic substrate",
+    title="Plastic film that asperities press through, on an elastic-plastic substrate",
     grade="C",
     sources=(
         Source("chang_1997", "abstract", "reconstructed: the equations were not available"),
-        Source("chang_etsion_bogy_1987", "", "the substrate, if its asperity law is chosen"),
+        Source("chang_etsion_bogy_1987", "", "the substrate, with the asperity law of this name"),
     ),
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     departures=DEPARTURES,
-    verified="independent quadrature; load and area at the depth of the film; trends of the abstract",
+    verified="independent sums over heights; load and area continuous at w = tau; trends of the abstract",
     needs=("hardness_group", "n_H", "tau"),
     validity=(SOFT_FILM, *FLOWING),
-    notes="With the asperity law chang_etsion_bogy_1987 this is the model named; others may be taken. As in the abstract, "
-    "the area is less changed by the film at high plasticity index, and a thin film stiffens a lightly loaded "
-    "contact; the load is less sensitive too unless the film is very soft (n_H = 0.6 but not 0.1). The area is that "
-    "of the outer contact, whatever the thickness, and a film of no thickness still makes a rim around elastic "
-    "contacts. Only the substrate resists shear, unless the tangential law is of the interface.",
+    notes="The source uses the asperity law chang_etsion_bogy_1987; other laws without adhesion may be chosen. As in the "
+    "abstract, the film changes the area less at high plasticity index, and a thin film stiffens a lightly loaded contact. The "
+    "film also changes the load less there, unless it is very soft (true for n_H = 0.6, not for 0.1). The area is the outer "
+    "contact area at any film thickness, and even at zero thickness a rim of film around elastic contacts carries load. Only "
+    "the substrate resists shear, unless the tangential law describes the interface.",
 )

@@ -1,10 +1,10 @@
 r"""A plastic film that roughness penetrates, with two shear strengths: after Dayson 1971.
 
 *Assumes* (abstract of [dayson_1971]): friction rises as a very thin solid film gets thinner, because asperities penetrate
-more of it; this is stronger on rougher surfaces. According to the 2015 paper, the contact is plastic. *Source*:
-[dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate both
-plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film is
-thick, it touches the substrate at its hardness; the rest of the area is film,
+more of it; this is stronger on rougher surfaces. According to the 2015 paper, [soft_coating_2015], the contact is plastic.
+*Source*: [dayson_1971], its abstract. *Reconstruction*: the geometry of [`chang_1997`](#chang_1997) with film and substrate
+both plastic. An asperity at the displacement $\omega$ touches on the area $2\pi R\omega$. Where it is deeper than the film
+thickness $t$, it touches the substrate on the area $A_s$ at the substrate's hardness $H$; the rest, $A_f$, is film,
 
 $$
 A_f=2\min(w,\tau),\qquad A_s=2\max(w-\tau,0),\qquad P=\eta\,(pA_f+A_s),\qquad
@@ -16,17 +16,19 @@ yield stress $Y/\sqrt3$, like the junctions of [bowden_tabor_1950]. `rim_pressur
 hardness, $p=n_H$, as in `chang_1997`; or the hardness of the substrate, $p=1$, for a film so thin that the substrate carries
 the load through it ([bowden_tabor_1943]).
 
-*Limit*: $\mu=\tau_0/(pH)$ for a thick film, $\mu=1/(\sqrt3\,k)$ for zero thickness, and a value in between otherwise.
-Friction therefore rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$ this holds for every film that is
-weaker in shear than its substrate. With $p=n_H$ a soft metal that shears at its own $Y_f/\sqrt3$ does not change $\mu$; only
-weaker films (layered solids, polymers) behave as the abstract says. *Check*: for Gaussian heights, with
-$F(h)=\varphi(h)-h\,[1-\Phi(h)]$ the mean depth, the penetrated share of the area is $F(h+\tau)/F(h)$, and with $p=1$
+*Limit*: the friction coefficient is $\mu=\tau_0/(pH)$ for a thick film, $\mu=1/(\sqrt3\,k)$ for zero thickness, and lies
+between these values otherwise. Friction therefore rises as the film gets thinner if $\tau_0/(pH)<1/(\sqrt3\,k)$. With $p=1$
+this holds for every film that is weaker in shear than its substrate. With $p=n_H$ a soft metal film that shears at its own
+shear yield stress $Y_f/\sqrt3$ does not change $\mu$; only weaker films (layered solids, polymers) behave as the abstract
+says. *Check*: for Gaussian heights (density $\varphi$, distribution function $\Phi$) and the mean separation $h$ over
+$\sigma$, the mean displacement is $F(h)=\varphi(h)-h\,[1-\Phi(h)]$. The penetrated fraction of the area is $F(h+\tau)/F(h)$,
+and with $p=1$
 
 $$
 \mu=\frac{\tau_0}H+\left(\frac1{\sqrt3\,k}-\frac{\tau_0}H\right)\frac{F(h+\tau)}{F(h)},\qquad P=2\eta F(h)
 $$
 
-*Unknown*: all equations of the source, how it computes the penetrated share, and its strengths.
+*Unknown*: all equations of the source, including how it computes the penetrated fraction and which shear strengths it uses.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -80,12 +82,12 @@ def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="dayson_1971",
-    title="Plastic film that roughness penetrates, with the shear strengths of film and substrate",
+    title="Plastic film that asperities penetrate, with the shear strengths of film and substrate",
     grade="C",
     sources=(
         Source("dayson_1971", "abstract", "reconstructed: the equations were not available"),
-        Source("chang_1997", "abstract", "the geometry of a film that is cut through, itself reconstructed"),
-        Source("bowden_tabor_1950", "", "shear strength of the film where it holds, of the metal where it does not"),
+        Source("chang_1997", "abstract", "the geometry of a penetrated film, itself reconstructed"),
+        Source("bowden_tabor_1950", "", "shear strength of the film where it is intact, of the metal where it is penetrated"),
     ),
     regimes=regimes,
     tangential="interface",
@@ -93,14 +95,14 @@ RECORD = FilmLaw(
     bares_substrate=True,
     confined=True,
     own_options={"rim_pressure": RIM_PRESSURE},
-    verified="closed forms for Gaussian heights; film and substrate alone in the limits; trends of the abstract",
+    verified="closed forms for Gaussian heights; limits of the film alone and of the substrate alone; trends of the abstract",
     needs=("hardness_group", "hardness_to_yield", "n_H", "tau"),
     validity=(
         PLASTIC_FILM,
         SOFT_FILM,
     ),
-    notes="The shear strength that the contact states is the film's; the substrate shears at Y/sqrt(3), with H/Y of the "
-    "contact. Friction rises as the film gets thinner if its shear strength over the pressure on it is below 1/(sqrt(3) k), "
-    "0.206 for k = 2.8: always so with rim_pressure substrate_hardness and a weak film, not with film_hardness and a metal "
-    "that shears at its own yield stress.",
+    notes="The contact's interfacial shear strength is that of the film. The substrate shears at Y/sqrt(3), with the contact's "
+    "k = H/Y. Friction rises as the film gets thinner if the film's shear strength over the pressure on it is below "
+    "1/(sqrt(3) k), which is 0.206 for k = 2.8. With rim_pressure = substrate_hardness this holds for every film weaker in "
+    "shear than its substrate; with film_hardness it does not hold for a metal film that shears at its own shear yield stress.",
 )

@@ -2,29 +2,32 @@ r"""A thin elastic layer between a rigid ball and a rigid substrate, as two boun
 
 *Assumes* (abstract of [finkin_1969]): for an elastic layer much softer than substrate and indenter, friction is a product of
 powers of thickness and load. *Source*: [finkin_1969], its abstract; the elastic foundation as in [johnson_1985]. *Unknown*:
-the powers. *Reconstruction*: both bounds are derived here, for a layer that is thin against the contact and for rigid ball
-and substrate (in the units here $a^2=xR\sigma$ and $t$ is `film_aspect` times $\sqrt{R\sigma}$); $M=2G(1-\nu)/(1-2\nu)$ is
-the layer's confined modulus:
+the powers. *Reconstruction*: two bounds, of a compressible and of an incompressible layer, are derived here for a layer thin
+compared with the contact radius $a$, between a rigid ball and a rigid substrate. $\omega$ is the displacement, $R$ the radius
+of the ball, $t$ the layer's thickness (`film_aspect` times $\sqrt{R\sigma}$), $G$ its shear modulus and
+$M=2G(1-\nu)/(1-2\nu)$ its confined (uniaxial strain) modulus; $r$ is the distance from the axis and $\tau_0$ the shear
+strength of the interface:
 
-| `bound` | pressure | load | area | $\mu=sA/P$ goes as |
+| `bound` | pressure | load | area | $\mu=\tau_0A/P$ is proportional to |
 |---|---|---|---|---|
 | `compressible` | $M$ times the strain | $\pi MR\omega^2/t$ | $2\pi R\omega$ | $t^{1/2}P^{-1/2}R^{1/2}$ |
 | `incompressible`, $q=12$ | $qG(a^2-r^2)^2/(32Rt^3)$ | $\pi qGa^6/(96Rt^3)$ | $4\pi R\omega$ | $t\,P^{-2/3}R^{1/3}$ |
 | `incompressible_frictionless`, $q=3$ | the same | the same | the same | the same |
 
-$M$ and $G$ are the moduli of the layer itself. If both bodies are coated, $t$ is the sum of both layers: the same pressure
-squeezes both, and by symmetry no shear stress acts between them. Then $q=12$, whether they slip on each other or not.
+The layer is bonded to the substrate. With $q=12$ it does not slip on the ball either; with $q=3$ it slips there without
+friction. If both bodies are coated, $t$ is the sum of both layers: the same pressure squeezes both, and by symmetry no shear
+stress acts between them. Then $q=12$, whether they slip on each other or not.
 
-The layer is bonded to the substrate; with $q=12$ it does not slip on the ball either, with $q=3$ the ball slips. The
-incompressible bounds follow from the volume balance of the squeezed layer, as in lubrication. The flow to the outside is
+The incompressible bounds follow from the volume balance of the squeezed layer, as in lubrication. Under the pressure $p$ the
+outward flow per width is
 
 $$
 -\frac{t^3}{qG}\frac{dp}{dr}
 $$
 
-and it is zero at the edge. Only tangential laws of the interface can be combined with it. The substrate has no effect, so
-that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities narrower than the film
-thickness, for which the law is not valid.
+and it is zero at the edge. Only tangential laws of the interface can be combined with this film law. The substrate is rigid,
+so that the law is valid for $n_E$ below about 0.1. Results state the load fraction on asperities whose contact radius is
+smaller than the film thickness; the law is not valid for them.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -92,10 +95,10 @@ def regimes(groups: Groups, law, bound: str) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="finkin_1969",
-    title="Thin elastic layer on a rigid substrate, compressible or not",
+    title="Thin elastic layer on a rigid substrate, compressible or incompressible",
     grade="C",
     sources=(
-        Source("finkin_1969", "", "elastic layer, rigid substrate; its equations could not be read: both bounds derived"),
+        Source("finkin_1969", "abstract", "elastic layer on a rigid substrate; the equations, not available, are derived here"),
         Source("johnson_1985", "", "thin layers; the elastic foundation"),
     ),
     regimes=regimes,
@@ -114,7 +117,7 @@ RECORD = FilmLaw(
         Departure("alike", "contact_area", 1.0, 1.0),
         Departure("alike", "friction_force", 1.0, 1.0),
     ),
-    verified="the layer's own balance of volume, differentiated independently; the powers of thickness, load and radius",
+    verified="the volume balance of the layer, by numerical differentiation; the powers of thickness and load",
     needs=("n_E", "film_aspect", "films", "layer_nu", "coated_share"),
     validity=(
         THIN_LAYER,
@@ -126,6 +129,6 @@ RECORD = FilmLaw(
             "the law assumes a rigid substrate, but it deforms more than a tenth as much as the film",
         ),
     ),
-    notes="The substrate is rigid and never felt, however deep: for films of much smaller modulus than substrate and indenter. "
-    "Which of the bounds the paper has is not known. At layer_nu near 1/2 the compressible bound has no meaning.",
+    notes="The substrate is rigid at any displacement: for films of much smaller modulus than substrate and indenter. It is "
+    "unknown which of the bounds the paper uses. The compressible bound is not valid for layer_nu near 1/2.",
 )

@@ -1,17 +1,18 @@
 r"""The graded film: one asperity law whose modulus and hardness depend on depth.
 
-*Assumes*: the asperity of the 2015 paper, with the modulus of [`gao_chiu_lee_1992`](#gao_chiu_lee_1992) and the hardness of
-[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) at its depth. It becomes plastic gradually, by the step of
-[`zhao_maietta_chang_2000`](#zhao_maietta_chang_2000), taken in the elastic mean pressure $p$:
+*Assumes*: the asperity of the 2015 paper ([`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994)), with the modulus of film
+and substrate together at its contact radius by [`gao_chiu_lee_1992`](#gao_chiu_lee_1992), and their hardness $H$ at its depth
+by [`bhattacharya_nix_1988`](#bhattacharya_nix_1988). The plastic fraction $f$ of the asperity grows gradually from 0 to 1 by
+the cubic step of [`zhao_maietta_chang_2000`](#zhao_maietta_chang_2000), as a function of the elastic mean pressure $p$:
 
 $$
-f=3\xi^2-2\xi^3,\qquad\xi=\frac{(p/H)^2-1}{54\cdot0.4^2-1}\ \text{within 0 and 1}
+f=3\xi^2-2\xi^3,\qquad\xi=\frac{(p/H)^2-1}{54\cdot0.4^2-1}\ \text{limited to 0 to 1}
 $$
 
-*Source*: this project's own, composed of published parts: [theory, section 5.3](theory.md#5-coated-surface); formulas are in
-`graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same law describes the bare asperity without a jump at
-yield. *Reconstructed*: the whole composition. *Check*: it equals the bare surface at $n_E=n_H=1$, the substrate for
-$\tau\to0$, and the film for $\tau\to\infty$.
+*Source*: this project's own, composed of published parts: [theory, section 5.3](theory.md#5-coated-surface). The formulas are
+in `graded_law.py`, their kinks in `graded_kinks.py`. Without a film the same law describes the bare asperity without a jump
+of the load at yield. *Reconstructed*: the whole composition. *Check*: the law equals the bare surface at $n_E=n_H=1$, the
+substrate for $\tau\to0$, and the film for $\tau\to\infty$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -181,12 +182,15 @@ RECORD = FilmLaw(
     grade="C",
     sources=(
         Source("gao_chiu_lee_1992", "I0: modulus of film and substrate against t/a"),
-        Source("bhattacharya_nix_1988", "hardness against depth", "sources disagree on the exponent: 2 if soft, 1 if hard"),
-        Source("zhao_maietta_chang_2000", "from elastic to fully plastic", "taken in the elastic mean pressure, not in depth"),
-        Source("soft_coating_2015", "asperities, sum and friction"),
+        Source(
+            "bhattacharya_nix_1988", "hardness against depth", "sources disagree on the exponent; here 2 if soft, 1 if hard"
+        ),
+        Source("zhao_maietta_chang_2000", "elastic to fully plastic", "as a function of elastic mean pressure, not of depth"),
+        Source("soft_coating_2015", "asperities, sum over heights and friction"),
     ),
     regimes=regimes,
-    verified="second implementation of six laws; bare at n_E = n_H = 1, substrate for tau -> 0, film for tau -> infinity",
+    verified="a second implementation, for six contacts; bare surface at n_E = n_H = 1, substrate for tau -> 0, film for "
+    "tau -> infinity",
     needs=("theta", "lam", "n_E", "n_H", "tau", "film_aspect"),
     takes=("hardness_to_yield",),
     wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},
@@ -194,6 +198,7 @@ RECORD = FilmLaw(
     one_body=True,
     tangential="soft_coating_2015",
     load_falls=False,
-    accuracy=2e-9,  # the worst of 400 000 laws of the whole range; 1 in 10 000 is above 1e-10
-    notes="This project's own composition. Where an asperity's load would fall with depth it is held: the asperity jumps in.",
+    accuracy=2e-9,  # the worst of 400 000 parameter sets of the whole range; 1 in 10 000 is above 1e-10
+    notes="This project's own composition. Where the load of an asperity would fall with growing displacement, it is kept "
+    "constant until the law reaches it again.",
 )

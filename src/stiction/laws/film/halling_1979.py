@@ -2,25 +2,27 @@ r"""Film and substrate as one half-space whose modulus and hardness depend on de
 
 *Assumes*: Halling and co-workers treated film and substrate as one half-space with an equivalent modulus and an effective
 hardness. Friction is the film's shear strength over this hardness. *Source*: [el_sherbiney_halling_1976] for the modulus,
-[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: modulus and hardness ($\kappa$ and $\chi$
-over the substrate's) are chosen among the six laws of [film and substrate as one body](#5-film-and-substrate-as-one-body). A
-plastic asperity is a truncated sphere of constant volume:
+[halling_1979] for the hardness. *Unknown*: their expressions. *Reconstruction*: the equivalent modulus, $\kappa$ times the
+substrate's, and the effective hardness, $\chi$ times the substrate's, are chosen among the six laws of [film and substrate as
+one body](#5-film-and-substrate-as-one-body). A plastic asperity is a truncated sphere of constant volume; it becomes plastic
+at the displacement $w_c$, where its mean pressure reaches the effective hardness:
 
 $$
 P=\kappa\,w^{3/2},\ A=w\quad\text{while}\quad\kappa\sqrt w<\eta\,\chi;\qquad
 P=\eta\,\chi(w/\tau)\,A,\ A=2w-w_c\quad\text{beyond}
 $$
 
-The $\kappa$ of the composite describes one half-space with its film. Two half-spaces act in series, because their compliances
-add in Hertz's contact. If one body is coated, and $s$ is its share of the bare compliance, the other body stays unchanged; if
-both are coated, each has half of the thickness,
+The chosen law gives $\kappa_1$ and $\kappa_2$ of each half-space with its film, as a function of film thickness over contact
+radius, $t/a$. The compliances of the two bodies add in Hertz's contact. $s$ is the fraction of the bare compliance due to the
+first body. The first formula is for a film on the first body only, the second for films of thickness $t/2$ on both:
 
 $$
 \frac1\kappa=\frac s{\kappa_1(t/a)}+1-s,\qquad\frac1\kappa=\frac s{\kappa_1(t/2a)}+\frac{1-s}{\kappa_2(t/2a)}
 $$
 
-Load and area are continuous at $w_c$. With a soft film on a hard substrate, friction rises with the film thickness and falls
-with load towards $\tau_0$ over the substrate's hardness. It has no minimum over thickness.
+Load and area are continuous at $w_c$. With a soft film on a hard substrate, friction rises with the film thickness. It falls
+with load towards the shear strength of the interface over the substrate's hardness. It has no minimum as a function of
+thickness.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -189,14 +191,14 @@ RECORD = FilmLaw(
     sources=(
         Source("halling_1979", "", "effective hardness; the expression itself was not available"),
         Source("el_sherbiney_halling_1976", "", "Hertz contact with an equivalent modulus; the expression was not available"),
-        Source("chang_etsion_bogy_1987", "", "the plastic asperity: truncated sphere of conserved volume"),
+        Source("chang_etsion_bogy_1987", "", "the plastic asperity: truncated sphere of constant volume"),
     ),
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
     composites={"modulus": "gao_chiu_lee_1992", "hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
-    verified="substrate and film alone in the limits; mean pressure at the onset; independent quadrature",
+    verified="limits of the film alone and of the substrate alone; mean pressure at first yield; independent sums over heights",
     needs=(
         "hardness_group",
         "n_E",
@@ -211,8 +213,7 @@ RECORD = FilmLaw(
     ),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-9),),
     load_falls=False,
-    notes="A reconstruction. soft_film_exponent is m of Bhattacharya & Nix for a soft film; a hard one has 3 - m. Under a "
-    "soft film on a hard substrate the shear strength over the effective hardness falls with load: friction rises "
-    "with the film's thickness, and falls with load towards the Bowden-Tabor value, shear strength over substrate "
-    "hardness; it has no minimum over thickness.",
+    notes="A reconstruction. soft_film_exponent is the exponent m of bhattacharya_nix_1988 for a soft film; a hard film has "
+    "3 - m. With a soft film on a hard substrate, friction rises with the film thickness and falls with load towards the "
+    "Bowden-Tabor value, shear strength over substrate hardness. It has no minimum as a function of thickness.",
 )

@@ -3,17 +3,17 @@ r"""A plastic film squeezed out between a rigid ball and a hard substrate: after
 *Assumes* (abstracts of [kato_1981] and [kato_1982]): a soft metal film flows plastically out of the gap between a hard
 protuberance and the hard surface below it. By the theory of plasticity, the pressure of this flow becomes extremely high, and
 friction therefore falls with load. *Source*: [kato_1982], its abstract; the layer between rough plates is due to
-[prandtl_1923]. *Reconstruction*: ball and substrate are rigid, the film sticks to both (shear stress $k_f=Y_f/\sqrt3$,
-$Y_f=H_f/k$), and the pressure at the edge is the film's hardness. If radial and hoop stress are equal, the equilibrium of a
-ring in the gap $s(r)$ gives
+[prandtl_1923]. *Reconstruction*: a rigid ball of radius $R$ is pressed by $\omega$ into a film of thickness $t$ on a rigid
+substrate. The film sticks to both with the shear stress $k_f=Y_f/\sqrt3$, $Y_f=H_f/k$, and the pressure at the edge is the
+film's hardness $H_f$. If radial and hoop stress are equal, the equilibrium of a ring at the radius $r$, in the gap $s(r)$
+under the pressure $p(r)$, gives
 
 $$
 s=t-\omega+\frac{r^2}{2R},\qquad\frac{dp}{dr}=-\frac{2k_f}s,\qquad p(a)=H_f,\qquad a^2=2R\omega
 $$
 
 With a rigid substrate $p$ would grow without bound as the film is pressed through. The pressure is therefore limited to the
-substrate's hardness: $p=H$ within the radius $c$, where the substrate yields. With $b^2=2R(t-\omega)$ and
-$m=(H-H_f)/(4k_fR)$,
+substrate's hardness $H$: $p=H$ for $r\le c$, where the substrate yields. With $b^2=2R(t-\omega)$ and $m=(H-H_f)/(4k_fR)$,
 
 $$
 \arctan\frac cb=\max\left(0,\ \arctan\frac ab-mb\right)
@@ -24,16 +24,17 @@ P=\pi a^2H_f+4\pi k_fR\begin{cases}a-b\arctan(a/b)&c=0\\a-c-mb^2&c>0\end{cases}
 $$
 
 and for $\omega>t$, where $b^2=-g^2$: $c=g\coth[\operatorname{arsinh}(g/\sqrt{2Rt})+mg]$. The tangential force comes from a
-law of the interface, $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no meaning; below $k_f$
-the film sticks less than assumed here, and the pressure hill is lower, down to half. $n_H$ above 1 counts as 1, so that the
-pressure is $H$ everywhere.
+law of the interface, with the shear strength $\tau_0$ on the whole area $2\pi R\omega$. Values of $\tau_0$ above $k_f$ have no
+meaning, because the film shears first. For $\tau_0$ below $k_f$ the film would slip, and its pressure in the centre would rise
+less than computed here, down to half. A film harder than its substrate ($n_H>1$) counts as equally hard, so that the pressure
+is $H$ everywhere.
 
-*Limit*: a thick film has the pressure of its own hardness, $\mu=\tau_0/H_f$; with zero thickness the plastic substrate
-remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and the mean pressure is $H_f+2k_fa/(3t)$. *Check*,
-as the abstracts say: $\mu$ falls with load, and the pressure in the centre is many times the pressure at the edge. At
+*Limit*: in a thick film the pressure is the film's hardness, $\mu=\tau_0/H_f$; with zero thickness the plastic substrate
+remains, $\mu=\tau_0/H$. In a shallow contact the gap has constant height, and the mean pressure is $H_f+2k_fa/(3t)$. *Check*
+of the abstracts' statements: $\mu$ falls with load, and the pressure in the centre is many times the pressure at the edge. At
 constant load $\mu$ rises with thickness and with radius, and falls with the hardness of the film. *Unknown*: the empirical
-expression of part 1; of part 2, the pressure at the edge, the shear on both faces, and whether the ball ploughs, as a later
-paper of the group says (J. Tribology 109 (1987) 545; not included here).
+expression of [kato_1981]; in [kato_1982] the pressure at the edge, the shear stress on both faces, and whether the ball
+ploughs, which a later paper of the group states (J. Tribology 109 (1987) 545; not included here).
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -198,26 +199,27 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="kato_1981",
-    title="Plastic film squeezed out between a rigid ball and a hard substrate, which bounds the pressure",
+    title="Plastic film squeezed out between a rigid ball and a hard substrate, whose hardness limits the pressure",
     grade="C",
     sources=(
-        Source("kato_1982", "abstract", "flow of the film to the side; its equations could not be read: reconstructed"),
-        Source("kato_1981", "abstract", "experiments; the empirical expression is not known"),
-        Source("prandtl_1923", "", "plastic layer between rough plates; the balance of a round one is derived here"),
+        Source("kato_1982", "abstract", "flow of the film to the side; reconstructed, the equations were not available"),
+        Source("kato_1981", "abstract", "experiments; the empirical expression is unknown"),
+        Source("prandtl_1923", "", "plastic layer between rough plates; the equilibrium of a circular layer is derived here"),
     ),
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
     departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
     confined=True,
-    verified="independent quadrature of the pressure; film and substrate alone in the limits; trends of the abstracts",
+    verified="independent integration of the pressure; limits of the film alone and of the substrate alone; trends of the "
+    "abstracts",
     needs=("hardness_group", "hardness_to_yield", "n_H", "tau", "film_aspect"),
     validity=(
         PLASTIC_FILM,
         THIN_LAYER,
         SOFT_FILM,
     ),
-    notes="load_substrate is the load on asperities under which the substrate's hardness bounds the pressure: where that is "
-    "most of it, the substrate is not rigid, as the source has it, but plastic. Ploughing is left out. Without film_aspect "
-    "(indices only) the film has no hill of pressure.",
+    notes="load_substrate is the load on asperities under which the substrate's hardness limits the pressure. If it is most of "
+    "the load, the substrate is plastic and not rigid, as the source assumes. Ploughing is not included. Without film_aspect "
+    "(input by indices only) the pressure does not rise from edge to centre.",
 )

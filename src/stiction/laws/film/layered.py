@@ -3,8 +3,9 @@ r"""A sphere on a bonded film: exact elastic solution, adhesion by an energy bal
 *Assumes*: the film is bonded to its body, the sphere is smooth, $a\ll R$, and there is no friction during loading. *Source*:
 [perriot_barthel_2004] for the elastic solution, an integral equation that is derived and solved anew in `solvers/layered`;
 [johnson_kendall_roberts_1971] for the energy of an adhesive edge, extended to layered bodies as in [barthel_perriot_2007].
-Let $a=\sqrt{xR\sigma}$. The moduli $E_P$, $E_S$, $B$ (over the modulus of the bodies without film) and the approach $D$ are
-functions of $a/t$ and of the elastic constants of film and bodies,
+The contact radius is $a=\sqrt{xR\sigma}$, the film thickness $t$. Four functions of $a/t$ and of the elastic constants of film
+and bodies describe the contact, all over the value of the bodies without film: $E_P$ for the load, $D$ for the displacement,
+$E_S$ for the stiffness and $B$ for its derivative by $a$. Index $H$ denotes the contact without adhesion,
 
 $$
 \begin{aligned}
@@ -13,23 +14,25 @@ w&=w_H-\tfrac23S\sqrt{n_g/B}\;x^{1/4},&P&=P_H-S\,E_S\sqrt{n_g/B}\;x^{3/4}&&&&\te
 \end{aligned}
 $$
 
-$S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI $\delta=\delta_H-\sqrt{4\pi a\gamma/S'}$ and
-$P=P_H-S\sqrt{4\pi a\gamma/S'}$ with the stiffness $S=2aE_S$ and $S'=dS/da=2B$.
+with $S=\sqrt{6\pi/\theta}$; DMT's adhesion is $P=P_H-2\pi n_g/\theta$. In SI the displacement is
+$\delta=\delta_H-\sqrt{4\pi a\gamma/k_n'}$ and the load $P=P_H-k_n\sqrt{4\pi a\gamma/k_n'}$, with the normal stiffness
+$k_n=2aE_S$ and $k_n'=dk_n/da=2B$ ($E_S$ and $B$ in Pa).
 
 *Bodies*: both bodies carry the same pressure, so that their compliances add. This is exact for a film on one body against any
 other body, and for films with half of the thickness on each of two bodies, equal or not. With `Indices`, the film is on one
-body against a rigid body, unless `films` and the groups after it say otherwise.
+body against a rigid body, unless `films` and the groups after it state otherwise.
 
 *Yield*: the asperity yields where its mean pressure reaches the value at which the chosen asperity law yields on a half-space
-of modulus $E_P$ and hardness $\chi H$, with $\chi$ from [`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or the chosen
-composite. Beyond, the plastic segments of the law follow, with the modulus and Poisson's ratio at yield, shifted to
-displacement, load and area of the layered contact. Their load, without the adhesion, scales with the hardness at their depth.
-*Reconstructed*: this continuation. It equals the asperity law for thin and for thick films, and if film and body are equal.
-Below a hard film on a soft substrate the load may fall with depth.
+of modulus $E_P$ and hardness $\chi H$. $\chi$ is the hardness of film and substrate together over the substrate's, from
+[`bhattacharya_nix_1988`](#bhattacharya_nix_1988) or another chosen law. Beyond, the plastic segments of the asperity law
+follow, with the modulus and Poisson's ratio at yield, shifted to displacement, load and area of the layered contact. Their
+load, without the adhesion, is proportional to the hardness at their depth. *Reconstructed*: this continuation. It equals the
+asperity law for thin and for thick films, and if film and body are equal. With a hard film on a soft substrate the load may
+fall with depth.
 
 *Limit*: the asperity law on the substrate (with the film's work of adhesion) for $t\to0$ or for equal materials, and on the
-film for $t\to\infty$. The only jumps are those of the asperity law. *Check*, $\nu=0.3$, $E_f/E_s=0.1$, rigid sphere, $a=t$:
-$E_P=0.1219$, $D=0.693$, $E_S=0.2135$ over the substrate's modulus.
+film for $t\to\infty$. The only jumps are those of the asperity law. *Check*: $E_P=0.1219$, $D=0.693$, $E_S=0.2135$ for a rigid
+sphere, $\nu=0.3$, $E_f/E_s=0.1$ (Young's modulus of film over substrate) and $a=t$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -115,10 +118,10 @@ RECORD = FilmLaw(
     title="Sphere on a bonded film: exact elastic solution, adhesion by energy, yield by mean pressure",
     grade="C",
     sources=(
-        Source("perriot_barthel_2004", "", "the integral equation; derived and solved anew here"),
-        Source("barthel_perriot_2007", "", "adhesion on a film by the energy of the edge; derived anew here"),
+        Source("perriot_barthel_2004", "", "the integral equation; derived and solved again here"),
+        Source("barthel_perriot_2007", "", "adhesion on a film by the energy balance of the edge; derived again here"),
         Source("johnson_kendall_roberts_1971", "adhesion of a half-space, the limit of thick and thin films"),
-        Source("bhattacharya_nix_1988", "", "hardness against depth, unless another composite is chosen"),
+        Source("bhattacharya_nix_1988", "", "hardness against depth, unless another law is chosen"),
     ),
     regimes=regimes,
     wants={"Hertz's shape": "it needs an asperity that is a Hertz, JKR or DMT contact while elastic"},
@@ -126,13 +129,13 @@ RECORD = FilmLaw(
     solved_as_one=True,
     composites={"hardness": "bhattacharya_nix_1988"},
     own_options={"soft_film_exponent": ("2", "1")},
-    verified="integral equation solved another way, at 90 cases; closed limits; energy of an adhesive contact; asperity laws "
-    "in the limits of no film and of nothing but film",
+    verified="integral equation solved by another method for 90 cases; minimum energy of adhesive contacts; the asperity law "
+    "in the limits of zero and of infinite film thickness",
     needs=("nu", "n_E", "film_aspect", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu"),
     validity=(Validity("n_E", 0.01, 100.0, "the elastic solution was checked only for these moduli"),),
     limits=(Limit("greenwood_williamson_1966", {"theta": 1.0, "lam": 1e24, "n_E": 1.0}, ("load", "contact_area"), 1e-6),),
     load_falls=False,
     accuracy=1e-7,
-    notes="The load passes through film and substrate alike, and is counted as the film's. After yield it is a reconstruction: "
-    "modulus and Poisson's ratio stay as they were felt there, and hardness goes with depth as indentations of a film do.",
+    notes="Film and substrate carry the same load; results count it as the film's. The law beyond yield is a reconstruction: "
+    "modulus and Poisson's ratio keep their values at yield, and the hardness changes with depth as in indentation of a film.",
 )

@@ -1,16 +1,17 @@
 r"""A plastic film on an elastic-plastic substrate, with adhesion: after Liu, Neville & Reuben 2002.
 
 *Assumes* (abstract of [liu_neville_reuben_2002]): the adhesion of Derjaguin, Muller and Toporov acts on an elastic-plastic
-soft coating. *Source*: [liu_neville_reuben_2002], its abstract. *Reconstruction*: [`chang_1997`](#chang_1997), and the film's
-work of adhesion attracts every touching asperity,
+soft coating. *Source*: [liu_neville_reuben_2002], its abstract. *Reconstruction*: the load $P_\text{Chang}$ of
+[`chang_1997`](#chang_1997) minus DMT's adhesive force with the film's work of adhesion $\gamma_f=n_g\gamma$, for every
+touching asperity,
 
 $$
 P=P_\text{Chang}-\frac{2\pi n_g}\theta
 $$
 
-(in SI $2\pi R\gamma_f$). *Check*, as the abstract says: with a shear strength of the interface, friction rises with thickness
-at plasticity indices above 0.5; at 0.25 and light load it rises as a very thin film gets thinner. With
-`chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*: all equations of the
+(in SI the force is $2\pi R\gamma_f$). *Check* of the abstract's statements: with a shear strength of the interface, friction
+rises with film thickness at plasticity indices above 0.5; at 0.25 and light load it rises as a very thin film gets thinner.
+With `chang_etsion_bogy_1988`, where only the substrate resists, only the second trend appears. *Unknown*: all equations of the
 source. *Limit*: `chang_1997` without adhesion.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
@@ -36,24 +37,23 @@ def regimes(groups: Groups, law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="liu_neville_reuben_2002",
-    title="Plastic film on an elastic-plastic substrate, with the adhesion of Derjaguin, Muller and Toporov",
+    title="Plastic film on an elastic-plastic substrate, with DMT adhesion",
     grade="C",
     sources=(
         Source("liu_neville_reuben_2002", "abstract", "reconstructed: the equations were not available"),
         Source("derjaguin_muller_toporov_1975", "", "adhesion, as a constant force on each touching asperity"),
         Source("chang_1997", "", "the contact, itself reconstructed"),
-        Source("chang_etsion_bogy_1988", "", "friction of the substrate's asperities, if its tangential law is chosen"),
+        Source("chang_etsion_bogy_1988", "", "friction of the substrate, with the tangential law of this name"),
     ),
     regimes=regimes,
     asperity="chang_etsion_bogy_1987",
     wants=NO_ADHESION,
     departures=DEPARTURES,
-    verified="independent quadrature; chang_1997 without adhesion; trends of the abstract, see the notes",
+    verified="independent sums over heights; chang_1997 without adhesion; trends of the abstract, see the note",
     needs=("theta", "hardness_group", "n_H", "n_g", "tau"),
     validity=(SOFT_FILM, *FLOWING),
-    notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface it shows what the abstract "
-    "says: at a plasticity index above 0.5 friction rises with the film's thickness, at 0.25 and light load it rises "
-    "as a very thin film gets thinner. With chang_etsion_bogy_1988, where only the substrate resists, the latter "
-    "alone: friction then falls with thickness at every plasticity index, but for strong adhesion. Asperities that do "
-    "not touch are not pulled.",
+    notes="With the asperity law chang_etsion_bogy_1987 and a shear strength of the interface, results agree with the "
+    "abstract: at a plasticity index above 0.5 friction rises with the film thickness; at 0.25 and light load it rises as a "
+    "very thin film gets thinner. With chang_etsion_bogy_1988, where only the substrate resists, friction falls with "
+    "thickness at every plasticity index unless adhesion is strong. Asperities that do not touch are not attracted.",
 )

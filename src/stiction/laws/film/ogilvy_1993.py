@@ -1,14 +1,16 @@
 r"""A film that affects friction but not the normal contact: Ogilvy 1993.
 
-*Assumes* (as the 2015 paper reports): the normal contact does not include the film. *Source*: [ogilvy_1993]. So load and area
-are those of the substrate, with any asperity law, and the film shears over the whole area with its own strength:
+*Assumes* (according to the 2015 paper, [soft_coating_2015]): the normal contact does not include the film. *Source*:
+[ogilvy_1993]. Load and area are therefore those of the substrate, $P_s$ and $A_s$, by any asperity law. The film shears over
+the whole area with its own strength:
 
 $$
 P=P_s(w),\qquad A=A_s(w),\qquad T=\tau_0A
 $$
 
-If the contact is plastic, this is Bowden and Tabor's soft film, $\mu=\tau_0/H_s$. *Unknown*: the text of the source, which
-solved given surfaces numerically.
+(the last equation is in SI). If the contact is plastic, this is Bowden and Tabor's soft film: the friction coefficient is
+$\mu=\tau_0/H_s$, with the substrate's hardness $H_s$. *Unknown*: the text of the source, which solved given surfaces
+numerically.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -30,10 +32,10 @@ def regimes(groups: Groups, law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="ogilvy_1993",
-    title="Film too thin to be felt in normal contact: the substrate's load and area, the film's shear strength",
+    title="Film too thin to affect the normal contact: load and area of the substrate, shear strength of the film",
     grade="C",
     sources=(
-        Source("ogilvy_1993", "", "not available: the 2015 paper says that it leaves the film out of the contact"),
+        Source("ogilvy_1993", "", "not available; according to the 2015 paper, the normal contact does not include the film"),
         Source("bowden_tabor_1943", "", "shear strength of the film, hardness of the substrate"),
     ),
     regimes=regimes,
@@ -43,9 +45,9 @@ RECORD = FilmLaw(
         Departure("thick", "contact_area", -0.67, 1.7),
         Departure("thick", "friction_force", -0.67, 1.7),
     ),
-    verified="friction over load of plastic asperities: shear strength over hardness",
+    verified="friction coefficient of plastic asperities equals shear strength over hardness",
     needs=("shear_strength",),
     validity=(Validity("tau", 0.0, 1.0, "the law assumes a film that is thinner than the roughness"),),
-    notes="Modulus, hardness and thickness of the film have no effect. shear_strength is the film's, over the hardness of the "
-    "substrate. Ogilvy solved the contact of given rough surfaces numerically; asperity laws stand in for that here.",
+    notes="Modulus, hardness and thickness of the film have no effect. shear_strength is that of the film over the hardness of "
+    "the substrate. The source solved the contact of given rough surfaces numerically; here asperity laws take its place.",
 )

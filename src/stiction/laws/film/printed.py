@@ -1,17 +1,20 @@
 r"""The equations of the 2015 paper exactly as printed, bare and with the soft film of eqs. (6) and (15).
 
-*Assumes*: the printed equations. This film law belongs to the published variant only and serves to reproduce the paper.
-*Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). Without a film, heights are
-weighted at the apparent displacement $x$ (D2),
+*Assumes*: the printed equations. This film law belongs to the published variant of the model and serves to reproduce the
+paper. *Source*: [soft_coating_2015], eqs. (1) to (15); [theory, section 5](theory.md#5-coated-surface). The corrected variant
+departs from the print in twelve points, [D1 to D12](theory-limits.md#8-departures-from-the-print); here the print is kept as
+follows. Without a film, the sum over heights $z=h+x$ uses the apparent displacement $x$ in place of the displacement $w$ (D2);
+with the mean separation $h$, the height density $\varphi$ and $S=\sqrt{6\pi/\theta}$,
 
 $$
 \bar P(h)=\int\left(x^{3/2}-S\,x^{3/4}\right)\varphi(h+x)\,dx\quad\text{(elastic asperities)}
 $$
 
-the slip resistance is eq. (10) (D6), and the resistance lacks the $1/\sqrt{2\pi}$ of the density (D3). With a film, the film
-terms are in the film's own units (D4); the elastic term of the substrate starts at $\tau+x_0$ with its law unshifted, and its
-plastic term at $w_1$ (D5). *Reconstructed*: the coefficients of eq. (11), as in the corrected variant (D12), and the contact
-area, which the paper does not define as a sum over heights.
+The slip resistance is eq. (10) (D6), and the sum of the resistance lacks the factor $1/\sqrt{2\pi}$ of the density (D3). With
+a film, the film terms are in the film's own units (D4). The elastic term of the substrate starts at $\tau+x_0$ ($x_0$: first
+contact) without a shift of its law, and its plastic term at the displacement $w_1$ of yield (D5). *Reconstructed*: the
+coefficients of eq. (11), as in the corrected variant (D12), and the contact area, which the paper does not define as a sum
+over heights.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -104,9 +107,11 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="printed",
-    title="Soft film to the letter of the 2015 paper; the film law of the published variant",
+    title="Soft film exactly as printed in the 2015 paper; the film law of the published variant",
     grade="C",
-    sources=(Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed but D7-D11; C1..C7 reconstructed"),),
+    sources=(
+        Source("soft_coating_2015", "eqs. (6)-(9) and (15)", "as printed except departures D7-D11; C1..C7 reconstructed"),
+    ),
     regimes=regimes,
     departures=(
         Departure("thin", "load", 0.0, math.inf),
@@ -115,7 +120,7 @@ RECORD = FilmLaw(
         Departure("thick", "friction_force", -0.67, math.inf),
         Departure("alike", "load", 0.0, 1.0),
     ),
-    verified="independent evaluation at 30 digits. The paper prints no numbers",
+    verified="loads, areas and friction, computed independently at 30 digits; the paper prints no numbers",
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
@@ -127,5 +132,5 @@ RECORD = FilmLaw(
     tangential="soft_coating_2015",
     interchangeable=False,
     load_falls=False,
-    notes="Adds loads in units of the film to loads in units of the substrate (D4).",
+    notes="The printed equations add loads in units of the film to loads in units of the substrate (departure D4).",
 )

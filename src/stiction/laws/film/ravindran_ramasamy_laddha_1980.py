@@ -1,9 +1,9 @@
-r"""A soft metal film, friction as the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
+r"""A soft metal film whose friction is the cube root of thickness over load: after Ravindran, Ramasamy & Laddha 1980.
 
 *Assumes* (abstract of [ravindran_ramasamy_laddha_1980]): in spherical contact, the friction coefficient of a thin soft metal
-film is proportional to the cube root of thickness over load where Amontons's law fails. It fails because the substrate takes
-part by plastic deformation. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. For
-one asperity
+film is proportional to the cube root of thickness over load where Amontons's law fails. It fails because the substrate
+deforms plastically. *Source*: [ravindran_ramasamy_laddha_1980], its abstract, which calls the relation empirical. For one
+asperity with the load $W$ in N and the film thickness $t$ in m
 
 $$
 \mu=c\left(\frac tW\right)^{1/3}=\left(\frac{Ct}W\right)^{1/3},\qquad C=c^3\ \text{in N/m}
@@ -11,9 +11,9 @@ $$
 
 *Reconstruction*: friction is the film's shear strength over the mean pressure, $\mu=\tau_0/p$. The cube root then requires a
 pressure proportional to $W^{1/3}$, which on the area $2\pi R\omega$ of a plastic contact is $p\propto\sqrt{\omega/t}$. The
-pressure lies between the film's hardness, where the film carries the load, and the substrate's hardness, where the substrate
-does ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. The abstract of
-[rabinowicz_1967] says that friction is higher where the film carries the load,
+pressure lies between the film's hardness $H_f$, where the film carries the load, and the substrate's hardness $H$, where the
+substrate does ([bowden_tabor_1943]). At both limits Amontons's law holds, in agreement with the abstract. Friction is higher
+where the film carries the load, as in the abstract of [rabinowicz_1967]. With $p$ over $H$ times $\eta$ in the units here,
 
 $$
 A=2w,\qquad P=pA,\qquad p=\eta\,\min\left[1,\ n_H\max\left(1,\ q\sqrt{w/\tau}\right)\right]
@@ -24,14 +24,15 @@ $$
 C=\frac{2\pi R\,\tau_0^3}{q^2H_f^2}
 $$
 
-$C$ is given as `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$), which
-together with $\tau_0$ gives $q$. If it is not given, $q=1$, so that the substrate takes part from the displacement that
-equals the film thickness. $\tau_0$ comes from a tangential law of the interface. $n_H$ above 1 counts as 1: $p=\eta$.
+$C$ is `friction_constant` of the coating (`film_friction_constant` of indices is $C/(K\sqrt{R\sigma})$); together with
+$\tau_0$ it determines $q$. If it is not given, $q=1$, and the substrate takes part once the displacement exceeds the film
+thickness. $\tau_0$ comes from a tangential law of the interface. A film harder than its substrate ($n_H>1$) counts as equally
+hard, $p=\eta$.
 
-*Check*: one sphere, $W=8\pi RH_ft$, $q=1$: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$; the powers of $t$ and $W$ are exact
-between the bounds, over a factor $n_H^{-3}$ in load. *Limit*: $\mu=\tau_0/H_f$ for a thick film, $\tau_0/H$ for zero
-thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is this project's own:
-at a given load, $\mu$ of a rough surface is an average over its asperities.
+*Check*: $\mu=\tau_0/(4^{1/3}H_f)=0.62996\,\tau_0/H_f$ for one sphere with $W=8\pi RH_ft$ and $q=1$. The powers of $t$ and $W$
+are exact between the two limits, over a range of loads of the factor $n_H^{-3}$. *Limit*: $\mu=\tau_0/H_f$ for a thick film,
+$\tau_0/H$ for zero thickness. *Unknown*: $c$, and how it depends on hardness, strength and radius. The sum over asperities is
+this project's own: at a given load, $\mu$ of a rough surface is an average over its asperities.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
@@ -99,29 +100,28 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
 
 RECORD = FilmLaw(
     key="ravindran_ramasamy_laddha_1980",
-    title="Soft metal film whose friction goes as the cube root of thickness over load",
+    title="Soft metal film whose friction is proportional to the cube root of thickness over load",
     grade="C",
     sources=(
         Source(
             "ravindran_ramasamy_laddha_1980",
             "abstract",
-            "the power; the pressure that gives it and its factor are reconstructed",
+            "the power; the factor, and the pressure that leads to this power, are reconstructed",
         ),
-        Source("bowden_tabor_1943", "", "shear strength of the film over the pressure, which the substrate bounds"),
-        Source("rabinowicz_1967", "abstract", "friction is higher where the film carries the load, and not the substrate"),
+        Source("bowden_tabor_1943", "", "friction as shear strength of the film over a pressure limited by the substrate"),
+        Source("rabinowicz_1967", "abstract", "friction is higher where the film, not the substrate, carries the load"),
     ),
     regimes=regimes,
     tangential="interface",
     own_asperity=True,
     departures=(Departure("thick", "load", -0.98, 0.0),),  # of a film harder than its substrate
-    verified="the power laws of one asperity; independent quadrature; film and substrate alone in the limits",
+    verified="power laws of one asperity; independent sums over heights; limits of the film alone and of the substrate alone",
     needs=("hardness_group", "n_H", "tau", "shear_strength"),
     validity=(
         PLASTIC_FILM,
         SOFT_FILM,
     ),
-    notes="mu = (C t/W)^(1/3) of each asperity, between shear strength over film hardness and shear strength over substrate "
-    "hardness. C is friction_constant of the coating; left out, it follows from strength, hardness and radius, such that the "
-    "substrate takes part from where the film is pressed by its own thickness. The load of an asperity between the bounds is "
-    "counted as the substrate's.",
+    notes="For each asperity mu = (C t/W)^(1/3), limited to the range from shear strength over substrate hardness to shear "
+    "strength over film hardness. C is friction_constant of the coating. If it is not given, the substrate takes part once the "
+    "displacement exceeds the film thickness. The load of an asperity between the limits is counted as the substrate's.",
 )

@@ -2,17 +2,19 @@ r"""A soft film that deforms alone up to its own thickness, then the substrate: 
 
 *Assumes*: the film deforms alone, as a half-space, until the displacement equals its thickness. Beyond, it keeps its load and
 resistance, and the substrate deforms by the rest of the displacement. *Source*: [soft_coating_2015], eqs. (6) and (15),
-corrected: [theory, section 5](theory.md#5-coated-surface), departures D4, D5 and D10. With any asperity law, $P_c(w)$ of the
-film and $P_s(w)$ of the substrate,
+corrected: [theory, section 5](theory.md#5-coated-surface), [departures D4, D5 and
+D10](theory-limits.md#8-departures-from-the-print). With any asperity law, film (index c) and substrate (index s) have the
+loads $P_c(w)$ and $P_s(w)$ and the tangential forces $T_c(w)$ and $T_s(w)$ of half-spaces, each in the units of its own
+modulus; $n_E$ converts forces of the film. $A_c(w)$ is the contact area on the film. Then
 
 $$
 P=\begin{cases}n_EP_c(w)&w<\tau\\n_EP_c(\tau)+P_s(w-\tau)&w\ge\tau\end{cases},\qquad A=A_c(w)
 $$
 
-and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. Forces that pass
-through a film and its substrate in series do not add up. The paper's sum is therefore too large by the force of the film; the
-record states the excess for zero film thickness. With `film_shear="in_series"` the smaller force applies: either the film's
-at the whole displacement, or the substrate's at the rest,
+and the same for the tangential force; a law of the interface uses the whole load and the outer area instead. But film and
+substrate transmit the same force in series, so that their forces do not add up. The paper's sum is therefore too large by the
+force of the film; the record states the excess for zero film thickness. With `film_shear="in_series"` the smaller tangential
+force applies: the film's at the whole displacement, or the substrate's at the rest,
 
 $$
 T=\min\left[n_ET_c(w),\,T_s(w-\tau)\right]\quad(w\ge\tau)
@@ -91,9 +93,9 @@ def _kept(law: Law, groups: Groups) -> np.ndarray:
 
 RECORD = FilmLaw(
     key="sequential",
-    title="Soft film deforming alone until it is pressed by its own thickness, then the substrate",
+    title="Soft film that deforms alone until the displacement equals its thickness, then the substrate",
     grade="C",
-    sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected: D4, D5, D8, D9, D10"),),
+    sources=(Source("soft_coating_2015", "eqs. (6) and (15)", "corrected in departures D4, D5, D8, D9, D10"),),
     regimes=regimes,
     departures=(
         Departure("thin", "contact_area", -0.63, 2.0),
@@ -101,7 +103,7 @@ RECORD = FilmLaw(
         Departure("alike", "load", -0.36, 0.0),
         Departure("alike", "friction_force", 0.0, 0.96),
     ),
-    verified="independent evaluation at 30 digits; the film's own law for a thick film",
+    verified="loads, areas and friction, computed independently at 30 digits; the film's own asperity law for a thick film",
     needs=("n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
@@ -109,7 +111,7 @@ RECORD = FilmLaw(
     ),
     load_falls=False,
     own_options={"film_shear": ("added", "in_series")},
-    notes="film_shear: added as the paper has it, or the weaker of film and substrate, which shear in series; a law of the "
-    "interface has neither. At zero thickness the adhesion of first touch on the film remains: -4 pi/(3 theta) for each "
-    "touching JKR asperity.",
+    notes="film_shear: the forces of film and substrate are added, as in the paper, or the smaller one applies (in_series); "
+    "laws of the interface are not affected. At zero thickness the adhesion of first touch on the film remains, a load of "
+    "-4 pi/(3 theta) for each touching JKR asperity.",
 )
