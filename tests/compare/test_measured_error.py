@@ -8,11 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
 import stiction as st
 from stiction.solvers.boundary_elements.area_estimates import map_slopes
 from stiction.solvers.boundary_elements.map_area import map_area
 from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solving.accuracy.errors_near import LEVELS, quantiles
 from stiction.solving.accuracy.measured_error import measured_errors
 from stiction.solving.accuracy.solved_set import FEATURES, coded, decoded, solved_set
 from stiction.solving.choice import Choice
@@ -279,3 +281,17 @@ def test_a_film_without_load_has_no_measured_error_there(model):
     pressed, alone = (json.loads(st.solve(coated, **points, **chosen).attrs["measured_error"]) for points in (both, one))
     for name in ("area", "area_low", "area_high"):
         assert pressed[name] == [alone[name][0], None] and alone[name][0] is not None
+
+
+def test_quantiles_do_not_leap_where_values_change_places():
+    weights = np.array([1.0, 0.3, *[1.0] * 18])
+    values = np.array([-1.0, -1.0, *np.linspace(0.0, 1.0, 18)])
+    before, after = (quantiles(values + [step, -step, *[0.0] * 18], weights) for step in (1e-9, -1e-9))
+    assert after == pytest.approx(before, abs=1e-7)
+
+
+def test_quantiles_of_many_values_are_those_of_the_normal_distribution():
+    ranks = (np.arange(4000) + 0.5) / 4000
+    assert quantiles(norm.ppf(ranks), np.ones(4000)) == pytest.approx(norm.ppf(LEVELS), abs=0.04)
+    one_heavy = np.concatenate([norm.ppf(ranks), [0.0]])
+    assert quantiles(one_heavy, np.append(np.ones(4000), 1e9)) == pytest.approx(np.zeros(5), abs=1e-6)

@@ -136,3 +136,14 @@ def test_the_growth_of_junctions_is_steep_and_says_so():
     mu = [one for one, _ in line]
     assert max(mu[at + 1] / mu[at] for at in range(len(mu) - 1)) > 1.2 and not leaps(line)
     assert not line[0][1]  # far below there is nothing to say
+
+
+def test_ends_of_the_interval_do_not_leap_where_the_kind_of_surface_is_unknown():
+    body = st.Material(youngs_modulus="100 GPa", poissons_ratio=0.3, hardness="4.472 GPa")
+    roughness = {"asperity_height_deviation": "20 nm", "asperity_radius": "2 um", "asperity_density": "5e11 1/m^2"}
+    contact = st.Contact(
+        first=body, second=body, nominal_area="1 cm^2", interfacial_shear_strength="5 MPa", roughness=roughness
+    )
+    found = st.predict(contact, load=np.geomspace(400.0, 620.0, 23))
+    for end in ("low", "high"):
+        assert np.abs(np.diff(np.log(found[f"friction_coefficient_{end}"]))).max() < 0.02

@@ -32,6 +32,7 @@ _SLOPE, _FARTHEST = 5.0, 16.0
 _STEEP = 0.3  # change of ln of area over load with ln of the pressure, on plateaus without roughness of their own
 _FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
 _TABLES = 20  # numbers of a point and a surface that are held together: bounds the memory
+_WINDOW = 0.03  # around a level, over which quantiles are averaged
 _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
 
 
@@ -119,10 +120,16 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: Place, like: np.nd
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles at LEVELS of weighted values, by linear interpolation."""
+    """Return the quantiles at LEVELS of weighted values, each as the mean of all quantiles within _WINDOW of its level.
+
+    A quantile of few values leaps from one value to the next when a weight changes a little. This mean does not.
+    """
     order = np.argsort(values)
-    middles = np.cumsum(weights[order]) - 0.5 * weights[order]
-    return np.interp(LEVELS, middles / weights.sum(), values[order])
+    shares = np.concatenate([[0.0], np.cumsum(weights[order])])
+    integrals = np.concatenate([[0.0], np.cumsum(weights[order] * values[order])])
+    ends = np.add.outer((-_WINDOW, _WINDOW), LEVELS) * shares[-1]
+    below, above = np.interp(ends, shares, integrals)
+    return (above - below) / (2.0 * _WINDOW * shares[-1])
 
 
 def _at_lighter_load(
