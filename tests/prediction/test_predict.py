@@ -85,6 +85,14 @@ def test_tabors_junctions_are_met_where_the_interface_is_strong():
         assert share * bulk * area == pytest.approx(share / 3.0 / math.sqrt(1.0 - share**2), rel=0.07)
 
 
+def test_a_stated_strength_grows_junctions_between_tabor_and_mises():
+    """At tau_0 = H/10 the area grows 1.048 times with Tabor's alpha of 9, and 1.143 times with (H/tau_b)^2 = 23.5."""
+    column, bulk = np.array([[1.0]]), 1.0 / (2.8 * math.sqrt(3.0))
+    stated = grown(np.array([0.9]), column, 0.1 * column, column, bulk * column, 0.0).item()
+    assert 1.0 / math.sqrt(1.0 - 9.0 * 0.01) < stated < 1.0 / math.sqrt(1.0 - 2.8**2 * 3.0 * 0.01)
+    assert stated < grown(np.array([0.9]), column, 0.1 * column, column, bulk * column, 0.5).item()
+
+
 def test_elastic_spots_do_not_grow():
     column = np.array([[1.0]])
     assert grown(np.array([0.9]), 0.1 * column, 0.1 * column, column, 0.2 * column).item() == 1.0

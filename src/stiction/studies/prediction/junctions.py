@@ -5,7 +5,9 @@ the hardness H. The pressure falls, and the area grows by 1/sqrt(1 - c^2), where
 interface over that of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three
 assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
-experiments, the largest weight). None of them limits growth for c near 1, so that c is limited to 0.999.
+experiments, the largest weight). Hardening strengthens the interface of clean metals with the body, but not an interface whose
+strength is stated as a number: the harder body then makes such a junction grow less. None of the three limits growth for c
+near 1, so that c is limited to 0.999.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
 a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,
@@ -21,7 +23,14 @@ _MOST = 0.999  # of the strength of the interface over that of the body
 _TABOR = 9.0  # alpha
 
 
-def grown(level: np.ndarray, pressure: np.ndarray, strength: np.ndarray, hardness: np.ndarray, shear_strength: np.ndarray):
+def grown(
+    level: np.ndarray,
+    pressure: np.ndarray,
+    strength: np.ndarray,
+    hardness: np.ndarray,
+    shear_strength: np.ndarray,
+    hardens: np.ndarray | float = 1.0,
+) -> np.ndarray:
     """Return the factor (n, m) by which contact spots grow under shear.
 
     Parameters
@@ -32,11 +41,14 @@ def grown(level: np.ndarray, pressure: np.ndarray, strength: np.ndarray, hardnes
         Mean pressure of contact spots [Pa].
     strength, hardness, shear_strength : numpy.ndarray, shape (n, 1)
         Shear strength of the interface, and hardness and shear strength of the weaker body [Pa].
+    hardens : numpy.ndarray, shape (n, 1), or float
+        How far the interface hardens with the body: 1 for an interface of clean metal, 0 for a stated strength.
     """
-    share = np.minimum(strength / shear_strength, _MOST)
-    hardened = (hardness / shear_strength) ** 2 / _TABOR
-    alone = 1.0 / np.sqrt(1.0 - share**2)
-    factors = np.stack([np.ones_like(alone), alone, alone * np.sqrt(1.0 + (np.maximum(hardened, 1.0) - 1.0) * share**2)])
+    ratio = np.minimum(strength / shear_strength, _MOST) ** 2
+    most = np.maximum((hardness / shear_strength) ** 2 / _TABOR, 1.0)
+    hardened = 1.0 + (most - 1.0) * ratio
+    alone = 1.0 / np.sqrt(1.0 - ratio)
+    factors = np.stack([np.ones_like(alone), alone, np.sqrt(hardened**hardens / (1.0 - ratio / hardened ** (1.0 - hardens)))])
     which = np.searchsorted(np.cumsum(GROWTH)[:-1], level)
     factor = factors[which, np.arange(len(level))]
     return np.maximum(np.minimum(pressure / hardness, 1.0) * factor, 1.0)

@@ -111,7 +111,9 @@ class Mixture:
         strength, coefficient = self.strength.at(levels["state"], levels["strength"], levels["coefficient"], inputs)
         growth = np.ones_like(area)
         if sampled.metallic.any():
-            growth = np.where(sampled.metallic, grown(levels["growth"], borne / area, strength, hardness, shear), 1.0)
+            hardens = self.strength.hardens(strength, shear)
+            growth = grown(levels["growth"], borne / area, strength, hardness, shear, hardens)
+            growth = np.where(sampled.metallic, growth, 1.0)
         area = np.minimum(area * growth, nominal)
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)

@@ -56,6 +56,10 @@ class Strength:
         """
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
+    def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
+        """Return how far the interface hardens with a metal body, 0 to 1: not at a stated strength well below the body's."""
+        return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
+
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of each sample, arrays (n, m or 1).
 
