@@ -286,7 +286,8 @@ def test_a_film_without_load_has_no_measured_error_there(model):
 def test_quantiles_do_not_leap_where_values_change_places():
     weights = np.array([1.0, 0.3, *[1.0] * 18])
     values = np.array([-1.0, -1.0, *np.linspace(0.0, 1.0, 18)])
-    before, after = (quantiles(values + [step, -step, *[0.0] * 18], weights) for step in (1e-9, -1e-9))
+    signs = np.array([1.0, -1.0, *[0.0] * 18])
+    before, after = (quantiles(values + step * signs, weights) for step in (1e-9, -1e-9))
     assert after == pytest.approx(before, abs=1e-7)
 
 
