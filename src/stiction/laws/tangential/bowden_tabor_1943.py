@@ -1,14 +1,14 @@
 r"""A constant shear strength of the interface: Bowden & Tabor 1943.
 
-*Assumes*: the interface has a shear strength $\tau_0$ that does not depend on the pressure or on the state of the contact.
+*Assumes*: the interface has a shear strength $\tau_0$ that does not depend on the pressure or on yield of the asperities.
 *Sources*: [bowden_tabor_1943], [bowden_tabor_1950].
 
 $$
 T=\frac{\tau_0}H\,\eta\,A\qquad(\text{SI:}\ T=\tau_0\,\pi a^2)
 $$
 
-for every segment, elastic or plastic. If all contacts are plastic, $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law
-needs `interfacial_shear_strength`.
+for elastic and plastic asperities ($a$: contact radius). If all contacts are plastic, the friction coefficient is
+$\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law needs `interfacial_shear_strength`.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -53,8 +53,8 @@ RECORD = TangentialLaw(
     yielded="interface",
     interfacial=True,
     of_area=True,
-    verified="dimensional evaluation at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
+    verified="evaluation in SI units at 30 digits; mu = tau_0/H where the mean pressure is the hardness",
     needs=("hardness_group", "shear_strength"),
-    notes="With a soft film, the area is that of the whole asperity and tau_0 the film's strength. Where all contacts are "
-    "plastic mu is tau_0 over their mean pressure: Bowden and Tabor's s/p.",
+    notes="With a soft film, the area is the outer contact area of the asperity and tau_0 the film's shear strength. If all "
+    "contacts are plastic, mu is tau_0 over their mean pressure, Bowden and Tabor's s/p.",
 )

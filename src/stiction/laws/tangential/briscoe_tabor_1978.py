@@ -1,13 +1,14 @@
 r"""A shear strength of the interface that grows with pressure: Briscoe & Tabor 1978.
 
-*Assumes*: the strength grows with pressure, $\tau=\tau_0+\alpha p$, here with the mean pressure of each asperity.
-*Source*: [briscoe_tabor_1978].
+*Assumes*: the shear strength of the interface grows with pressure, $\tau=\tau_0+\alpha p$, here with the mean pressure $p$ of
+each asperity; $\alpha$ is the pressure coefficient. *Source*: [briscoe_tabor_1978].
 
 $$
 T=\frac{\tau_0}H\,\eta\,A+\alpha\max(P,0)
 $$
 
-Ignoring tension is this project's choice. For heavy loads $\mu$ tends to $\alpha$ plus $\tau_0$ over the mean pressure.
+Tension does not lower the strength, which is this project's choice. For heavy loads the friction coefficient tends to $\alpha$
+plus $\tau_0$ over the mean pressure.
 *Limit*: `bowden_tabor_1943` for $\alpha=0$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
@@ -39,21 +40,21 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
 
 RECORD = TangentialLaw(
     key="briscoe_tabor_1978",
-    title="Shear strength of the interface, growing with pressure",
+    title="Shear strength of the interface that grows with pressure",
     grade="B",
     sources=(
         Source(
             "briscoe_tabor_1978",
             "",
-            "shear strength linear in the pressure, here in the mean pressure of each asperity; that tension lowers nothing is "
-            "this project's",
+            "shear strength linear in pressure, here the mean pressure of each asperity; tension does not lower it, which is "
+            "this project's choice",
         ),
     ),
     tangential_resistance=tangential_resistance,
     yielded="interface",
     interfacial=True,
     of_area=True,
-    verified="dimensional evaluation at 30 digits; constant strength for alpha = 0",
+    verified="evaluation in SI units at 30 digits; bowden_tabor_1943 for alpha = 0",
     needs=("hardness_group", "shear_strength", "pressure_coefficient"),
     limits=(Limit("bowden_tabor_1943", {"pressure_coefficient": 0.0}, ("friction_force",), 1e-12),),
     notes="For heavy loads mu tends to alpha plus tau_0 over the mean pressure.",

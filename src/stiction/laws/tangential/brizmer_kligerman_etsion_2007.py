@@ -1,21 +1,22 @@
 r"""Static friction of an elastic-plastic sphere in full stick: Brizmer, Kligerman & Etsion 2007, fitted to finite elements.
 
-*Assumes*: full stick; sliding begins when the junction has lost its tangential stiffness (finite elements). The law is an
-upper bound for clean metals. *Source*: [brizmer_kligerman_etsion_2007], the fit as commonly quoted.
+*Assumes*: full stick, without slip anywhere in the contact; sliding begins when the junction has lost its tangential stiffness
+(finite elements). The law is an upper bound for clean metals. *Source*: [brizmer_kligerman_etsion_2007], the fit as commonly
+quoted. The friction coefficient of one asperity under the load $P$ is
 
 $$
 \mu=0.27\coth\left[0.27\left(P/P_c\right)^{0.35}\right]
 $$
 
-with $P_c$ of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006). *Check*:
+with the load $P_c$ at first yield of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006). *Check*:
 
 | $P/P_c$ | 0.1 | 1 | 5 | 10 | 50 | 100 | 500 |
 |---|---|---|---|---|---|---|---|
 | $\mu$ | 2.2496 | 1.0242 | 0.6114 | 0.4998 | 0.3434 | 0.3086 | 0.2747 |
 
-Plastic asperities resist too. Rough surfaces therefore keep $\mu\ge0.27$ at any plasticity index, while the laws of Kogut and
-Etsion and of Chang, Etsion and Bogy give almost no friction. *Unknown*: the growth of the junction, which the available texts
-do not print.
+Plastic asperities resist too. Rough surfaces therefore have $\mu\ge0.27$ at any plasticity index, while the laws of Kogut and
+Etsion and of Chang, Etsion and Bogy give almost no friction at a high plasticity index. *Unknown*: the growth of the
+junction's area, which the available texts do not print.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -82,9 +83,11 @@ RECORD = TangentialLaw(
     yielded="full stick",
     of_half_space="it is fitted to finite elements of a homogeneous sphere, and a film changes stick and yield",
     wants={"no adhesion": "it neglects adhesion"},
-    verified="seven loads tabulated independently; evaluation at 30 digits; sums over Gaussian heights",
+    verified="seven loads tabulated independently; independent evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),
-    validity=(Validity("nu", LEAST_NU, 0.5, "the ratios of stick to slip are kept constant below nu = 0.2"),),
-    notes="The junction is taken to be as strong as the bulk: an upper bound for clean metals. Plastic asperities resist too, "
-    "so that mu stays above 0.27 at any plasticity index. The yield stress is H/k.",
+    validity=(
+        Validity("nu", LEAST_NU, 0.5, "the law is fitted for larger nu; below, its ratios of stick to slip are kept constant"),
+    ),
+    notes="The junction is assumed as strong as the bulk, an upper bound for clean metals. Plastic asperities resist too, so "
+    "that mu stays above 0.27 at any plasticity index. The yield stress is hardness over hardness_to_yield.",
 )

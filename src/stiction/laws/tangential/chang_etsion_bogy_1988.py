@@ -1,8 +1,10 @@
 r"""Tangential force at which a Hertz contact first yields, on its axis or at its trailing edge: Chang, Etsion & Bogy 1988.
 
-*Assumes*: a Hertz contact fails when it first yields (von Mises) under both forces, at one of two places: on the axis at one
-depth, or at the trailing edge. From $\omega_c$ on it resists nothing. *Source*: [chang_etsion_bogy_1988], with the stresses
-of [hamilton_1983], as restated by [eriten_2010]. With $r=w/w_c$ (`w_ratio`) of Chang, Etsion and Bogy 1987, $Q=\mu P$:
+*Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, at one of two places:
+on the axis at the depth $z=0.48$ contact radii, or at the trailing edge. From the displacement $\omega_c$ on, where it yields
+under the normal load alone, it resists nothing. *Source*: [chang_etsion_bogy_1988], with the stresses of [hamilton_1983], as
+restated by [eriten_2010]. The friction coefficient $\mu$ of one asperity ($T=\mu P$) depends on $r=w/w_c$ with $w_c$ and $K_H$
+of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987):
 
 $$
 \mu=\min\left\{\frac{0.2045}{K_H|c_1|}\sqrt{\frac1r-1},\ \frac{-c_4+\sqrt{c_4^2-4c_3c_5}}{2c_3}\right\}\ (r<1),\qquad0\ (r\ge1)
@@ -23,11 +25,11 @@ whatever $k$ the contact states. *Check*, at $\nu=0.3$: $K_H=0.577$, $c_1=-0.284
 | $\omega/\omega_c$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.3 | 0.4 | 0.5 | 0.6 | 0.7 | 0.8 | 0.9 | 0.95 | 0.99 |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 | $\mu$ | 3.8499 | 1.6575 | 1.1372 | .7685 | .6046 | .5066 | .4395 | .3898 | .3510 | .3197 | .2936 | .2822 | .1250 |
-| $Q/P_c$ | .00385 | .01853 | .03596 | .06873 | .09934 | .12815 | .15537 | .18115 | .20558 | .22874 | .25071 | .26126 | .12317 |
+| $T/P_c$ | .00385 | .01853 | .03596 | .06873 | .09934 | .12815 | .15537 | .18115 | .20558 | .22874 | .25071 | .26126 | .12317 |
 
-The axis yields first above 0.9512. The adhesion of the 1988 papers is not included. With `plastic_junctions`, asperities
-beyond $\omega_c$ resist according to another law, and results state by how much mu differs from that of the paper; the paper
-itself has `none`.
+$P_c=w_c^{3/2}$ is the load at $\omega_c$. The axis yields first above $r=0.9512$. The adhesion of the 1988 papers is not
+included. With the option `plastic_junctions`, asperities beyond $\omega_c$ resist according to another law, and results state
+by how much $\mu$ then differs from the paper's value; the default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -152,13 +154,13 @@ RECORD = TangentialLaw(
         "Hertz": "it uses the stresses of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },
-    verified="friction of single asperities tabulated independently; evaluation at 30 digits",
+    verified="friction of single asperities tabulated independently; independent evaluation at 30 digits",
     needs=("hardness_group", "nu"),
     junctions=LAWS,
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law: mu is too low", "effect"),
     ),
-    notes="The critical interference is that of Chang, Etsion and Bogy, whichever law carries the load; from there on an "
-    "asperity resists nothing, or as the law named by plastic_junctions says. Only two places are asked whether they yield: "
-    "the axis at one depth, and the trailing edge.",
+    notes="The critical interference is that of chang_etsion_bogy_1987 with any asperity law. Beyond it an asperity has no "
+    "resistance, or that of the law named by plastic_junctions. Yield is checked at two places only: on the axis at one depth, "
+    "and at the trailing edge.",
 )

@@ -1,14 +1,15 @@
 r"""Tangential force at which a Hertz contact first yields anywhere, on its surface or below: Hamilton's stresses, von Mises.
 
-*Assumes*: a Hertz contact fails when it first yields under both forces, anywhere on its surface or below. *Source*:
-[hamilton_1983], the stresses under Hertz's pressure $p_0\sqrt{1-r^2}$ and a traction $q_0\sqrt{1-r^2}$ in proportion to it;
-von Mises; $Y=H/k$. The formulas are rearranged in oblate spheroidal coordinates,
+*Assumes*: a Hertz contact fails when it first yields (von Mises) under normal load and tangential force, anywhere on its
+surface or below. *Source*: [hamilton_1983], the stresses under Hertz's pressure $p_0\sqrt{1-r^2}$ and a shear traction
+$q_0\sqrt{1-r^2}$ proportional to it, in the direction $x$. The depth $z$ and the distance $r$ from the axis are over the
+contact radius $a$; the yield stress is $Y=H/k$. The formulas are rearranged in oblate spheroidal coordinates $M$ and $N$,
 
 $$
 z=MN,\qquad r^2=(1+M^2)(1-N^2)
 $$
 
-over $a$, in which no powers of $1/r$ must cancel near the axis. Short closed forms are:
+which avoid the cancellation of powers of $1/r$ near the axis. Short closed forms are:
 
 - axis: $\sigma_x=\sigma_y=p_0(1+\nu)(z\arctan\tfrac1z-1)$ $+\,\frac{p_0}{2(1+z^2)}$, $\sigma_z=-\frac{p_0}{1+z^2}$,
   $\tau_{xz}=q_0\left[-1+\tfrac32z\arctan\tfrac1z-\frac{z^2}{2(1+z^2)}\right]$;
@@ -16,13 +17,13 @@ over $a$, in which no powers of $1/r$ must cancel near the axis. Short closed fo
   $\tau_{xy}=-\tfrac\pi8(2-\nu)y\,q_0$, $\tau_{xz}=-\sqrt{1-r^2}\,q_0$;
 - trailing edge $x=-1$: (S3.5) of [theory](theory.md#32-yield), and for the force (S3.7).
 
-With $s=p_0/Y$ and $q=q_0/Y$, yield occurs at one of three places in turn as $s$ grows. The first is inside the contact, from
-the centre ($s=0$, $q=1/\sqrt3$) towards the trailing edge, where $s$ enters only as $(1-2\nu)s$. The second is the trailing
-edge (skipped for $\nu$ above about 0.39). The third is below the surface ahead of the axis, until the load alone causes
-yield, where $q$ vanishes like a square root. The first and the third have no closed form; they are Chebyshev series in $s$
-and $\nu$, computed from the stresses and accurate to $10^{-9}$.
+With $s=p_0/Y$ and $q=q_0/Y$, the place of first yield moves as $s$ grows. It is first on the surface inside the contact, from
+the centre ($s=0$, $q=1/\sqrt3$) towards the trailing edge, where the stresses depend on $s$ only through $(1-2\nu)s$. It is
+then the trailing edge itself (never for $\nu$ above about 0.39). At last it is below the surface ahead of the axis, until the
+load alone causes yield, where $q$ vanishes like a square root. $q(s,\nu)$ of the first and the last place has no closed form;
+it is a Chebyshev series in $s$ and $\nu$, computed from the stresses and accurate to $10^{-9}$.
 
-*Check*: first yield of the sheared contact, $\nu=0.3$:
+*Check*: first yield of the sheared contact, $\nu=0.3$; the last column is $p_0/Y$ for yield of the trailing edge:
 
 | $\mu=q_0/p_0$ | $p_0/Y$ | place $(x,z)/a$ | the trailing edge alone |
 |---|---|---|---|
@@ -47,10 +48,10 @@ and at other Poisson's ratios, $p_0/Y$:
 | $\nu=0.25$ | 1.5543 | 1.5141 | 1.4089 | 0.9891 | 0.5633 |
 | $\nu=0.4$ | 1.7385 | 1.6819 | 1.6155 | 1.1334 | 0.5745 |
 
-Yield moves to the surface between $\mu=0.30$ and 0.31 ($\nu=0.3$; 0.27 to 0.28 at 0.25, 0.35 to 0.36 at 0.4). The two places
-of [`chang_etsion_bogy_1988`](#chang_etsion_bogy_1988-tangential-law) therefore give too large a load at first yield: by 2 %
-at $\mu=1$ and 7 % at $\mu=2$ ($\nu=0.3$), by 1, 4, 7 and 9 % at $\mu$ = 0.4, 0.6, 1 and 2 ($\nu=0.4$); the axis alone, by 1.6
-% at $\mu=0.2$ and 3.5 % at 0.3.
+First yield moves to the surface between $\mu=0.30$ and 0.31 at $\nu=0.3$ (0.27 to 0.28 at $\nu=0.25$, 0.35 to 0.36 at
+$\nu=0.4$). The two places checked by [`chang_etsion_bogy_1988`](#chang_etsion_bogy_1988-tangential-law) therefore give too
+large a load at first yield: by 2 % at $\mu=1$ and 7 % at $\mu=2$ ($\nu=0.3$), and by 1, 4, 7 and 9 % at $\mu$ = 0.4, 0.6, 1
+and 2 ($\nu=0.4$). The load at which the axis alone yields is too large by 1.6 % at $\mu=0.2$ and 3.5 % at $\mu=0.3$.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -295,12 +296,12 @@ RECORD = TangentialLaw(
     yielded="none",
     of_half_space="its stresses are those of a half-space",
     like="layered_first_yield",
-    verified="stresses: equilibrium, tractions, point loads integrated independently; first yield found by search",
+    verified="stresses: equilibrium, surface tractions and independent integration of point loads; first yield by search",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-9,
     wants={
         "Hertz": "it uses the stresses of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },
-    notes="The largest shear force without yield anywhere in the asperity; one that yields under its load alone bears none.",
+    notes="The force is the largest one without yield anywhere in the asperity; it is zero if the load alone causes yield.",
 )

@@ -1,12 +1,13 @@
 r"""Junction growth from a weak interface (Tabor 1959) to full stick (Brizmer et al. 2007).
 
-*Assumes*: as [`tabor_1959`](#tabor_1959), the area of a junction grows with its shear force as $A^2=A_0^2+gT^2$; The growth
-ends where a junction in full stick slides, at the force $T_s$ of
-[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007), where its mean shear stress is the strength $\tau_b$ of the
-bulk: $A_s=T_s/\tau_b$. *Sources*: [tabor_1959] for the growth, [brizmer_kligerman_etsion_2007] for the force in full stick,
-and [brizmer_kligerman_etsion_2007_junction] for the growth of the area until the junction has lost its tangential stiffness.
+*Assumes*: as in [`tabor_1959`](#tabor_1959), the area $A$ of a junction grows with its shear force $T$ as $A^2=A_0^2+gT^2$,
+from the area $A_0$ without shear. The growth ends where a junction in full stick slides, at the force $T_s$ of
+[`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). There its mean shear stress is the shear strength $\tau_b$
+of the bulk, so that its area is $A_s=T_s/\tau_b$, which determines $g$. *Sources*: [tabor_1959] for the growth,
+[brizmer_kligerman_etsion_2007] for the force in full stick, and [brizmer_kligerman_etsion_2007_junction] for the growth of the
+area until the junction has lost its tangential stiffness.
 
-An interface with the strength $\tau_0=c\,\tau_b$ slides where $T=\tau_0A(T)$:
+An interface with the shear strength $\tau_0=c\,\tau_b$ slides where $T=\tau_0A(T)$:
 
 $$
 \frac1{T^2}=\frac{1-c^2}{(\tau_0A_0)^2}+\frac1{T_s^2}\quad(c\le1);\qquad T=T_s\quad(c\ge1)\quad\text{(SI)}
@@ -19,9 +20,10 @@ $$
 *Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for $c\to0$; full stick, $T_s$, for $c=1$ and above, where the bulk
 shears; [`tabor_1959`](#tabor_1959) of a plastic junction for $T_s\to\infty$. The force rises continuously between these
 limits. *Reconstructed*: Tabor's form of the area between both ends, and the area at full stick; the growth that Brizmer,
-Kligerman and Etsion computed, and their fit, were not available. If $\alpha$ makes the bulk stronger than full stick needs
-($A_s<A_0$), the area shrinks only formally. *Check*: with $\alpha=3(H/Y)^2$, $\tau_b=Y/\sqrt3$; Hertz's asperity at the load
-$P_c$ of full stick for $\nu=0.3$, $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
+Kligerman and Etsion computed, and their fit, were not available. The option `alpha` sets $\tau_b=H/\sqrt\alpha$. If this makes
+the bulk so strong that $A_s<A_0$, the equations give a smaller area, which has no physical meaning. *Check*: with
+$\alpha=3(H/Y)^2$, that is $\tau_b=Y/\sqrt3$; Hertz's asperity at the load $P_c$ of first yield in full stick for $\nu=0.3$,
+$H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
 
 | $c$ | 0.01 | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 1 |
 |---|---|---|---|---|---|---|---|
@@ -85,19 +87,19 @@ RECORD = TangentialLaw(
     title="From a weak interface to full stick: junctions that grow until they slide",
     grade="C",
     sources=(
-        Source("tabor_1959", "", "area growing with the shear force, as commonly quoted; here to the end that full stick has"),
+        Source("tabor_1959", "", "area growing with the shear force, as commonly quoted; here it ends at full stick"),
         Source("brizmer_kligerman_etsion_2007", "", "sliding inception in full stick, as commonly quoted"),
         Source(
             "brizmer_kligerman_etsion_2007_junction",
             "",
-            "that areas grow until the junction has lost its stiffness; the growth itself, not available, is reconstructed",
+            "areas grow until the junction has lost its stiffness; the growth itself, not available, is reconstructed",
         ),
     ),
     tangential_resistance=tangential_resistance,
     yielded="junction growth",
     wants={"no adhesion": "it neglects adhesion"},
     of_half_space="its limit is full stick of a homogeneous sphere, and a film changes stick and yield",
-    verified="shear stress and grown area solved together by bisection at 30 digits; its three limits",
+    verified="shear stress and grown area solved together by bisection at 30 digits; the three limits",
     needs=("hardness_group", "nu", "hardness_to_yield", "shear_strength"),
     validity=full_stick.RECORD.validity,
     limits=(
@@ -105,6 +107,7 @@ RECORD = TangentialLaw(
         Limit("brizmer_kligerman_etsion_2007", {"shear_strength": 1.0}, ("friction_force",), 1e-12),
     ),
     own_options={"alpha": tuple(ALPHA)},
-    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments; the strength of the bulk is H/sqrt(alpha). From "
-    "there on it is full stick. The way from one end to the other is this project's.",
+    notes="alpha: 3 (H/Y)^2 (von_mises) or 9, quoted from experiments. The shear strength of the bulk is H/sqrt(alpha); an "
+    "interface of this strength or more is in full stick. The transition from weak interface to full stick is this project's "
+    "own.",
 )

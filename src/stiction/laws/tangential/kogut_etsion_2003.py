@@ -1,19 +1,20 @@
 r"""Sliding inception of an elastic-plastic sphere on a rigid flat: Kogut & Etsion 2003, fitted to finite elements.
 
 *Assumes*: sliding begins when a sphere under load and shear loses its strength, because yield reaches its surface (finite
-elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004], which prints the same fits times the load. With $r=w/w_c$
-(`w_ratio`) of [`kogut_etsion_2002`](#kogut_etsion_2002):
+elements). *Sources*: [kogut_etsion_2003], and [kogut_etsion_2004], which prints the same fits times the load. The friction
+coefficient $\mu$ of one asperity, with $r=w/w_c$ of [`kogut_etsion_2002`](#kogut_etsion_2002), is
 
 $$
 \mu=\begin{cases}0.52\,r^{-0.518}&r\le1\\0.822-0.389\,r+0.085\,r^2-0.007\,r^3&1<r<6\\0&r\ge6\end{cases}
 $$
 
-*Reconstructed*: the texts were not available, but three quotations agree: $Q/P_c=0.52\,r^{0.982}$ is
-$\mu=0.516\,(P/P_c)^{-0.345}$ to 1.2 %, and the cubic times 1.03, to two decimals, is the print of 2004. *Trap*: that print
-is negative above $r=4.3$; three decimals are needed. *Jumps*: $\mu$ falls from 0.520 to 0.511 at 1 (with the authors' load $Q$
-rises by 1.2 %) and from 0.036 to 0 at 6. With another asperity law, the friction coefficient is kept and $Q$ is this
-coefficient times the load of that law. With `plastic_junctions`, asperities from $6\,\omega_c$ on resist according to another
-law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
+*Reconstructed*: the texts were not available, but three quotations agree. $T/P_c=0.52\,r^{0.982}$, with the load
+$P_c=w_c^{3/2}$ at first yield, equals $\mu=0.516\,(P/P_c)^{-0.345}$ within 1.2 %. The cubic times 1.03, rounded to two
+decimals, is the print of 2004. *Trap*: that print is negative above $r=4.3$; three decimals are needed. *Jumps*: $\mu$ falls
+from 0.520 to 0.511 at $r=1$ (with the authors' load, $T$ rises by 1.2 %) and from 0.036 to 0 at $r=6$. With another asperity
+law, $\mu(r)$ is unchanged and $T$ is $\mu$ times the load of that law. With the option `plastic_junctions`, asperities from
+$6\,\omega_c$ on resist according to another law, and results state by how much $\mu$ then differs from the paper's value; the
+default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -67,17 +68,17 @@ def tangential_resistance(
 
 RECORD = TangentialLaw(
     key="kogut_etsion_2003",
-    title="Sliding inception of an elastic-plastic sphere, failing at first by yield",
+    title="Sliding inception of an elastic-plastic sphere when yield reaches its surface",
     grade="C",
     sources=(
         Source("kogut_etsion_2003", "", "fits reconstructed: the text was not available; three quotations of them agree"),
-        Source("kogut_etsion_2004", "", "the same fits times the load, with two digits"),
+        Source("kogut_etsion_2004", "", "the same fits times the load, to two decimals"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
     of_half_space="it is fitted to finite elements of a homogeneous sphere, and a film moves the yielding zone",
     wants={"no adhesion": "it neglects adhesion"},
-    verified="the quoted forms agree with each other and with the two-digit print of 2004; evaluation at 30 digits",
+    verified="the quoted forms agree with each other and with the rounded print of 2004; independent evaluation at 30 digits",
     needs=("hardness_group", "nu"),
     junctions=LAWS,
     validity=(
@@ -89,8 +90,8 @@ RECORD = TangentialLaw(
             "effect",
         ),
     ),
-    notes="Taken over is the friction coefficient of one asperity against its interference; the load is that of the asperity "
-    "law it is joined to. So mu is the authors' on any of them, and with their own load so is Q. plastic_junctions names "
-    "another law for asperities beyond six critical interferences. The published segments do not meet: mu falls from 0.520 to "
-    "0.511 at one critical interference (with their load Q rises by 1.2 %), and from 0.036 to 0 at six.",
+    notes="The friction coefficient of one asperity against its interference is the authors' with any asperity law; the force "
+    "is this coefficient times the load of that law. plastic_junctions names another law for asperities beyond six critical "
+    "interferences. The published segments do not meet: mu falls from 0.520 to 0.511 at one critical interference (with the "
+    "authors' load the force rises by 1.2 %), and from 0.036 to 0 at six.",
 )

@@ -1,27 +1,29 @@
 r"""Tangential force at which a coated asperity first yields anywhere: film, interface or body; von Mises.
 
-*Assumes*: a sphere on a bonded film fails when film or body first yields anywhere. The pressure is the frictionless one, and
-the traction is proportional to it, as in [`hamilton_1983`](#hamilton_1983). *Source*: [osullivan_king_1988] compute such
-stresses, below a sphere dragged over a layer, by least squares. Here they are solved anew, wave by wave (`solvers/layered`).
-With the mean pressure $s$, the mean traction $q$ and the largest von Mises stresses $N$ that both cause in film and body,
+*Assumes*: a sphere on a bonded film fails when film or body first yields anywhere (von Mises). The pressure is that of
+frictionless contact, and the shear traction is proportional to it, as in [`hamilton_1983`](#hamilton_1983). *Source*:
+[osullivan_king_1988] computed such stresses, below a sphere dragged over a layer, by least squares. Here they are solved for
+each wave of a Fourier transform (`solvers/layered`). The mean pressure $s$ and the mean traction $q$ cause the largest von
+Mises stress $N_f$ in the film and $N_s$ in the body. The asperity with the contact radius $a$ yields at
 
 $$
 N_f(s,q)=Y_f\quad\text{or}\quad N_s(s,q)=Y_s,\qquad T=q\,\pi a^2,\qquad Y_f=n_HY_s,\quad Y_s=H/k
 $$
 
-whichever comes first. $N$ is a norm in $(s,q)$ that depends on $a/t$ and the elastic constants. It is tabulated once for each
-pair of materials, over 61 ratios $q/s$ and 27 radii, accurate to 0.2 % on average and 3 % at worst, where the place of first
-yield changes. The maximum over all directions around the axis is exact, because the worst place may lie outside the plane of
-symmetry.
+whichever comes first. The yield stresses are $Y_f$ of the film and $Y_s$ of the body, with the hardness $H$ of the body. $N$
+is a norm in $(s,q)$ that depends on $a/t$ ($t$ film thickness) and the elastic constants. It is tabulated once for each pair
+of materials, over 61 ratios $q/s$ and 27 radii. It is accurate to 0.2 % on average and to 3 % at worst, where the place of
+first yield changes. The maximum over all directions around the axis is exact; the most stressed point may lie outside the
+plane of symmetry.
 
 *Results for films*: a soft film yields in the middle of the sheared surface. A stiff film is bent by the load. It yields at
-its interface below the axis ($a\approx t$) or, for wider contacts, where it is stretched over the body like a skin, so that
-it bears little load before it cracks.
+its interface below the axis ($a\approx t$) or, for wider contacts, where it is stretched over the body like a membrane, so
+that it bears little load before it cracks.
 
 *Limit*: [`hamilton_1983`](#hamilton_1983) without a film, for a film of the same material as its body, and with the film's
-groups for $t\to\infty$. A thin film is stretched with the body to which it is bonded, and yields accordingly. *Check*,
-$\nu=0.3$, $Y_f=Y_s$, rigid sphere: mean pressure over the yield stress at first yield (1.075 and 0.697 on a half-space), and
-its place: f film, i interface, b body,
+groups for $t\to\infty$. A very thin film is stretched together with its body and yields accordingly. *Check*, for $\nu=0.3$,
+$Y_f=Y_s$ and a rigid sphere: mean pressure over the yield stress at first yield (on a half-space 1.075 for $q=0$ and 0.697 for
+$q=s/2$), and the place of first yield: f film, i interface, b body,
 
 | $E_f/E_s$ | | $a/t=0.5$ | 1 | 2 | 5 |
 |---|---|---|---|---|---|
@@ -77,13 +79,13 @@ RECORD = TangentialLaw(
     title="First yield anywhere in a pressed and sheared sphere on a film",
     grade="B",
     sources=(
-        Source("osullivan_king_1988", "", "stresses in a dragged layer; derived and solved anew here"),
+        Source("osullivan_king_1988", "", "stresses in a sheared layer; derived and solved again here"),
         Source("hamilton_1983", "stresses under the normal and the tangential load", "the limit without a film"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
     layered=True,
-    verified="stresses: Hamilton's for like materials, plane waves, equilibrium; first yield by a denser search of space",
+    verified="stresses: Hamilton's for equal materials, plane waves, equilibrium; first yield by a finer spatial search",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     accuracy=1e-3,
     limits=(Limit("hamilton_1983", {}, ("friction_force",), 1e-9),),
@@ -91,6 +93,6 @@ RECORD = TangentialLaw(
         "Hertz": "it uses the pressure of a Hertz contact",
         "no adhesion": "it neglects adhesion",
     },
-    notes="Of a coated asperity, the largest shear force without yield anywhere in film or body. A film law that takes film "
-    "and body as two half-spaces gets Hamilton's force for each. The counterbody is taken not to yield.",
+    notes="The force is the largest one without yield anywhere in film or body. With a film law that treats film and body as "
+    "two half-spaces, each has the force of hamilton_1983. The counterbody is assumed not to yield.",
 )

@@ -1,9 +1,12 @@
 r"""Tangential force at which an adhesive contact on a film peels: the energy balance of Savkoor & Briggs with its stiffness.
 
 *Assumes*: the edge of an adhesive contact is a mixed-mode crack, which peels where $G_N+\zeta\,G_T=\gamma$, as in
-[`savkoor_briggs_1977`](#savkoor_briggs_1977); the contact stays round. *Source*: [savkoor_briggs_1977] for the balance;
-[mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, which the solved stiffness of the layered contact
-replaces (`solvers/layered/shear`). With the stiffnesses $S$, $S_T$ and their derivatives by the radius,
+[`savkoor_briggs_1977`](#savkoor_briggs_1977). $G_N$ and $G_T$ are the energy release rates of normal load and tangential
+force, $\zeta$ is `peeling` of the contact, $\gamma$ the work of adhesion. The contact stays circular. *Source*:
+[savkoor_briggs_1977] for the balance; [mindlin_1949] for the tangential stiffness of a half-space, $S_T=8a/\beta$, which is
+replaced by the computed stiffness of the layered contact (`solvers/layered/shear`). With the normal stiffness $S$, the
+tangential stiffness $S_T$, their derivatives $S'$ and $S_T'$ by the contact radius $a$, and the load $P_H$ that a contact
+without adhesion needs for the same radius,
 
 $$
 G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_T'}{S_T^2}=\frac{\beta T^2}{32\pi a^3}(1-e),
@@ -11,12 +14,12 @@ G_N=\frac{(P_H-P)^2}{4\pi a}\frac{S'}{S^2},\qquad G_T=\frac{T^2}{4\pi a}\frac{S_
 $$
 
 and $T$ is the largest force for which a radius satisfies the balance at constant load. $\beta$ changes from the film's value
-for small contacts to the bodies' value for large ones; these limits are `film_K_beta` and `K_beta`. The curve of a contact is
-a spline, accurate to 0.1 % where it was compared.
+for small contacts to the bodies' value for large ones; these limits are `film_K_beta` and `K_beta`. The force against the
+displacement of an asperity is stored as a spline, accurate to 0.1 % where it was compared.
 
 *Limit*: [`savkoor_briggs_1977`](#savkoor_briggs_1977) without a film, for a film of the same material as its body, and with
-the film's groups for $t\to\infty$; the bodies' own for $t\to0$. *Check*, $\nu=0.3$, rigid sphere: $K\beta$ (6.4762 without a
-film)
+the film's groups for a film thickness $t\to\infty$; the groups of the bodies for $t\to0$. *Check*: $K\beta$ for a rigid
+sphere, $\nu=0.3$ and the ratio $E_f/E_s$ of Young's moduli of film and substrate (6.4762 without a film)
 
 | $E_f/E_s$ | $a/t=0.1$ | 0.5 | 1 | 2 | 5 | 20 |
 |---|---|---|---|---|---|---|
@@ -72,11 +75,12 @@ RECORD = TangentialLaw(
     yielded="none",
     layered=True,
     wants={"JKR": "it computes the peeling of a JKR contact"},
-    verified="tangential stiffness by another method; largest force by trying radii; closed limits",
+    verified="tangential stiffness by another method; largest force by a search over radii; limits in closed form",
     needs=("theta", "K_beta"),
     takes=("peeling",),
     accuracy=1e-4,
     limits=(Limit("savkoor_briggs_1977", {}, ("friction_force",), 1e-9),),
-    notes="Slip resistance alone: no yield. `peeling` is zeta in G_N + zeta G_T = gamma, as of savkoor_briggs_1977. Asperities "
-    "that are no longer elastic resist nothing. A film law that takes film and body as two half-spaces gets that law's force.",
+    notes="The force of peeling only; yield does not limit it. `peeling` is zeta in G_N + zeta G_T = gamma. Asperities that "
+    "have yielded have no resistance. With a film law that treats film and body as two half-spaces, each has the force of "
+    "savkoor_briggs_1977.",
 )

@@ -1,16 +1,19 @@
 r"""Tangential force at which an adhesive contact peels: Savkoor & Briggs 1977, with optional weaker mode coupling.
 
-*Assumes*: the edge of a JKR contact is a mixed-mode crack; the contact peels where $G_N+\zeta\,G_T=\gamma$. *Source*:
-[savkoor_briggs_1977] for $\zeta=1$, derived again from the load before shearing. [johnson_1996] states that measured contacts
-couple the modes more weakly; the simple form with $\zeta$ is not from there.
+*Assumes*: the edge of a JKR contact is a mixed-mode crack. The contact peels where $G_N+\zeta\,G_T=\gamma$, with the energy
+release rates $G_N$ of the normal load and $G_T$ of the tangential force and the work of adhesion $\gamma$; $\zeta$ is
+`peeling` of the contact, by default 1. *Source*: [savkoor_briggs_1977] for $\zeta=1$, derived again from the load before
+shearing. [johnson_1996] states that measured contacts couple the modes more weakly; the simple form with $\zeta$ is not from
+there.
 
 $$
 G_N=\frac{(P_1-P)^2}{6\pi Ka^3},\quad G_T=\frac{\beta T^2}{32\pi a^3},\quad P_1=\frac{Ka^3}R\ \text{(SI)};\qquad
 T=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$\zeta$ is `peeling` of the contact, by default 1. The value 0 (no peeling) raises an error, because the force would be
-infinite. Only elastic segments resist. *Check*, at $\nu=0.3$, for equal bodies or one rigid body:
+$a$ is the contact radius and $P_1$ the load at which a contact without adhesion has this radius. $\zeta=0$ (no peeling) raises
+an error, because the force would be infinite. Asperities that have yielded do not resist. *Check*, at $\nu=0.3$, for equal
+bodies or one rigid body:
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
@@ -110,8 +113,8 @@ RECORD = TangentialLaw(
         Source(
             "johnson_1996",
             "",
-            "that the modes are coupled more weakly than Savkoor and Briggs have it, by an empirical parameter; G_N + zeta G_T "
-            "= gamma is the simplest such law, not a formula read there",
+            "modes are coupled more weakly than in Savkoor and Briggs, by an empirical parameter; G_N + zeta G_T = gamma is "
+            "the simplest such law and not from there",
         ),
     ),
     tangential_resistance=tangential_resistance,
@@ -119,10 +122,10 @@ RECORD = TangentialLaw(
     of_half_space="its energy balance uses the stiffness of a half-space",
     like="layered_peeling",
     wants={"JKR": "it computes the peeling of a JKR contact"},
-    verified="energy balance; forces and peeled areas of four contacts tabulated independently; evaluation at 30 digits",
+    verified="energy balance; forces and areas at peeling of four contacts, tabulated independently; evaluation at 30 digits",
     needs=("theta", "K_beta"),
     takes=("peeling",),
-    notes="Slip resistance alone: no yield. The group `peeling` is zeta in G_N + zeta G_T = gamma: T is as zeta^(-1/2), 1 is "
-    "Savkoor and Briggs, and 0 (no peeling at all) is refused here. Measured contacts shrink less under shear than zeta = 1 "
-    "says. Asperities that are no longer elastic resist nothing.",
+    notes="The force of peeling only; yield does not limit it. `peeling` is zeta in G_N + zeta G_T = gamma: the force is "
+    "proportional to zeta^(-1/2), 1 is Savkoor and Briggs, and 0 (no peeling) raises an error. Measured contacts shrink less "
+    "under shear than with zeta = 1. Asperities that have yielded have no resistance.",
 )

@@ -1,30 +1,33 @@
 r"""The tangential law of the 2015 paper: an adhesive elastic asperity resists until it peels or yields at its edge.
 
-*Assumes*: peeling ([`savkoor_briggs_1977`](#savkoor_briggs_1977)), or yield at the trailing edge (Hamilton's stresses, von
-Mises), whichever comes first; plastic asperities resist nothing. *Source*: [soft_coating_2015], eqs. (10) to (15); [theory,
-section 3](theory.md#3-one-asperity-under-tangential-load), equations (S3.1) to (S3.11).
+*Assumes*: an asperity slides when it peels ([`savkoor_briggs_1977`](#savkoor_briggs_1977)) or when its trailing edge yields
+(Hamilton's stresses, von Mises), whichever comes first; plastic asperities have no resistance. *Source*: [soft_coating_2015],
+eqs. (10) to (15); [theory, section 3](theory.md#3-one-asperity-under-tangential-load), equations (S3.1) to (S3.11).
 
 $$
 T=\min(T_\text{slip},\,T_\text{yield}),\qquad
 T_\text{slip}=\frac4{\sqrt{\zeta K\beta}}\sqrt{\frac{2\pi}\theta P+\frac{3\pi^2}{\theta^2}}
 $$
 
-$T_\text{yield}$ is (S3.7). If a film is solved together with its body, the energy balance uses the stiffness of the layered
-contact ([`layered_peeling`](#layered_peeling)). Yield at the trailing edge then uses the elastic stresses there under the
-frictionless pressure of a sphere, with the mean pressure and area of the adhesive contact:
+$T_\text{yield}$ is (S3.7). $\zeta$ is `peeling` of the contact, which weights the energy release of the tangential force; with
+$\zeta=0$ only yield limits the force. If a film is solved together with its body (film law [`layered`](#layered)), the energy
+balance uses the stiffness of the layered contact ([`layered_peeling`](#layered_peeling)). Yield at the trailing edge then uses
+the elastic stresses there under the frictionless pressure of a sphere, with the mean pressure and area of the adhesive
+contact:
 
 $$
 D\left(AP^2+2BPT+T^2\right)=(Y_f\,\pi a^2)^2
 $$
 
-with $A$, $B$ and $D$ functions of $a/t$ and the elastic constants (`solvers/layered/edge`), accurate to 0.5 % in $T$ up to
-$a/t=300$, and to some per cent near the point where $T$ vanishes. Earlier yield inside the film or at its interface is not
-checked; [`layered_first_yield`](#layered_first_yield) does this, without adhesion. *Limit*: the law without a film, for zero
-mismatch of film and body, and with the film's groups for $t\to\infty$.
+In this equation $P$ and $T$ are in SI, $a$ is the contact radius, $Y_f$ the yield stress of the film; the coefficients $A$,
+$B$ and $D$ are functions of $a/t$ ($t$ film thickness) and the elastic constants (`solvers/layered/edge`). It is accurate to
+0.5 % in $T$ up to $a/t=300$, and to some per cent near the point where $T$ vanishes. Earlier yield inside the film or at its
+interface is not checked; [`layered_first_yield`](#layered_first_yield) does this, without adhesion. *Limit*: the law without a
+film, if film and body have the same moduli, and with the film's groups for $t\to\infty$.
 
-$\zeta$ is `peeling` of the contact; with $\zeta=0$ only yield limits the force. With `plastic_junctions`, yielded asperities
-resist according to another law, and results state by how much mu differs from that of the paper; the paper itself has `none`.
-*Reconstructed*: the seven coefficients of the paper's yield condition, eq. (11), which it does not print (departure D12).
+With the option `plastic_junctions`, yielded asperities resist according to another law, and results state by how much $\mu$
+then differs from the paper's value; the default `none` is the paper's assumption. *Reconstructed*: the seven coefficients of
+the paper's yield condition, eq. (11), which it does not print (departure D12).
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -110,18 +113,18 @@ RECORD = TangentialLaw(
     title="Peeling or yield at the trailing edge, whichever comes first",
     grade="C",
     sources=(
-        Source("soft_coating_2015", "eqs. (10)-(15)", "D6; C1..C7 of eq. (11) are a reconstruction"),
-        Source("savkoor_briggs_1977", "slip resistance"),
+        Source("soft_coating_2015", "eqs. (10)-(15)", "departure D6; C1..C7 of eq. (11) are reconstructed"),
+        Source("savkoor_briggs_1977", "force of peeling"),
         Source("hamilton_1983", "stresses at the trailing edge"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
     layered=True,
     wants={"JKR": "it computes the peeling of a JKR contact"},
-    verified="independent evaluation at 30 digits",
+    verified="friction of asperities and sums over heights, computed independently at 30 digits",
     needs=("theta", "lam", "nu", "hardness_to_yield"),
     takes=("peeling",),
     junctions=LAWS,
-    notes="Plastic asperities resist nothing, so that mu falls to nothing where most of them are plastic; plastic_junctions "
-    "names another law for these.",
+    notes="Plastic asperities have no resistance, so that mu tends to zero if most of them are plastic; plastic_junctions "
+    "names another law for them.",
 )

@@ -1,25 +1,26 @@
 r"""Junctions that grow under shear until their interface slides: McFarlane & Tabor 1950, Tabor 1959.
 
-*Assumes*: a junction is fully plastic if its mean pressure and shear stress satisfy $p^2+\alpha\tau^2=H^2$. A plastic
-junction grows under shear at constant load, so that the pressure falls and the shear stress may rise. Its interface slides at
-$\tau_0=c\,\tau_b$, a share $c$ of the strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and
-[tabor_1959]; the texts were not available. The criterion and its consequences are as commonly quoted, and derived again here.
+*Assumes*: a junction is fully plastic if its mean pressure $p$ and its mean shear stress $\tau$ satisfy
+$p^2+\alpha\tau^2=H^2$, with the hardness $H$. A plastic junction grows under shear at constant load, so that the pressure falls
+and the shear stress may rise. Its interface slides at the shear strength $\tau_0=c\,\tau_b$, the fraction $c$ of the shear
+strength $\tau_b=H/\sqrt\alpha$ of the bulk. *Sources*: [mcfarlane_tabor_1950] and [tabor_1959]; the texts were not available.
+The criterion and its consequences are as commonly quoted, and derived again here.
 
-The interface slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow; any other grows until
-its pressure has fallen to this value:
+A plastic junction slides at the pressure $p=H\sqrt{1-c^2}$. An asperity with a lower pressure does not grow. Any other grows
+until its pressure has fallen to this value:
 
 $$
 T=\tau_0\max\left(A,\ \frac P{H\sqrt{1-c^2}}\right)\quad\text{(SI)};\qquad
-\frac TP=\frac c{\sqrt{\alpha\,(1-c^2)}}\ \text{of a junction that was plastic}
+\frac TP=\frac c{\sqrt{\alpha\,(1-c^2)}}\ \text{for a junction that is plastic without shear}
 $$
 
-A mean pressure above $H$, which some asperity laws give, counts as $H$. `alpha` is `von_mises`, $3(H/Y)^2$, for a bulk that
-shears at $Y/\sqrt3$, or 9, quoted from Tabor's experiments.
+A mean pressure above $H$, which some asperity laws give, counts as $H$. The option `alpha` is `von_mises`, $3(H/Y)^2$, for a
+bulk that shears at $Y/\sqrt3$, or 9, quoted from Tabor's experiments.
 
-*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for a weak interface. For $c\to1$, clean metal, $T$ has no bound; from
-$c=1$ on the law raises an error. It does not include what limits the growth (hardening, the shape of the junction);
-[`junction_growth`](#junction_growth) ends it where full stick slides. *Check*, plastic junctions, $\alpha=9$ and
-$3\cdot2.8^2=23.52$:
+*Limits*: [`bowden_tabor_1943`](#bowden_tabor_1943) for a weak interface. For $c\to1$ (clean metal) $T$ has no bound; for
+$c\ge1$ the law raises an error. Effects that limit the growth (hardening, the shape of the junction) are not included;
+[`junction_growth`](#junction_growth) limits it to full stick. *Check*: friction coefficient $\mu=T/P$ of plastic junctions for
+$\alpha=9$ and $3\cdot2.8^2=23.52$:
 
 | $c$ | 0.1 | 0.3 | 0.5 | 0.8 | 0.95 | 0.99 |
 |---|---|---|---|---|---|---|
@@ -81,17 +82,17 @@ def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) ->
 
 RECORD = TangentialLaw(
     key="tabor_1959",
-    title="Junctions that grow under shear until their interface gives way",
+    title="Junctions that grow under shear until their interface slides",
     grade="B",
     sources=(
         Source("mcfarlane_tabor_1950", "", "yield under pressure and shear, p^2 + alpha tau^2 = H^2, as commonly quoted"),
-        Source("tabor_1959", "", "growth ended by an interface weaker than the bulk, as commonly quoted; derived again"),
+        Source("tabor_1959", "", "growth limited by an interface weaker than the bulk, as commonly quoted; derived again"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="junction growth",
     of_half_space="it describes junctions of one material, not of a film on a body",
     like="bowden_tabor_1943",
-    verified="the criterion solved by bisection at 30 digits; closed form of plastic junctions; constant strength for c -> 0",
+    verified="the criterion solved by bisection at 30 digits; closed form for plastic junctions; bowden_tabor_1943 for c -> 0",
     needs=("hardness_group", "shear_strength", "hardness_to_yield"),
     validity=(
         Validity(
@@ -100,7 +101,7 @@ RECORD = TangentialLaw(
     ),
     limits=(Limit("bowden_tabor_1943", {"shear_strength": 1e-7}, ("friction_force",), 1e-11),),
     own_options={"alpha": tuple(ALPHA)},
-    notes="alpha: von_mises for 3 (H/Y)^2, or 9 as quoted from experiments. Refused where the interface is as strong as the "
-    "bulk, tau_0 sqrt(alpha) >= H: there the growth has no end. Asperities that are elastic under load and shear hold as after "
-    "bowden_tabor_1943.",
+    notes="alpha: 3 (H/Y)^2 (von_mises) or 9, quoted from experiments. An interface as strong as the bulk, "
+    "tau_0 sqrt(alpha) >= H, raises an error, because the growth would have no end. Asperities that are elastic under load and "
+    "shear have the force of bowden_tabor_1943.",
 )

@@ -1,14 +1,15 @@
 r"""Tangential force at which an adhesive contact peels, in terms of the pull-off force: Thornton 1991.
 
 *Assumes*: as [`savkoor_briggs_1977`](#savkoor_briggs_1977) at $\zeta=1$. Both give the same force; here it is written with
-the pull-off force. *Source*: [thornton_1991], as it is commonly quoted.
+the pull-off force $P_c$ and the shear moduli $G_1$, $G_2$ of both bodies (equation in SI). *Source*: [thornton_1991], as
+commonly quoted.
 
 $$
 T=4\sqrt{\left(PP_c+P_c^2\right)G^*/E^*},\qquad\frac1{G^*}=\beta=\frac{2-\nu_1}{G_1}+\frac{2-\nu_2}{G_2},\qquad
 \frac{G^*}{E^*}=\frac4{3K\beta}
 $$
 
-*Unknown*: the force that a contact carries after peeling by the 1991 criterion; it is not included.
+*Unknown*: the sliding force of a contact after peeling by the 1991 criterion; it is not included.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
@@ -58,9 +59,9 @@ RECORD = TangentialLaw(
     of_half_space="its force uses the stiffness of a half-space",
     like="layered_peeling",
     wants={"JKR": "it computes the peeling of a JKR contact"},
-    verified="identity with Savkoor and Briggs; evaluation at 30 digits from dimensional quantities",
+    verified="equality with Savkoor and Briggs; evaluation in SI units at 30 digits",
     needs=("theta", "K_beta"),
     limits=(Limit("savkoor_briggs_1977", {"peeling": 1.0}, ("friction_force",), 1e-9),),
-    notes="The first part of the 1991 criterion. What is carried after peeling (sliding friction under the load raised by the "
-    "adhesion) is not included: its form could not be looked up. Asperities that are no longer elastic resist nothing.",
+    notes="The first part of the 1991 criterion. The sliding friction after peeling, under load plus adhesion, is not "
+    "included, because its form could not be checked. Asperities that have yielded have no resistance.",
 )

@@ -1,32 +1,33 @@
 r"""Peeling by shear with a work of adhesion that grows with mode mixity: Waters & Guduru 2010, Hutchinson & Suo 1992.
 
 *Assumes*: the edge of a JKR contact is a mixed-mode crack, as in [`savkoor_briggs_1977`](#savkoor_briggs_1977), with a work
-of adhesion that grows with the share of shear. The contact slides when no radius satisfies the balance any more, or when it
-has shrunk to Hertz's contact, where nothing opens the crack. *Source*: [waters_guduru_2010], abstract: a work of adhesion
-that rises with the degree of mode mixity, measured and modelled; [papangelo_ciavarella_2018], abstract: some of the compared
-models end in a jump to the Hertzian area, others in a limit that is never left. The function is due to [hutchinson_suo_1992].
-*Reconstructed*: the equations of both papers were not available. The function on which both build is written from memory, and
-its consequences are derived here.
+of adhesion that grows with the mode mixity, the phase angle $\psi$ of shear against opening. The contact slides when no
+radius satisfies the energy balance any more, or when it has shrunk to Hertz's contact, where the opening mode vanishes.
+*Source*: [waters_guduru_2010], abstract: a work of adhesion that rises with the degree of mode mixity, measured and modelled;
+[papangelo_ciavarella_2018], abstract: some of the compared models end in a jump to the Hertzian area, others approach a limit.
+The function of $\psi$ is due to [hutchinson_suo_1992]. *Reconstructed*: the equations of both papers were not available. The
+function on which both build is written from memory, and its consequences are derived here.
 
 $$
 G_N+G_T=\gamma\left[1+\tan^2\left((1-\zeta)\psi\right)\right],\qquad\tan^2\psi=\frac{G_T}{G_N}
 $$
 
-with $G_N$ and $G_T$ of `savkoor_briggs_1977`. With $p=P/P_c$, $P_c=3\pi/(2\theta)$, and $\kappa=1-\zeta$
+with the energy release rates $G_N$ (normal load) and $G_T$ (tangential force) of `savkoor_briggs_1977`. With $p=P/P_c$, the
+pull-off force $P_c=3\pi/(2\theta)$ in the units here, and $\kappa=1-\zeta$
 
 $$
 T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\max_\psi\left(\sqrt g+\sqrt{g+p}\right)\sqrt q,\qquad
 g=\frac{\cos^2\psi}{\cos^2\kappa\psi},\quad q=\frac{\sin^2\psi}{\cos^2\kappa\psi}
 $$
 
-over $0\le\psi\le\pi/2$ with $g+p\ge0$. The radius during shearing equals the radius of a JKR contact with the work of
-adhesion $g\gamma$. The maximum is at $\psi=\pi/2$, Hertz's contact, for all loads above
-$P_c/(\kappa\sin\frac{\kappa\pi}2)^2$: $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
+where the maximum is taken over $0\le\psi\le\pi/2$ with $g+p\ge0$. The contact radius under shear is that of a JKR contact with
+the work of adhesion $g\gamma$. For all loads above $P_c/(\kappa\sin\frac{\kappa\pi}2)^2$ the maximum is at $\psi=\pi/2$,
+Hertz's contact, with $T=\frac{4\sqrt3\,\pi}{\theta\sqrt{K\beta}}\sqrt p/\cos\frac{\kappa\pi}2$.
 
-$\zeta$ is `peeling` of the contact, by default 1; the value 0, without peeling, raises an error. The rule of
-`savkoor_briggs_1977` is $G_N+\zeta G_T=\gamma$, which corresponds to another function of [hutchinson_suo_1992],
-$[1+(\zeta-1)\sin^2\psi]^{-1}$. *Limit*: that law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no
-largest force and is not included. *Check*: $T$ over its value for $\zeta=1$,
+$\zeta$ is `peeling` of the contact, by default 1; $\zeta=0$ (no peeling) raises an error. `savkoor_briggs_1977` uses
+$G_N+\zeta G_T=\gamma$, which corresponds to another function of [hutchinson_suo_1992], $[1+(\zeta-1)\sin^2\psi]^{-1}$.
+*Limit*: that law for $\zeta=1$. *Unknown*: a third function, $1+(1-\zeta)\tan^2\psi$, has no largest force and is not
+included. *Check*: $T$ over its value for $\zeta=1$,
 
 | $P/P_c$ | −0.5 | 0 | 2 | 10 |
 |---|---|---|---|---|
@@ -133,23 +134,23 @@ def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.n
 
 RECORD = TangentialLaw(
     key="waters_guduru_2010",
-    title="Peeling of an adhesive contact whose work of adhesion grows with the share of shear",
+    title="Peeling of an adhesive contact whose work of adhesion grows with mode mixity",
     grade="C",
     sources=(
-        Source("waters_guduru_2010", "abstract", "that the work of adhesion grows with the mode mixity; equations not seen"),
+        Source("waters_guduru_2010", "abstract", "the work of adhesion grows with mode mixity; equations not available"),
         Source("hutchinson_suo_1992", "", "reconstructed: the function of the phase angle is from memory"),
-        Source("papangelo_ciavarella_2018", "abstract", "how models of the coupling differ, with the jump to Hertz's area"),
-        Source("savkoor_briggs_1977", "", "energy release of a sheared JKR contact"),
+        Source("papangelo_ciavarella_2018", "abstract", "comparison of models of the coupling; some jump to Hertz's area"),
+        Source("savkoor_briggs_1977", "", "energy release rates of a sheared JKR contact"),
     ),
     tangential_resistance=tangential_resistance,
     yielded="none",
     of_half_space="its energy balance uses the stiffness of a half-space",
     like="layered_peeling",
     wants={"JKR": "it computes the peeling of a JKR contact"},
-    verified="energy balance over all radii of contact, solved anew at 30 digits; Savkoor and Briggs",
+    verified="energy balance over all contact radii, solved independently at 30 digits; savkoor_briggs_1977 for zeta = 1",
     needs=("theta", "K_beta"),
     takes=("peeling",),
     limits=(Limit("savkoor_briggs_1977", {"peeling": 1.0}, ("friction_force",), 1e-9),),
-    notes="Slip resistance alone: no yield. The group `peeling` is zeta, the lambda of Hutchinson and Suo: 1 is Savkoor and "
-    "Briggs. Asperities that are no longer elastic resist nothing.",
+    notes="The force of peeling only; yield does not limit it. `peeling` is zeta, the lambda of Hutchinson and Suo; 1 is "
+    "Savkoor and Briggs. Asperities that have yielded have no resistance.",
 )

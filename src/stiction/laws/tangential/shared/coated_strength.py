@@ -1,10 +1,10 @@
 """Tabulate the mean traction at which a coated asperity first yields, as a spline along its elastic segment.
 
-The tables of `solvers.layered.first_yield` tell whether film or body yields under given mean pressure and mean traction; the
-segment gives the pressure. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end and p is
-proportional to the square root of the contact radius. They are dense near y = 1, where the load alone causes yield, because
-the traction falls to zero over the last few per cent of the pressure. The spline represents the square of the traction, which
-falls there linearly.
+The tables of `solvers.layered.first_yield` state whether film or body yields under a given mean pressure and mean traction;
+the pressure follows from the segment. Knots are evenly spaced in 1 - sqrt(1 - y), where y is ln(1 + p) scaled to 1 at the end
+and p is proportional to the square root of the contact radius. They are dense near y = 1, where the load alone causes yield,
+because the traction falls to zero over the last few per cent of the pressure. The spline represents the square of the
+traction, which is linear in the pressure there.
 """
 
 from collections.abc import Callable

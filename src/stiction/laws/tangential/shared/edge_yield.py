@@ -1,7 +1,8 @@
 """Compute the tangential force at which the trailing edge of a Hertz contact yields (Hamilton 1983, von Mises).
 
 Reconstruction: the 2015 paper takes the coefficients C1..C7 of its eq (11) from Roy Chowdhury & Ghosh 1994 and does not print
-them. The condition used here has exactly the powers of eq (11); it is not proven that its coefficients are the same (D12).
+them. The condition used here has exactly the powers of eq (11); whether its coefficients are the same is not known (departure
+D12 of docs/explanation/theory-limits.md).
 """
 
 import math

@@ -1,12 +1,13 @@
 """Compute the stresses in a half-space below a pressed and sheared Hertz contact, and its first yield: Hamilton 1983.
 
 Lengths are over the contact radius a, stresses over the largest pressure p0. Hamilton's equations divide by powers of the
-    distance
-from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0, 0 <= N <= 1 with
-    z = M N,   r^2 = (1 + M^2)(1 - N^2),
-in which every such power cancels: the contact is M = 0, the free surface N = 0, the axis N = 1. The remaining formulas are
-    exact
-everywhere.
+distance r from the axis and lose their digits there. Here they are rearranged in oblate spheroidal coordinates M >= 0,
+0 <= N <= 1, with the depth z:
+
+    z = M N,   r^2 = (1 + M^2)(1 - N^2)
+
+Every such power cancels in these coordinates, so that the formulas are exact everywhere. The contact is M = 0, the free surface
+N = 0, the axis N = 1.
 """
 
 from collections.abc import Callable

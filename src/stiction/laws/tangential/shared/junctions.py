@@ -1,7 +1,7 @@
 """Compare the strength of the interface with that of the bulk, and find where a segment reaches a given pressure.
 
-A junction under the mean pressure p and the mean shear stress tau is fully plastic if p^2 + alpha tau^2 = H^2. Without
-pressure its bulk therefore shears at H/sqrt(alpha).
+A junction under the mean pressure p and the mean shear stress tau is fully plastic if p^2 + alpha tau^2 = H^2, with the
+hardness H. Without pressure its bulk therefore shears at the stress H/sqrt(alpha).
 """
 
 from collections.abc import Callable

@@ -1,7 +1,7 @@
 """Give yielded junctions a resistance by another law, chosen with the option plastic_junctions.
 
-The published law stays unchanged. Only where it gives no resistance, beyond a displacement or on a whole segment, the other law
-is used. The requirements of the other law on elastic asperities are not checked there.
+The published law stays unchanged. The other law is used only where the published one gives no resistance: beyond a
+displacement or on a whole segment. Its requirements on elastic asperities are not checked there.
 """
 
 from collections.abc import Callable
