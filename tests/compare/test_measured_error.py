@@ -172,7 +172,7 @@ def test_a_window_is_one_sample_of_its_surface():
         solve_map(np.ascontiguousarray(part), (SIDE / 4, SIDE / 4), modulus=MODULUS, loads=[load], periodic=False)[0].area
         for part in parts
     ]
-    waves = map_area(prepared).longest_waves_on_a_side
+    waves = map_area(prepared).waves.longest_waves_on_a_side
     few_waves = 1.0 + 0.8 * (6.0 / waves - 1.0)
     assert 4.0 < waves < 6.0
     assert measured(data)["sample"] == pytest.approx([few_waves * np.std(np.log(alone), ddof=1) / 2.0], rel=0.02)

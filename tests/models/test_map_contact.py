@@ -43,7 +43,7 @@ MODEL = "boundary_elements"
 @pytest.fixture(autouse=True)
 def own_cache(monkeypatch, tmp_path):
     """Nothing that was solved before is read, and nothing is left behind."""
-    monkeypatch.setattr(kept, "_folder", lambda: tmp_path / "kept")
+    monkeypatch.setattr(kept, "cache_folder", lambda name: tmp_path / "kept")
     with np.errstate(all="ignore"):  # matplotlib divides zero by zero inside
         yield
 

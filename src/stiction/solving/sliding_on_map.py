@@ -239,8 +239,7 @@ def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weake
     from stiction.solvers.shear.path import weakening_length
 
     surface = problem.surface()
-    pitch = max(length / count for length, count in zip(surface.size, surface.heights.shape, strict=True))
-    return np.array([weakening_length(operator, float(one.max()), weakening) / pitch for one in strengths])
+    return np.array([weakening_length(operator, float(one.max()), weakening) / max(surface.pitch) for one in strengths])
 
 
 def _said(known: dict[str, Any], residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from stiction.laws.rough_surface.boundary_elements import bodies_of, shear_compliance_of
 from stiction.solving.on_map import OnMap
+from stiction.surfaces.heightmap import every_point
 
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
@@ -53,13 +54,9 @@ def spread_on_map(problem: OnMap, loads: np.ndarray) -> tuple[np.ndarray, np.nda
     near = np.geomspace(least / _BEYOND, most * _BEYOND, steps + 1)
     curve = curve_of_map(surface, bodies, [*near[near < largest].tolist(), largest], sampled=True)
     solved = [one for one in curve.contacts if one is not None]
-    shape = tuple(-(-count // curve.every) for count in surface.heights.shape)
-    rows, columns = (
-        curve.every * count * length / points
-        for count, length, points in zip(shape, surface.size, surface.heights.shape, strict=True)
-    )
+    heights, size = every_point(surface.heights, surface.size, curve.every)
     boundary = PeriodicShear if surface.periodic else MirroredShear
-    operator = boundary(shear_compliance_of(contact), shape, (rows, columns))
+    operator = boundary(shear_compliance_of(contact), heights.shape, size)
     share = [one.area / one.nominal_area for one in solved]
     return np.array([*share, 1.0]), np.array([*(_spread(operator, one) for one in solved), 0.0])
 

@@ -92,7 +92,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
     from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
     names = "points_in_shortest_wave", "longest_waves_on_a_side"
-    return {name: min(getattr(map_area(one), name) for one in maps) for name in names}
+    return {name: min(getattr(map_area(one).waves, name) for one in maps) for name in names}
 
 
 def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:

@@ -35,6 +35,7 @@ from stiction.quantities.keywords import with_keywords
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.memory import require_arrays
+from stiction.surfaces.spectrum import wave_power
 from stiction.surfaces.targets import SelfAffine, require_positive
 
 Spectrum = Callable[[np.ndarray], np.ndarray]
@@ -254,8 +255,7 @@ def rms_slope(surface: HeightMap) -> float:
     if not surface.complete:
         raise InputError("heights", f"{surface.missing} missing points", "a map without missing points")
     rows, columns = surface.heights.shape
-    power = np.square(np.abs(rfft2(surface.heights, workers=_WORKERS)))
-    power[:, 1 : (columns + 1) // 2] *= 2.0  # the waves of the half that a real transform leaves out
+    power = wave_power(surface.heights)
     total = 0.0
     for part, along_y, along_x in _blocks(surface.heights.shape, surface.size):
         total += float(np.sum(power[part] * (along_y**2 + along_x**2)))

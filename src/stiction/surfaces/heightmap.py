@@ -147,6 +147,16 @@ def _unmasked(heights) -> np.ndarray:
     return np.ma.filled(heights.astype(np.float64), np.nan)
 
 
+def every_point(heights: np.ndarray, size: tuple[float, float], every: int) -> tuple[np.ndarray, tuple[float, float]]:
+    """Return every r-th point of a map along both axes, and the size (y, x) [m] that these points cover.
+
+    every: r; 1 for all points.
+    """
+    points = np.ascontiguousarray(heights[::every, ::every])
+    high, wide = (length / full * every * few for length, full, few in zip(size, heights.shape, points.shape, strict=True))
+    return points, (high, wide)
+
+
 def size_in_metres(size) -> tuple[float, float]:
     """Return the size (y, x) of a map in metres, from numbers or text with units.
 

@@ -85,7 +85,7 @@ class PowerSpectrum:
 
         An entry represents two waves if the wave at -q is not stored, and otherwise one.
         """
-        return _waves(self.columns)
+        return waves_of(self.columns)
 
     @property
     def lowest(self) -> float:
@@ -305,7 +305,15 @@ def _wavevectors(count: int, length: float, frequencies: Callable) -> np.ndarray
     return 2.0 * math.pi * frequencies(count, length / count)
 
 
-def _waves(columns: int) -> np.ndarray:
+def wave_power(heights: np.ndarray) -> np.ndarray:
+    """Return the squares |h|^2 of all waves of a map, of shape (rows, columns // 2 + 1).
+
+    Each entry is the sum over the waves that it represents. All entries together give <h^2> times the squared number of points.
+    """
+    return np.square(np.abs(scipy.fft.rfft2(heights, workers=_WORKERS))) * waves_of(heights.shape[1])
+
+
+def waves_of(columns: int) -> np.ndarray:
     """Return the number of waves that each entry of a real transform represents: 2 or 1.
 
     It is 1 for the mean and for the Nyquist wavevector, which exists for an even number of columns.

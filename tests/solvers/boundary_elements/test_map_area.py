@@ -91,7 +91,7 @@ def test_windows_touch_as_the_surface_that_they_are_cut_from():
     ]
     assert np.mean(alone) < 0.95 * whole
     parts = MapArea(heights, UNIT, False)
-    few_waves = 1.0 + 0.8 * max(6.0 / parts.longest_waves_on_a_side - 1.0, 0.0)
+    few_waves = 1.0 + 0.8 * max(6.0 / parts.waves.longest_waves_on_a_side - 1.0, 0.0)
     scatter = few_waves * np.std(np.log(shares), ddof=1) / 2.0
     assert parts.sample_error(np.array([pressure]), math.inf) == pytest.approx([scatter], rel=1e-9)
     assert MapArea(heights, UNIT, True).sample_error(np.array([pressure]), math.inf) == [0.0]
@@ -109,7 +109,7 @@ def test_windows_with_few_waves_are_as_uncertain_as_they_scatter(hardness):
         pressure = np.array([0.005 * whole.slopes.gradient])
         for y, x in [(y, x) for y in range(0, 384, 96) for x in range(0, 384, 192)]:
             window = MapArea(np.ascontiguousarray(np.roll(heights, (-y, -x), (0, 1))[:144, :144]), (0.375, 0.375), False)
-            assert window.longest_waves_on_a_side < 6.0
+            assert window.waves.longest_waves_on_a_side < 6.0
             hard = hardness * whole.slopes.gradient
             error = np.log(window.share(pressure, hard) / whole.share(pressure, hard))
             apart.append((error / window.sample_error(pressure, hard)).item())

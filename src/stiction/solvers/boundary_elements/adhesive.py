@@ -39,7 +39,7 @@ from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.descent import FAR, Downhill, Faces
 from stiction.solvers.boundary_elements.limits import LEAST_POINTS, MOST_ATTRACTION_LEFT
-from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, edges, rms_step
+from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, coarsest_pitch, edges, rms_step
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import PeriodicBoundary, wavevectors
 from stiction.solvers.boundary_elements.solve import usable_map
@@ -102,12 +102,10 @@ def solve_adhesive(
         raise InputError(
             "film.substrate_modulus", film and film.substrate_modulus, "a finite modulus, because the other body is rigid"
         )
-    edge = reach**2 / (compliance.near * work)
-    heights = _between_points(heights, size, edge)
+    heights = _between_points(heights, size, reach**2 / (compliance.near * work))
     require_memory(heights.shape, kept=len(loads) + _ARRAYS)
-    grid = _Grid(size, work / reach, reach, edge / _pitch(heights.shape, size))
-    faces = _faces(heights, size, compliance, work, reach)
-    gap = _without_adhesion(heights, size, compliance, max(loads[0], 0.0) / grid.nominal, work) / reach
+    start = _before_adhesion(heights, size, compliance, loads[0], work, reach)
+    faces, gap, grid = start.faces, start.gap, start.grid
     contacts = []
     for load in loads:
         descent = _descended(faces, gap, load / grid.nominal / grid.largest)
@@ -177,11 +175,15 @@ def adhering(
     require_memory(np.shape(heights), kept=_ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
     require_positive(work=work, reach=reach)
-    compliance = Compliance(modulus)
-    grid = _Grid(size, work / reach, reach, reach**2 / (compliance.near * work) / _pitch(heights.shape, size))
-    gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal, work) / reach
-    start = Adhering(_faces(heights, size, compliance, work, reach), gap, grid, load / grid.nominal / grid.largest)
-    return start.with_share(None)
+    return _before_adhesion(heights, size, Compliance(modulus), load, work, reach).with_share(None)
+
+
+def _before_adhesion(heights, size, compliance, load, work, reach) -> Adhering:
+    """Return the contact at a load [N] with the gap that it has without adhesion."""
+    points_at_edge = reach**2 / (compliance.near * work) / coarsest_pitch(heights.shape, size)
+    grid = _Grid(size, work / reach, reach, points_at_edge)
+    gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal) / reach
+    return Adhering(_faces(heights, size, compliance, work, reach), gap, grid, load / grid.nominal / grid.largest)
 
 
 @dataclass(frozen=True)
@@ -221,13 +223,9 @@ class _Grid:
         return (ValidityWarning(why, "points_at_edge", self.points, self.points, low=LEAST_POINTS),)
 
 
-def _pitch(shape: tuple[int, ...], size: tuple[float, float]) -> float:
-    return max(length / count for length, count in zip(size, shape, strict=True))
-
-
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
     """Return the map, refined by Fourier interpolation if the contact edge needs more points."""
-    finer = LEAST_POINTS * _pitch(heights.shape, size) / edge
+    finer = LEAST_POINTS * coarsest_pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:
         return heights
     rows, columns = (next_fast_len(math.ceil(finer * count), real=True) for count in heights.shape)
@@ -247,7 +245,7 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
     return Faces((heights - heights.mean()) / reach, stiffness)
 
 
-def _without_adhesion(heights, size, compliance, mean, work) -> np.ndarray:
+def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
     """Return the gap [m] of the same contact without adhesion, under at least a small pressure."""
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near
@@ -260,7 +258,7 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
     """Return the AdhesiveContact of one load from the solved gap."""
     gap, apart = descent.gap, descent.apart or (float(descent.gap.min()) > 0.5 * FAR)
     touch = gap <= 0.0
-    pixel, pitch = grid.nominal / gap.size, (grid.size[0] / gap.shape[0], grid.size[1] / gap.shape[1])
+    pixel = grid.nominal / gap.size
     sides, points = edges(touch, True), int(np.count_nonzero(touch))
     validity_warnings = grid.validity_warnings
     if descent.residual > MOST_ATTRACTION_LEFT and not apart:
@@ -274,7 +272,7 @@ def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> Adhes
         area=grid.area(points, sides.count) * pixel,
         area_pixels=points * pixel,
         points=points,
-        perimeter=0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1]),
+        perimeter=sides.perimeter(gap.shape, grid.size),
         mean_gap=math.inf if apart else float(gap.mean()) * grid.reach,
         attraction=0.0 if apart else float(np.exp(-gap).mean()) * grid.nominal * grid.largest,
         detached=apart,

@@ -27,9 +27,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.fft import rfft2
 
 from stiction.solvers.boundary_elements.operators import components
+from stiction.surfaces.spectrum import wave_power
 from stiction.surfaces.theory.widened_area import widened
 
 _BINS = 1024
@@ -76,11 +76,9 @@ def map_slopes(heights: np.ndarray, size: tuple[float, float], periodic: bool = 
 def _of_waves(heights, size):
     """Return rms gradient, alpha and lay ratio of a periodic map, from its spectrum."""
     along_y, along_x = components(heights.shape, size)
-    power = np.square(np.abs(rfft2(heights - heights.mean())))
-    power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
-    power /= float(heights.size) ** 2
+    power = wave_power(heights - heights.mean()) / float(heights.size) ** 2
     xx, yy = float(np.sum(power * along_x**2)), float(np.sum(power * along_y**2))
-    xy = _mixed(rfft2(heights), along_y, along_x, heights.shape[1], heights.size)
+    xy = float(np.sum(power * along_y * along_x))
     laplacian = float(np.sum(power * (along_x**2 + along_y**2) ** 2))
     return math.sqrt(xx + yy), 1.5 * float(power.sum()) * laplacian / (xx + yy) ** 2, _lay(xx, yy, xy)
 
@@ -117,18 +115,6 @@ def _at_points(rows, unit, weights):
 def _lay(xx, yy, xy):
     mean, root = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
     return math.sqrt((mean + root) / max(mean - root, 1e-12 * mean))
-
-
-def _mixed(waves, along_y, along_x, columns, points):
-    """Return the mean product of the two slopes, <h_x h_y>, from the spectrum.
-
-    The half spectrum holds k_x >= 0 and both signs of k_y, so each product is summed with its sign.
-    """
-    weight = np.full(waves.shape[1], 2.0)
-    weight[0] = 1.0
-    if columns % 2 == 0:
-        weight[-1] = 1.0
-    return float(np.sum(np.square(np.abs(waves)) * along_y * along_x * weight)) / float(points) ** 2
 
 
 def _by_rank(heights, size, periodic):

@@ -28,6 +28,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.surfaces.targets import require_positive
 
 _LARGE = 1.0  # of y, above which e^-y is small enough beside 1
 _SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # of sinh y - y: y^3/3! + y^5/5! + ...
@@ -49,9 +50,7 @@ class Film:
     substrate_poisson: float
 
     def __post_init__(self) -> None:
-        for name in ("thickness", "modulus"):
-            if not (0.0 < getattr(self, name) < math.inf):
-                raise InputError(f"film.{name}", getattr(self, name), "> 0, finite")
+        require_positive(**{"film.thickness": self.thickness, "film.modulus": self.modulus})
         if not self.substrate_modulus > 0.0:
             raise InputError("film.substrate_modulus", self.substrate_modulus, "> 0 Pa, or infinite for a rigid body")
         for name in ("poisson", "substrate_poisson"):

@@ -79,14 +79,13 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
 def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
     """Return the quantities of a map that do not depend on load, by name."""
     seen = waves(surface.heights, surface.size, surface.periodic)
-    pitch, side = max(surface.pitch), min(surface.size)
     numbers = {
-        "points_in_shortest_wave": seen.shortest / pitch,
-        "longest_waves_on_a_side": side / seen.longest,
+        "points_in_shortest_wave": seen.points_in_shortest_wave,
+        "longest_waves_on_a_side": seen.longest_waves_on_a_side,
         "map_gradient": seen.gradient,
         "point_spacing": float(every),
     }
     film = bodies.film or bodies.counter_film
     if film is not None:
-        numbers["points_in_film"] = film.thickness / (pitch * every)
+        numbers["points_in_film"] = film.thickness / (seen.pitch * every)
     return numbers

@@ -79,12 +79,8 @@ def _solver() -> bytes:
     return b"".join(file.read_bytes() for file in sources)
 
 
-def _folder() -> Path:
-    return cache_folder("contacts")
-
-
 def _file(name: str, load: float) -> Path:
-    return _folder() / f"{name}-{load.hex()}.npz"
+    return cache_folder("contacts") / f"{name}-{load.hex()}.npz"
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:

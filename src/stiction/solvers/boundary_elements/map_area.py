@@ -21,7 +21,7 @@ from stiction.solvers.boundary_elements.compliance import Compliance
 from stiction.solvers.boundary_elements.limits import LEAST_IN_WAVE, LEAST_WAVES
 from stiction.solvers.boundary_elements.measures import Waves, waves
 from stiction.solvers.boundary_elements.solve import solve_map
-from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.heightmap import HeightMap, every_point
 from stiction.surfaces.theory.widened_area import with_hardness
 
 MOST_POINTS = 2**19  # that are solved
@@ -61,18 +61,8 @@ class MapArea:
         return map_slopes(self.heights, self.size, self.periodic)
 
     @cached_property
-    def points_in_shortest_wave(self) -> float:
-        """Return the number of points in the shortest wave of the full map."""
-        pitch = max(length / count for length, count in zip(self.size, self.heights.shape, strict=True))
-        return self._waves.shortest / pitch
-
-    @property
-    def longest_waves_on_a_side(self) -> float:
-        """Return the length of the shorter side divided by the longest wavelength."""
-        return min(self.size) / self._waves.longest
-
-    @cached_property
-    def _waves(self) -> Waves:
+    def waves(self) -> Waves:
+        """Return the characteristic wavelengths of the map."""
         return waves(self.heights, self.size, self.periodic)
 
     @cached_property
@@ -96,7 +86,7 @@ class MapArea:
         with np.errstate(divide="ignore", invalid="ignore"):
             logarithms = np.log([quadrant.share(pressure, hardness) for quadrant in self._quadrants])
             scatter = np.std(logarithms, axis=0, ddof=1) / math.sqrt(len(logarithms))
-        return scatter * (1.0 + _OF_WAVES * max(LEAST_WAVES / self.longest_waves_on_a_side - 1.0, 0.0))
+        return scatter * (1.0 + _OF_WAVES * max(LEAST_WAVES / self.waves.longest_waves_on_a_side - 1.0, 0.0))
 
     @cached_property
     def solvable(self) -> list[int]:
@@ -104,7 +94,7 @@ class MapArea:
 
         Each step leaves few enough points to solve, and enough points in the shortest wave.
         """
-        in_wave = self.points_in_shortest_wave
+        in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
         least = LEAST_IN_WAVE if self.slopes.lay < _LAID else _LEAST_ACROSS_LAY
         steps = [every for every in all_of_them if self._may(every, in_wave, least)]
@@ -178,9 +168,7 @@ class MapArea:
 
         every: sampling step. how: keywords of `solve_map` for the bodies. The result is NaN where too few points touch.
         """
-        heights = np.ascontiguousarray(self.heights[::every, ::every])
-        covered = zip(self.size, self.heights.shape, heights.shape, strict=True)
-        high, wide = (length / full * every * few for length, full, few in covered)
+        heights, (high, wide) = every_point(self.heights, self.size, every)
         loads = (pressure * high * wide).tolist()
         contacts = solve_map(
             heights, (high, wide), loads=loads, periodic=self.periodic, keep_maps=False, stiffness=False, **how

@@ -26,14 +26,12 @@ def warnings_of_map(
 
     heights: (rows, columns) [m]; size: (y, x) [m].
     """
-    pitch = max(length / count for length, count in zip(size, heights.shape, strict=True) if count > 1)
-    side = min(length for length, count in zip(size, heights.shape, strict=True) if count > 1)
     seen = waves(heights, size, periodic)
-    return (*_warnings_of_waves(seen, pitch, side), *(() if film is None else _warnings_of_film(film, pitch)))
+    return (*_warnings_of_waves(seen), *(() if film is None else _warnings_of_film(film, seen.pitch)))
 
 
-def _warnings_of_waves(seen, pitch, side):
-    points, periods = seen.shortest / pitch, side / seen.longest
+def _warnings_of_waves(seen):
+    points, periods = seen.points_in_shortest_wave, seen.longest_waves_on_a_side
     if points < LEAST_PIXELS:
         length = show(seen.shortest, "scan_size")
         why = f"the shortest waves ({length}) have {points:.2g} points, but an accurate area needs {LEAST_PIXELS:g}"

@@ -26,14 +26,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.fft import rfft2
 
 from stiction.solvers.boundary_elements.operators import wavevectors
+from stiction.surfaces.spectrum import wave_power
 
 PIXEL_EXCESS, _ALONG_PIXELS = 0.100, 0.090
 _SHORT = 0.01  # share of the mean square gradient in waves shorter than the shortest
 _LONG = 0.5  # share of the mean square height in waves longer than the longest
-_WORKERS = 2
 
 
 @dataclass(frozen=True)
@@ -57,6 +56,10 @@ class Edges:
         one_way = abs(self.along_y - self.along_x) / max(self.count, 1)
         return (PIXEL_EXCESS + _ALONG_PIXELS * one_way**4) * self.count
 
+    def perimeter(self, shape: tuple[int, ...], size: tuple[float, float]) -> float:
+        """Return the length of the contact edge [m] of a map with this shape and size (y, x) [m]."""
+        return 0.25 * math.pi * (self.along_y * size[0] / shape[0] + self.along_x * size[1] / shape[1])
+
 
 def edges(contact: np.ndarray, periodic: bool) -> Edges:
     """Count the pixel sides between contact and no contact.
@@ -77,12 +80,25 @@ class Waves:
     """The characteristic wavelengths of a map [m].
 
     shortest: waves shorter than this contribute 1 % of the mean square gradient. longest: waves longer than this contribute
-    half of the mean square height. gradient: rms gradient of all waves [1].
+    half of the mean square height. gradient: rms gradient of all waves [1]. pitch: the larger point spacing. side: the
+    shorter side of the map.
     """
 
     shortest: float
     longest: float
     gradient: float
+    pitch: float
+    side: float
+
+    @property
+    def points_in_shortest_wave(self) -> float:
+        """Return the number of points in the shortest wave."""
+        return self.shortest / self.pitch
+
+    @property
+    def longest_waves_on_a_side(self) -> float:
+        """Return the length of the shorter side divided by the longest wavelength."""
+        return self.side / self.longest
 
 
 def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
@@ -93,11 +109,10 @@ def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Wav
     """
     heights = heights - heights.mean()
     if not periodic:
-        window = np.outer(*(np.hanning(count + 2)[1:-1] if count > 1 else np.ones(1) for count in heights.shape))
+        window = np.outer(*(np.hanning(count + 2)[1:-1] for count in heights.shape))
         heights *= window / math.sqrt(float(np.mean(window**2)))
     k = wavevectors(heights.shape, size)
-    power = np.square(np.abs(rfft2(heights, workers=_WORKERS))) / float(heights.size) ** 2
-    power[:, 1 : (heights.shape[1] + 1) // 2] *= 2.0
+    power = wave_power(heights) / float(heights.size) ** 2
     bins = np.linspace(0.0, float(k.max()) * (1.0 + 1e-9), 4 * max(heights.shape))
     places = (k * (1.0 / bins[1])).astype(np.int32).ravel()
     height = np.bincount(places, power.ravel(), minlength=bins.size - 1)
@@ -106,7 +121,14 @@ def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Wav
         2.0 * math.pi / _where_sum_reaches(bins, gradient, 1.0 - _SHORT),
         2.0 * math.pi / _where_sum_reaches(bins, height, _LONG),
         math.sqrt(float(gradient.sum())),
+        coarsest_pitch(heights.shape, size),
+        min(size),
     )
+
+
+def coarsest_pitch(shape: tuple[int, int], size: tuple[float, float]) -> float:
+    """Return the larger of the two point spacings of a map [m]."""
+    return max(length / count for length, count in zip(size, shape, strict=True))
 
 
 def _where_sum_reaches(edge, part, share):
@@ -119,4 +141,4 @@ def rms_step(heights: np.ndarray) -> float:
 
     The mean squared differences along both axes are added before the root is taken.
     """
-    return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1) if heights.shape[axis] > 1))
+    return math.sqrt(sum(float(np.mean(np.square(np.diff(heights, axis=axis)))) for axis in (0, 1)))

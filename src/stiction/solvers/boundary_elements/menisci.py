@@ -12,14 +12,13 @@ agrees with (1). This is the set that vapour fills as it condenses around dry co
 & Dugdale (Maugis 1992) at every point of a map; derived here. As in theirs, the pressure at the edge of contact is -s.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from stiction.quantities.errors import InputError
 from stiction.solvers.boundary_elements.minimise import Found, Problem, minimise
+from stiction.surfaces.targets import require_positive
 
 _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
 
@@ -36,9 +35,7 @@ class Menisci:
     height: float
 
     def __post_init__(self) -> None:
-        for name in ("pressure", "height"):
-            if not (0.0 < getattr(self, name) < math.inf):
-                raise InputError(f"menisci.{name}", getattr(self, name), "> 0, finite")
+        require_positive(**{"menisci.pressure": self.pressure, "menisci.height": self.height})
 
 
 @dataclass(frozen=True)

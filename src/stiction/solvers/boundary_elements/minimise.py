@@ -28,7 +28,7 @@ where points flow, in a number of steps that hardly grows with the map. Equation
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol
 
@@ -38,10 +38,12 @@ import numpy as np
 class Boundary(Protocol):
     """Define the compliance operator of a map: displacement from pressure.
 
-    Results have the precision of the argument. inverts: whether `inverse` is exact.
+    Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: whether displacements are
+    absolute; if not, their mean is zero.
     """
 
     inverts: bool
+    knows_approach: bool
 
     def __call__(self, pressure: np.ndarray, /) -> np.ndarray:
         """Return the displacement map [m] caused by a pressure map [Pa]."""
@@ -94,8 +96,8 @@ class Found:
     gap: np.ndarray
     offset: float
     residual: float
-    steps: int
-    converged: bool
+    steps: int = 0
+    converged: bool = False
 
 
 def minimise(
@@ -116,24 +118,15 @@ def minimise(
         last = _in_double(problem, on_level(pressure, problem))
         if last.residual < best.residual:
             best = last
-    return Found(best.pressure, best.gap, best.offset, best.residual, search.steps, best.residual <= tolerance)
+    return replace(best, steps=search.steps, converged=best.residual <= tolerance)
 
 
-@dataclass(frozen=True)
-class _State:
-    """Store a pressure map [Pa] with its gap [m], offset [m] and residual, in double precision."""
-
-    pressure: np.ndarray
-    gap: np.ndarray
-    offset: float
-    residual: float
-
-
-def _in_double(problem: Problem, pressure: np.ndarray) -> _State:
+def _in_double(problem: Problem, pressure: np.ndarray) -> Found:
+    """Return a pressure map [Pa] with its gap, offset and residual, in double precision."""
     gap = problem.displacement(pressure)
     gap -= problem.heights
     offset, residual, _ = _settle(problem, pressure, gap, problem.length)
-    return _State(pressure, gap, offset, residual)
+    return Found(pressure, gap, offset, residual)
 
 
 def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: float) -> tuple[float, float, bool]:
@@ -195,7 +188,7 @@ class _Search:
         self.steps = 0
         self._problem, self._seen = problem, seen
 
-    def run(self, start: _State, aim: float, most: int) -> np.ndarray:
+    def run(self, start: Found, aim: float, most: int) -> np.ndarray:
         """Take steps from a start; return the pressure [Pa] reached.
 
         Steps end when the residual is at most `aim`, when `steps` reaches `most`, or when no step lowers the energy.

@@ -82,53 +82,47 @@ class PeriodicBoundary:
     inverts = True
 
     def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
-        self.shape = shape
         self.knows_approach = compliance.far == 0.0
-        self._kernel = _Kernel(compliance.at(wavevectors(shape, size)))
+        self._kernel = _Kernel(compliance.at(self._wavenumbers(shape, size)))
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         """Return the displacement [m], positive away from the pressure [Pa]."""
-        return _through(pressure, self.shape, self._kernel)
+        return self._convolved(pressure, self._kernel)
 
     @cached_property
     def _stiffness(self) -> _Kernel:
-        return _Kernel(_inverted(self._kernel.like(np.empty(0))))
+        factors = self._kernel.like(np.empty(0))
+        return _Kernel(np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return the pressure [Pa] that causes a displacement [m].
 
         Its mean is zero where the mean displacement is not defined.
         """
-        return _through(displacement, self.shape, self._stiffness)
+        return self._convolved(displacement, self._stiffness)
+
+    def _wavenumbers(self, shape, size):
+        return wavevectors(shape, size)
+
+    def _convolved(self, values, kernel):
+        return _through(values, values.shape, kernel)
 
 
-class MirroredBoundary:
+class MirroredBoundary(PeriodicBoundary):
     """Compute displacements of a window that its mirror images continue on all sides.
 
-    shape: (rows, columns). size: (y, x) [m]. knows_approach: whether displacements are absolute; if not, their mean is zero.
+    It is a periodic map of twice the sides that is even about every side.
     """
 
-    inverts = True
-
-    def __init__(self, compliance: Compliance, shape: tuple[int, int], size: tuple[float, float]):
-        self.knows_approach = compliance.far == 0.0
+    def _wavenumbers(self, shape, size):
         along_y, along_x = (math.pi * np.arange(count) / length for count, length in zip(shape, size, strict=True))
-        self._kernel = _Kernel(compliance.at(np.hypot(along_y[:, None], along_x)))
+        return np.hypot(along_y[:, None], along_x)
 
-    def __call__(self, pressure: np.ndarray) -> np.ndarray:
-        """Return the displacement [m], positive away from the pressure [Pa]."""
-        return _through_cosines(pressure, self._kernel)
-
-    @cached_property
-    def _stiffness(self) -> _Kernel:
-        return _Kernel(_inverted(self._kernel.like(np.empty(0))))
-
-    def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return the pressure [Pa] that causes a displacement [m].
-
-        Its mean is zero where the mean displacement is not defined.
-        """
-        return _through_cosines(displacement, self._stiffness)
+    def _convolved(self, values, kernel):
+        workers = _workers(values.size)
+        waves = dctn(values, workers=workers)
+        waves *= kernel.like(values)
+        return idctn(waves, workers=workers, overwrite_x=True)
 
 
 class FreeBoundary:
@@ -172,22 +166,6 @@ def _through(pressure, grid, kernel):
     waves *= kernel.like(pressure)
     waves = ifft(waves, axis=0, workers=workers, overwrite_x=True)  # by itself: irfft2 would copy the waves
     return irfft(waves, n=grid[1], axis=1, workers=workers)
-
-
-def _through_cosines(pressure, kernel):
-    """Return the convolution of a pressure map with a kernel, by cosine transforms.
-
-    The map is a window continued by mirror images.
-    """
-    workers = _workers(pressure.size)
-    waves = dctn(pressure, workers=workers)
-    waves *= kernel.like(pressure)
-    return idctn(waves, workers=workers, overwrite_x=True)
-
-
-def _inverted(factors):
-    """Return the reciprocal of each wave's factor, and 0 where the factor is 0."""
-    return np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0)
 
 
 def _workers(points):

@@ -15,7 +15,7 @@ import numpy as np
 
 from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.solve import MapContacts, solve_map
-from stiction.surfaces.heightmap import size_in_metres
+from stiction.surfaces.heightmap import every_point, size_in_metres
 
 LEAST_POINTS = 4.0  # in the shortest wave
 LEAST_CONTACT = 1000  # points in contact, at the lightest load
@@ -43,10 +43,7 @@ def solve_sampled(
     """
     size = size_in_metres(size)
     for every in _candidates(heights, size, periodic):
-        sampled = np.ascontiguousarray(heights[::every, ::every])
-        covered = tuple(
-            length / full * every * few for length, full, few in zip(size, heights.shape, sampled.shape, strict=True)
-        )
+        sampled, covered = every_point(heights, size, every)
         contacts = solve(sampled, covered, modulus=modulus, loads=loads, periodic=periodic, **how)
         if (
             every == 1
@@ -66,7 +63,6 @@ def _candidates(heights, size, periodic):
     """Return the allowed sampling steps r, in descending order; the last is 1."""
     if np.ndim(heights) != 2 or not np.isfinite(heights).all() or np.ptp(heights) == 0.0 or min(np.shape(heights)) < 16:
         return [1]  # refused there
-    pitch = max(length / count for length, count in zip(size, heights.shape, strict=True))
-    longest = int(waves(heights, size, periodic).shortest / (LEAST_POINTS * pitch))
+    longest = int(waves(heights, size, periodic).points_in_shortest_wave / LEAST_POINTS)
     longest = max(1, min(longest, min(heights.shape) // 16))
     return [every for every in range(longest, 0, -1) if not (periodic and any(count % every for count in heights.shape))]

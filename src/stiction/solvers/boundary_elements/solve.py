@@ -249,7 +249,7 @@ def _rising(request: _Asked, compliance: Compliance, pressures: np.ndarray) -> I
         wetted = condense(
             problem, request.menisci, start, tolerance=request.how.tolerance, most=request.how.most_steps, seen=seen
         )
-        yield _contact(request, problem, wetted, displacement.knows_approach)
+        yield _contact(request, problem, wetted)
         start = wetted.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / wetted.found.pressure.mean())
 
 
@@ -280,7 +280,7 @@ def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
     return fine
 
 
-def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approach: bool) -> MapContact:
+def _contact(request: _Asked, problem: Problem, wetted: Condensed) -> MapContact:
     """Return the MapContact of one solved load.
 
     The pressure between the solids is the solved pressure minus the suction of the liquid.
@@ -293,7 +293,9 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
     pressure = solution.pressure if request.menisci is None else _of_solids(solution.pressure, suction)
     mean = float(solution.pressure.mean())
     plastic = int(np.count_nonzero(flows))
-    corrected, perimeter = _without_excess(request, pressure, pixel)
+    sides = edges(pressure > 0.0, request.periodic)
+    least = float(pressure.sum()) * pixel / request.hardness
+    corrected = max(int(np.count_nonzero(pressure)) * pixel - sides.excess * pixel, least)
     free = contact & ~flows
     per_area = stiffness_per_area(problem.displacement, free, pressure) if request.how.stiffness else math.nan
     wanted = problem.mean + suction * float(wetted.wet.mean())
@@ -306,10 +308,10 @@ def _contact(request: _Asked, problem: Problem, wetted: Condensed, knows_approac
         nominal_area=nominal,
         area=corrected,
         area_pixels=int(np.count_nonzero(contact)) * pixel,
-        perimeter=perimeter,
+        perimeter=sides.perimeter(gap.shape, request.size),
         separation=-solution.offset - float(request.heights.mean()),
         mean_gap=float(np.mean(gap, where=gap > 0.0)) * float(np.mean(gap > 0.0)) if (gap > 0.0).any() else 0.0,
-        approach=highest + solution.offset if knows_approach else None,
+        approach=highest + solution.offset if problem.displacement.knows_approach else None,
         stiffness=per_area * nominal,
         plastic_area=plastic * pixel,
         plastic_share=plastic * request.hardness / float(pressure.sum()) if plastic else 0.0,
@@ -333,14 +335,3 @@ def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
     Touching points keep at least the smallest positive number, so that they still count as contact.
     """
     return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
-
-
-def _without_excess(request: _Asked, pressure: np.ndarray, pixel: float) -> tuple[float, float]:
-    """Return the area [m2] corrected for edge pixels, and the length of the contact edge [m]."""
-    sides = edges(pressure > 0.0, request.periodic)
-    counted = int(np.count_nonzero(pressure)) * pixel
-    corrected = counted - sides.excess * pixel
-    least = float(pressure.sum()) * pixel / request.hardness
-    pitch = request.size[0] / pressure.shape[0], request.size[1] / pressure.shape[1]
-    perimeter = 0.25 * math.pi * (sides.along_y * pitch[0] + sides.along_x * pitch[1])
-    return max(corrected, least), perimeter
