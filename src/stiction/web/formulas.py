@@ -8,10 +8,10 @@ from functools import cache
 from stiction.report.plain_formulas import as_code, formula
 
 _INLINE, _DISPLAY = 1.2, 1.7  # of the size in which matplotlib draws
-_RENAMED = {"tfrac": "frac", "dfrac": "frac", "text": "mathrm", "bigl": "", "bigr": "", "Bigl": "", "Bigr": "", "le": "leq",
-            "ge": "geq", "to": "rightarrow", "lvert": "vert", "rvert": "vert", "operatorname": "mathrm"}  # fmt: skip
-_ARGUMENTS = {"frac": 2, "sqrt": 1, "bar": 1, "hat": 1, "mathrm": 1, "mathcal": 1}
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
+# Commands that matplotlib does not know, with what it takes in their place.
+_RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr": ""}
+_GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
+_ONE = rf"(\\(?:mathrm|mathcal|sqrt){_GROUP}|\\[A-Za-z]+|[^\s{{}}\\[])"  # an argument without braces
 
 
 def typeset(text: str) -> str:
@@ -62,42 +62,10 @@ def _picture(tex: str, scale: float = _INLINE) -> str:
 
 def _plain(tex: str) -> str:
     """Rewrite a formula with commands that matplotlib supports, every argument in braces."""
-    tokens = [_RENAMED.get(one[1:]) if one[0] == "\\" and one[1:] in _RENAMED else one for one in _TOKEN.findall(tex)]
-    tokens = [f"\\{one}" if one in _RENAMED.values() and one else one or "" for one in tokens]
-    return "".join(_braced(list(filter(None, tokens))))
-
-
-def _braced(tokens: list[str]) -> list[str]:
-    made: list[str] = []
-    while tokens:
-        token = tokens.pop(0)
-        made.append(token)
-        for _ in range(_ARGUMENTS.get(token[1:], 0) if token[0] == "\\" else 1 if token in "^_" else 0):
-            words = _braced(_argument(tokens))
-            made += ["{", *("\\ " if one == " " and token == "\\mathrm" else one for one in words), "}"]
-    return made
-
-
-def _argument(tokens: list[str]) -> list[str]:
-    """Remove the next argument from the tokens and return it without its braces."""
-    while tokens and tokens[0].isspace():
-        tokens.pop(0)
-    if not tokens:
-        return []
-    if tokens[0] == "[":  # the degree of a root is not used by any law
-        return []
-    if tokens[0] != "{":
-        first = tokens.pop(0)
-        count = _ARGUMENTS.get(first[1:], 0) if first[0] == "\\" else 0
-        taken = [first]
-        for _ in range(count):
-            taken += ["{", *_argument(tokens), "}"]
-        return taken
-    depth, taken = 0, []
-    while tokens:
-        token = tokens.pop(0)
-        depth += (token == "{") - (token == "}")
-        taken.append(token)
-        if not depth:
-            break
-    return taken[1:-1]
+    tex = re.sub(r"\\([A-Za-z]+)", lambda command: _RENAMED.get(command[1], command[0]), tex)
+    tex = re.sub(r"\\text\{[^}]*\}", lambda words: words[0].replace("text", "mathrm").replace(" ", r"\ "), tex)
+    tex = re.sub(rf"(\\(?:mathrm|mathcal|sqrt|bar|hat))\s*{_ONE}", r"\1{\2}", tex).replace("^*", "^{*}")
+    before = ""
+    while before != tex:  # a fraction may stand inside another
+        before, tex = tex, re.sub(rf"(\\frac(?:{_GROUP})?)\s*{_ONE}", r"\1{\2}", tex)
+    return tex
