@@ -53,7 +53,7 @@ def coverage(sets: int, seed: int, unknown: bool = False, say=lambda done, held:
             values = exact + noise * rng.standard_normal(len(exact))
             one = fitted("", forward_of(_plan(Path(folder), values, None if unknown else noise)))
             for parameter, profile in zip(one.parameters, one.profiles, strict=True):
-                low, high = (float(parameter.free.at(np.asarray(end))) for end in (profile.low, profile.high))
+                low, high = (float(parameter.at(end)) for end in (profile.low, profile.high))
                 ends[parameter.name].append((low, high))
                 held[parameter.name].append(low <= TRUTH[parameter.name] <= high)
             say(at + 1, held)
@@ -62,7 +62,7 @@ def coverage(sets: int, seed: int, unknown: bool = False, say=lambda done, held:
 
 def _exact(folder: Path) -> np.ndarray:
     forward = forward_of(_plan(folder, np.full(len(LOADS), 0.3), np.full(len(LOADS), 0.01)))
-    shares = [float(one.free.share(TRUTH[one.name])) for one in forward.parameters]
+    shares = [float(one.share(TRUTH[one.name])) for one in forward.parameters]
     return forward.values(np.array(shares))[0]
 
 

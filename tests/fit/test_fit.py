@@ -25,7 +25,7 @@ from stiction.studies.fit import run as fit_module
 from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
 from stiction.studies.fit.bands import draws_of
 from stiction.studies.fit.evidence import Rival, aicc_of, rank
-from stiction.studies.fit.model import Parameter, forward_of
+from stiction.studies.fit.model import forward_of
 from stiction.studies.fit.run import _standard_errors, fit, plan_of_fit, run_fit
 from stiction.studies.fit.search import Best, profiles, search
 
@@ -263,7 +263,7 @@ def test_rows_of_several_samples_are_each_asked_for_as_they_are(tmp_path):
     found = forward.values(shares)
     rough = parse_case({key: table for key, table in case().items() if key != "fit"}).subject.roughness
     for numbers, said in zip(shares, found, strict=True):
-        given = {one.name: float(one.free.at(share)) for one, share in zip(forward.parameters, numbers, strict=True)}
+        given = {one.name: float(one.at(share)) for one, share in zip(forward.parameters, numbers, strict=True)}
         for at in range(n):
             radius = rows["roughness.asperity_radius [um]"][at]
             changes = {STRENGTH: given[f"{STRENGTH} ({rows['sample'][at]})"], ADHESION: given[ADHESION]}
@@ -299,10 +299,9 @@ def test_bands_are_those_of_the_closed_form(series):
 def test_standard_errors_are_of_the_numbers_and_not_of_their_shares():
     """A share goes to the number by the slope there, by differences: one that is searched by its logarithm, and one evenly."""
     free = (Free(("contact", STRENGTH), 1e6, 1e9, True), Free(("contact", "pressure_coefficient"), 0.1, 0.5, False))
-    parameters = tuple(Parameter(one) for one in free)
     shares, covariance = np.array([0.4, 0.7]), np.array([[0.0004, 0.0001], [0.0001, 0.0009]])
     best = Best(shares, np.ones(2), np.linalg.cholesky(np.linalg.inv(covariance)).T)
-    found = Fitted("", SimpleNamespace(parameters=parameters), best, np.ones(3), True, 1.0, 3.84, 1, False)
+    found = Fitted("", SimpleNamespace(parameters=free), best, np.ones(3), True, 1.0, 3.84, 1, False)
     slopes = np.array([(one.at(s + 1e-6) - one.at(s - 1e-6)) / 2e-6 for one, s in zip(free, shares, strict=True)])
     np.testing.assert_allclose(_standard_errors(found), [0.02, 0.03] * slopes, rtol=1e-6)
     assert np.isnan(_standard_errors(replace(found, best=replace(best, jacobian=np.array([[1.0, 0.0]]))))).all()

@@ -31,7 +31,7 @@ class Free:
     """A parameter of a case that a fit or a design varies from `low` to `high`, in SI units.
 
     path: address in the case; log: whether positions in the interval are uniform in the logarithm; each_sample: whether
-    every sample of a fit has its own value.
+    every sample of a fit has its own value; sample: the sample that this value belongs to, None for all.
     """
 
     path: Address
@@ -39,16 +39,18 @@ class Free:
     high: float
     log: bool
     each_sample: bool = False
+    sample: str | None = None
 
     @property
     def name(self) -> str:
-        return ".".join(self.path[1:])
+        name = ".".join(self.path[1:])
+        return name if self.sample is None else f"{name} ({self.sample})"
 
     @property
     def quantity(self) -> str:
         return self.path[-1]
 
-    def at(self, share: np.ndarray) -> np.ndarray:
+    def at(self, share: Any) -> np.ndarray:
         """Return the values at positions from 0 (`low`) to 1 (`high`) of the interval, of any shape.
 
         Positions are uniform in the number, or in its logarithm if `log` is true. Positions 0 and 1 give the limits exactly.

@@ -42,7 +42,7 @@ class Options:
     def name(self) -> str:
         return ".".join(self.path[1:])
 
-    def index(self, share: np.ndarray) -> np.ndarray:
+    def index(self, share: Any) -> np.ndarray:
         return np.minimum((np.asarray(share) * len(self.entries)).astype(int), len(self.entries) - 1)
 
 

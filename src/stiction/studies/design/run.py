@@ -83,15 +83,14 @@ class Designing:
         seconds = (time.monotonic() - self.started) / count * max(most - count, 0)
         return f"of at most {most}, at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else f"of at most {most}"
 
-    def best(self) -> np.ndarray:
+    def best(self, number: int = 0) -> np.ndarray:
         """Return the archive indices of the best design for each combination of list entries, the best first.
 
-        Where no design meets the constraints, those with the least violation come first.
+        number: index of the objective. Where no design meets the constraints, those with the least violation come first.
         """
         shares, objectives, worst, _ = self.archive.table()
-        order = np.lexsort((objectives[:, 0], np.maximum(worst - TOLERANCE, 0.0)))
-        way = self.space.way(shares[order])
-        _, first = np.unique(way, axis=0, return_index=True)
+        order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
+        _, first = np.unique(self.space.way(shares[order]), axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
@@ -355,7 +354,7 @@ def _refined(search: Designing, number: int, tell: Tell) -> None:
     if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
     shares = search.archive.table()[0]
-    for at in _best_ways(search, number)[:_REFINED]:
+    for at in search.best(number)[:_REFINED]:
         _refine(search, number, shares[at], tell)
 
 
@@ -379,13 +378,6 @@ def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> No
         constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
         options={"maxfev": _refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
-
-
-def _best_ways(search: Designing, number: int) -> list[int]:
-    shares, objectives, worst, _ = search.archive.table()
-    order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
-    _, first = np.unique(search.space.way(shares[order]), axis=0, return_index=True)
-    return [int(order[at]) for at in np.sort(first)]
 
 
 def _search_front(search: Designing, tell: Tell) -> None:

@@ -128,19 +128,13 @@ class Space:
         kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
         return [one for one in kept if one.path not in chosen]
 
-    def words(self, shares: np.ndarray) -> list[str]:
-        """Return the choices of one design, shares (d,), as texts."""
-        found = [one.words[int(one.index(np.asarray(share)))] for one, share in zip(self.plan.options, shares, strict=False)]
-        rest = shares[len(self.plan.options) :]
-        return found + [one.show(float(one.at(np.asarray(share))), 5) for one, share in zip(self.plan.free, rest, strict=True)]
-
     def numbers(self, shares: np.ndarray) -> dict[Address, Any]:
         """Return the choices of one design, shares (d,): address in the case -> number in SI units, or list entry."""
         found: dict[Address, Any] = {}
         for one, share in zip(self.plan.options, shares, strict=False):
-            found[one.path] = one.entries[int(one.index(np.asarray(share)))]
+            found[one.path] = one.entries[int(one.index(share))]
         for free, share in zip(self.plan.free, shares[len(self.plan.options) :], strict=True):
-            found[free.path] = float(free.at(np.asarray(share)))
+            found[free.path] = float(free.at(share))
         return found
 
     @property

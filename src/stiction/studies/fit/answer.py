@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.free import Free
 from stiction.case.measurements import Measurements
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.fit.model import Forward, Parameter
+from stiction.studies.fit.model import Forward
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
 _BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
@@ -46,7 +47,7 @@ class Fitted:
     profiles: tuple[Profile, ...] = ()
 
     @property
-    def parameters(self) -> tuple[Parameter, ...]:
+    def parameters(self) -> tuple[Free, ...]:
         return self.forward.parameters
 
     @property
@@ -60,7 +61,7 @@ class Fitted:
         return self.best.bounded / np.outer(size, size)
 
     def at(self, shares: np.ndarray) -> np.ndarray:
-        return np.array([one.free.at(np.asarray(share)) for one, share in zip(self.parameters, shares, strict=True)])
+        return np.array([one.at(share) for one, share in zip(self.parameters, shares, strict=True)])
 
     def log_likelihood(self, rise: np.ndarray) -> np.ndarray:
         """Return the log-likelihood relative to the best fit, for a rise of chi square.
@@ -170,8 +171,8 @@ def _start(forward: Forward) -> np.ndarray:
     """
     shares = []
     for one in forward.parameters:
-        value = _given(forward.plan.content, one.free.path)
-        share = float(one.free.share(value)) if isinstance(value, float) and (value > 0.0 or not one.free.log) else 0.5
+        value = _given(forward.plan.content, one.path)
+        share = float(one.share(value)) if isinstance(value, float) and (value > 0.0 or not one.log) else 0.5
         shares.append(share if 0.0 <= share <= 1.0 else 0.5)
     return np.array(shares)
 
@@ -211,8 +212,9 @@ def verdicts(fit: Fitted) -> list[str]:
 
 
 def _of_one(fit: Fitted, at: int, profile: Profile) -> list[str]:
-    name, free = fit.parameters[at].name, fit.parameters[at].free
-    low, high = (free.show(float(free.at(np.asarray(end)))) for end in (profile.low, profile.high))
+    free = fit.parameters[at]
+    name = free.name
+    low, high = (free.show(float(free.at(end))) for end in (profile.low, profile.high))
     if profile.open_low and profile.open_high:
         return [f"these data do not determine {name}: every value from {low} to {high} fits"]
     if profile.open_low:
@@ -225,10 +227,10 @@ def _of_one(fit: Fitted, at: int, profile: Profile) -> list[str]:
 
 
 def _is_wide(fit: Fitted, at: int) -> bool:
-    profile, free = fit.profiles[at], fit.parameters[at].free
+    profile, free = fit.profiles[at], fit.parameters[at]
     if profile.open_low or profile.open_high:
         return True
-    low, high = (float(free.at(np.asarray(end))) for end in (profile.low, profile.high))
+    low, high = (float(free.at(end)) for end in (profile.low, profile.high))
     return high > _WIDE * low if free.log else high - low > abs(float(fit.values[at]))
 
 
@@ -276,7 +278,7 @@ def _span(fit: Fitted, at: int, other: int) -> float:
 
 
 def _size(fit: Fitted, at: int) -> float:
-    free = fit.parameters[at].free
+    free = fit.parameters[at]
     return float(np.log(free.high / free.low)) if free.log else 1.0
 
 
@@ -290,7 +292,5 @@ def _ways(fit: Fitted, group: Sequence[int]) -> str:
     ways = []
     for place in (inside[0], inside[-1]):
         values = fit.at(profile.others[place])
-        ways.append(
-            ", ".join(f"{fit.parameters[at].name} = {fit.parameters[at].free.show(float(values[at]), 3)}" for at in group)
-        )
+        ways.append(", ".join(f"{fit.parameters[at].name} = {fit.parameters[at].show(float(values[at]), 3)}" for at in group))
     return " and ".join(f"({way})" for way in ways)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.free import Free
 from stiction.case.several import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
@@ -14,7 +15,7 @@ from stiction.quantities.sampling import sobol_points
 from stiction.solving.pointwise import BatchResult
 from stiction.studies.evaluate_many import evaluate_together
 from stiction.studies.fit.answer import Fitted
-from stiction.studies.fit.model import Parameter, derived, result_of
+from stiction.studies.fit.model import derived, result_of
 from stiction.studies.fit.plan import RESISTANCE, FitPlan
 from stiction.studies.fit.search import CONFIDENCE, finite
 
@@ -150,12 +151,12 @@ def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
     return arrays
 
 
-def _numbers(named: list[Parameter], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
+def _numbers(named: list[Free], sets: np.ndarray, taken: set[Address]) -> dict[Address, Any]:
     """Return the values (sets,) of the free numbers by address, without those in `taken`.
 
     sets (sets, k): position of each number between its ends; taken: addresses that [fit.predict] sets.
     """
-    return {x.free.path: x.free.at(sets[:, at]) for at, x in enumerate(named) if x.free.path not in taken}
+    return {x.path: x.at(sets[:, at]) for at, x in enumerate(named) if x.path not in taken}
 
 
 def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, Any]]:

@@ -24,18 +24,6 @@ _SET, _ROW = "set", "row"
 
 
 @dataclass(frozen=True)
-class Parameter:
-    """A free number as it is fitted: common to all measured samples, or belonging to one sample."""
-
-    free: Free
-    sample: str | None = None
-
-    @property
-    def name(self) -> str:
-        return self.free.name if self.sample is None else f"{self.free.name} ({self.sample})"
-
-
-@dataclass(frozen=True)
 class _Group:
     """Hold measured values that are evaluated together.
 
@@ -54,7 +42,7 @@ class Forward:
 
     plan: FitPlan
     choice: Choice
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[Free, ...]
     data: Measurements
     groups: tuple[_Group, ...]
 
@@ -64,10 +52,10 @@ class Forward:
         shares (sets, k): position of each of k free numbers between its ends, 0 to 1.
         """
         shares = np.atleast_2d(shares)
-        numbers = [one.free.at(shares[:, at]) for at, one in enumerate(self.parameters)]
+        numbers = [one.at(shares[:, at]) for at, one in enumerate(self.parameters)]
         found = np.full((len(shares), len(self.data)), np.nan)
         for group in self.groups:
-            of = {self.parameters[at].free.path: numbers[at] for at in group.columns}
+            of = {self.parameters[at].path: numbers[at] for at in group.columns}
             found[:, group.rows] = self._of_group(group, of)
         return found
 
@@ -162,12 +150,14 @@ def check_models(plan: FitPlan) -> None:
             raise InputError("fit.models", name, error.allowed) from None
 
 
-def _parameters(plan: FitPlan) -> tuple[Parameter, ...]:
-    each = [plan.data.samples if one.each_sample else [None] for one in plan.free]
-    return tuple(Parameter(one, sample) for one, samples in zip(plan.free, each, strict=True) for sample in samples)
+def _parameters(plan: FitPlan) -> tuple[Free, ...]:
+    """Return the free numbers as they are fitted: each once for all samples, or once for every sample."""
+    return tuple(
+        replace(one, sample=sample) for one in plan.free for sample in (plan.data.samples if one.each_sample else [None])
+    )
 
 
-def _groups(data: Measurements, parameters: Sequence[Parameter]) -> tuple[_Group, ...]:
+def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
     """Group the measured values that can be solved together.
 
     They state the same numbers of the contact, share the same free numbers, and all have a load or all have none.

@@ -86,7 +86,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
 
 def middle_of(free: Iterable[Free]) -> dict[Address, float]:
     """Return the value halfway between the ends of each free number of the contact, by address."""
-    return {one.path: float(one.at(np.array(0.5))) for one in free if one.path != RESISTANCE}
+    return {one.path: float(one.at(0.5)) for one in free if one.path != RESISTANCE}
 
 
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:

@@ -48,7 +48,17 @@ class Fitting:
 
     def data(self) -> "xarray.Dataset":
         """Return the results as a labelled dataset."""
-        return _dataset(self)
+        import xarray
+
+        one = self.best
+        names = [x.name for x in one.parameters]
+        data = xarray.Dataset(_parameters(one) | _rows(one), coords={"parameter": names})
+        data = data.assign_coords(row=np.arange(len(self.plan.data)), other_parameter=names)
+        if self.bands is not None:
+            data = data.merge(_predictions(self.bands))
+        if self.rivals:
+            data = data.merge(_evidence(self.rivals))
+        return data.assign_attrs(_attributes(self))
 
     def case_text(self, out: Path) -> str:
         """Return the text of a case file with the fitted numbers; `out` is its folder."""
@@ -135,25 +145,10 @@ def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -
     return found
 
 
-def _dataset(fitting: Fitting) -> "xarray.Dataset":
-    import xarray
-
-    plan, one = fitting.plan, fitting.best
-    data = xarray.Dataset(_parameters(one) | _rows(one), coords={"parameter": [x.name for x in one.parameters]})
-    data = data.assign_coords(row=np.arange(len(plan.data)), other_parameter=[x.name for x in one.parameters])
-    if fitting.bands is not None:
-        data = data.merge(_predictions(fitting.bands))
-    if fitting.rivals:
-        data = data.merge(_evidence(fitting.rivals))
-    return data.assign_attrs(_attributes(fitting))
-
-
 def _parameters(fit: Fitted) -> dict[str, tuple]:
     along = ("parameter",)
-    free = [x.free for x in fit.parameters]
-    ends = np.array(
-        [[float(f.at(np.asarray(end))) for end in (p.low, p.high)] for f, p in zip(free, fit.profiles, strict=True)]
-    )
+    free = fit.parameters
+    ends = np.array([[float(f.at(end)) for end in (p.low, p.high)] for f, p in zip(free, fit.profiles, strict=True)])
     points = max(len(p.shares) for p in fit.profiles)
     rise, value = np.full((2, len(free), points), np.nan)
     for at, (f, p) in enumerate(zip(free, fit.profiles, strict=True)):
@@ -177,7 +172,7 @@ def _parameters(fit: Fitted) -> dict[str, tuple]:
 def _standard_errors(fit: Fitted) -> np.ndarray:
     """Return the standard errors (k,) of the fitted values in SI units, from the curvature of chi square."""
     slope = [
-        float(value) * np.log(x.free.high / x.free.low) if x.free.log else x.free.high - x.free.low
+        float(value) * np.log(x.high / x.low) if x.log else x.high - x.low
         for x, value in zip(fit.parameters, fit.values, strict=True)
     ]
     return np.sqrt(np.diag(fit.best.covariance)) * np.array(slope)
@@ -287,11 +282,11 @@ def _fitted_case(fitting: Fitting, out: Path) -> str:
     one, plan = fitting.best, fitting.plan
     numbers, comments = {}, [f"Fitted by stiction {__version__} to {len(plan.data)} measured values. 95 % intervals:"]
     for x, value, p in zip(one.parameters, one.values, one.profiles, strict=True):
-        ends = [x.free.show(float(x.free.at(np.asarray(end)))) for end in (p.low, p.high)]
+        ends = [x.show(float(x.at(end))) for end in (p.low, p.high)]
         how = " (open)" if p.open_low or p.open_high else ""
-        comments.append(f"{x.name} = {x.free.show(float(value))}, {ends[0]} to {ends[1]}{how}")
-        if x.free.path != RESISTANCE and x.free.path not in numbers:
-            numbers[x.free.path] = float(value)
+        comments.append(f"{x.name} = {x.show(float(value))}, {ends[0]} to {ends[1]}{how}")
+        if x.path != RESISTANCE and x.path not in numbers:
+            numbers[x.path] = float(value)
     if any(x.sample is not None for x in one.parameters):
         comments.append(f"Of numbers that every sample has for itself, those of {plan.data.samples[0]} stand here.")
     comments += [f"Note: {text}" for text in verdicts(one)]
