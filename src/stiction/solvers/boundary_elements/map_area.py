@@ -21,6 +21,7 @@ from stiction.solvers.boundary_elements.compliance import Compliance
 from stiction.solvers.boundary_elements.limits import LEAST_IN_WAVE, LEAST_WAVES
 from stiction.solvers.boundary_elements.measures import Waves, waves
 from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.surfaces.asperity_set import skewness
 from stiction.surfaces.heightmap import HeightMap, every_point
 from stiction.surfaces.theory.widened_area import with_hardness
 
@@ -111,10 +112,10 @@ class MapArea:
 
         The map must be nearly Gaussian and isotropic.
         """
-        z = self.heights - self.heights.mean()
-        skewness = float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
         low, high = _TOP_RANGE
-        return abs(skewness) < _MOST_SKEWNESS and self.slopes.lay < _MOST_LAY and low < self.slopes.top(_TOP) < high
+        return (
+            abs(skewness(self.heights)) < _MOST_SKEWNESS and self.slopes.lay < _MOST_LAY and low < self.slopes.top(_TOP) < high
+        )
 
     @property
     def way(self) -> str:

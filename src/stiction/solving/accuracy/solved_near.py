@@ -14,6 +14,7 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
 from stiction.solving.problem_base import Problem
+from stiction.surfaces.asperity_set import skewness
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
 
 if TYPE_CHECKING:
@@ -105,13 +106,8 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     pressure = load * float(factors["N"]) / whole.nominal_area / strength
     groups = problem.groups
     of_load = groups.eta[:, None] * (4.0 / 3.0) / math.pi * groups.sharpness[:, None] / h
-    shape = _skewness(surface), area.slopes.lay, area.slopes.top(0.05)
+    shape = skewness(surface.heights), area.slopes.lay, area.slopes.top(0.05)
     return pressure, of_load, np.full(load.size, area.slopes.alpha), shape
-
-
-def _skewness(surface: "HeightMap") -> float:
-    z = surface.heights - surface.heights.mean()
-    return float(np.mean(z**3)) / float(np.mean(z**2)) ** 1.5
 
 
 def _film_of(groups: Groups, points: int) -> tuple[np.ndarray, np.ndarray]:
@@ -187,7 +183,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
     if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
         return None
     slopes, known = map_slopes(surface.heights, surface.size, surface.periodic), solved_set()
-    squared = squared_distance(_of_shape(known, (_skewness(surface), slopes.lay, slopes.top(0.05))))[0]
+    squared = squared_distance(_of_shape(known, (skewness(surface.heights), slopes.lay, slopes.top(0.05))))[0]
     if not squared.min() < _ALIKE**2:
         return None
     weights = np.exp(-0.5 * squared)
