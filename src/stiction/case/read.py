@@ -4,6 +4,7 @@ import tomllib
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import prod
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,7 @@ from stiction.case.uncertain import (
 from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
 from stiction.laws.proportion import input_warnings
+from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError, InputWarning, field_as
 from stiction.quantities.inputs import require_names
 from stiction.quantities.paths import read_text
@@ -107,6 +109,13 @@ class Case:
     def is_several(self) -> bool:
         """Return whether a number of the contact is swept."""
         return any(True for _ in self.subject.arrays())
+
+    @property
+    def size(self) -> int:
+        """Return the number of points to solve: loads or separations of all contacts."""
+        points = self.load if self.load is not None else self.separation
+        contacts = prod(dimensions([*(array for _, array in self.subject.arrays()), points]).values())
+        return contacts if hasattr(points, "dims") else contacts * np.size(points)
 
     @property
     def by_method(self) -> dict[str, Contact]:

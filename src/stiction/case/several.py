@@ -57,8 +57,14 @@ def _along(value):
     return value
 
 
-Along = Annotated[Any, BeforeValidator(_along, json_schema_input_type=str)]
-_TOGETHER = "name of a dimension; numbers with the same dimension vary together, point by point"
+Along = Annotated[
+    Any,
+    BeforeValidator(_along, json_schema_input_type=str),
+    Field(
+        validate_default=False,
+        description="name of a dimension; numbers with the same dimension vary together, point by point",
+    ),
+]
 
 
 class _Ends(Range):
@@ -67,14 +73,14 @@ class _Ends(Range):
     count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
         None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
     )
-    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = None
 
 
 class _Values(Input):
     """A swept number as a list of values, with the name of its dimension."""
 
     values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
-    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = None
 
 
 def _points(value):

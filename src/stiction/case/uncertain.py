@@ -23,7 +23,7 @@ from stiction.case.places import BODIES, entry_at
 from stiction.case.several import Address, Along, Point, Several, number_of, numbers_in, read_ends, with_error
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords, field_below, field_named
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, Seed
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
@@ -53,7 +53,7 @@ class Uncertainty(Input):
     count: Annotated[int, BeforeValidator(_power_of_two)] = Field(
         1024, strict=True, description="a power of two, 64 to 1048576"
     )
-    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+    seed: Seed = 0
     coverage: float = Field(0.9, gt=0.0, lt=1.0, strict=True, description="a probability above 0 and below 1, e.g. 0.9")
     ranges: bool = Field(
         False, strict=True, description="true or false: whether material properties vary within their stated ranges"
@@ -68,7 +68,7 @@ class _Between(Input):
     spacing: Literal["linear", "log"] = Field(
         "linear", description="linear: uniform distribution; log: uniform distribution of the logarithm"
     )
-    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = Field(None, description=_TOGETHER)
 
 
 class _Factor(Input):
@@ -81,7 +81,7 @@ class _Factor(Input):
         strict=True,
         description="a factor above 1; two thirds of the values are within this factor of the median",
     )
-    along: Along = Field(None, validate_default=False, description=_TOGETHER)
+    along: Along = Field(None, description=_TOGETHER)
 
 
 class _Samples(Input):
@@ -90,7 +90,7 @@ class _Samples(Input):
     samples: str = Field(description="path of a file with one number per line, or with named columns")
     unit: str | None = Field(None, description="the unit of the numbers in the file")
     column: str | None = Field(None, description="name of the column, if the file has several")
-    along: Along = Field(None, validate_default=False, description="name of a dimension; rows of one file are sampled together")
+    along: Along = Field(None, description="name of a dimension; rows of one file are sampled together")
 
 
 # The tables that say how uncertain a number is, by the names that they have in a JSON schema.

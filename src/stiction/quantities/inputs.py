@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, ValidationInfo
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo
 
 from stiction.quantities import html
 from stiction.quantities.dimensions import coordinates
@@ -51,6 +51,7 @@ def _optional_number(value, info: ValidationInfo):
 # The name of the field is the name of the quantity: it decides unit and bounds.
 Number = Annotated[Any, BeforeValidator(_number)]
 OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
+Seed = Annotated[int, Field(ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")]
 
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")

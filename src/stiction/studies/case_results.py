@@ -3,7 +3,6 @@
 For a surface measured by scans, they add the range of friction over the asperity methods.
 """
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,6 @@ import numpy as np
 from stiction import __version__
 from stiction.case.read import Case, as_case
 from stiction.contact.subject import Subject
-from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
 from stiction.quantities.sampling import spread_rows
@@ -32,7 +30,7 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
     from stiction.quantities.arguments import QuantityLike
 
-_MOST = 1_000_000  # points at once in memory
+_MOST = 1_000_000  # points at once: more would need too much memory and time
 _FEW = 5  # curves of force against displacement of one case
 
 
@@ -73,7 +71,8 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     _check_choice(choice)
     if choice.model == RECOMMENDED and is_predicted(chosen := replace(case, choice=choice)):
         return predict(chosen)
-    _check_size(case)
+    if case.size > _MOST:
+        raise InputError("contact", f"{case.size} points", f"at most {_MOST}; `stiction sweep` computes more, on disk")
     choice = choice_of_case(case, choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
@@ -148,15 +147,6 @@ def slide_case(
         spring_stiffness=spring_stiffness, tangential_force=tangential_force, **arguments,
     )  # fmt: skip
     return _said(data, case).assign_attrs(case.subject.groups())
-
-
-def _check_size(case: Case) -> None:
-    """Raise InputError for more than a million points, which would need too much memory and time."""
-    points = case.load if case.load is not None else case.separation
-    count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
-    count *= 1 if hasattr(points, "dims") else np.size(points)
-    if count > _MOST:
-        raise InputError("contact", f"{count} points", f"at most {_MOST}; `stiction sweep` computes more, on disk")
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":

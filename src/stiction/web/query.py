@@ -1,6 +1,5 @@
 """Solve a case of the page, compare models for it, and describe the answer; safe to call from any thread."""
 
-import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -15,7 +14,6 @@ from stiction.case.read import Case, case_in
 from stiction.contact.contact import Contact
 from stiction.contact.interfaces import allowed_interfaces, interface_names
 from stiction.laws.proportion import input_warnings
-from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError
 from stiction.records.registry import all_options, kinds, of_kind
 from stiction.report.answer import answer_lines, grade_line, model_line
@@ -97,12 +95,9 @@ def read_query(query: Query) -> Case:
         case = case_in(query.tables, query.folder)
     except InputError as error:
         raise _without_folders(error, query) from None
-    points = case.load if case.load is not None else case.separation
-    count = math.prod(dimensions([*(array for _, array in case.subject.arrays()), points]).values())
-    count *= 1 if hasattr(points, "dims") else np.size(points)
     samples = case.uncertainty.count if case.uncertain else 0
     most = _MAX_PREDICTED if is_predicted(case) else _MAX_POINTS
-    for field, size, limit in (("solve", count, most), ("uncertainty.count", samples, _MAX_SAMPLES)):
+    for field, size, limit in (("solve", case.size, most), ("uncertainty.count", samples, _MAX_SAMPLES)):
         if size > limit:
             raise InputError(field, size, f"at most {limit} {_MORE}")
     return case

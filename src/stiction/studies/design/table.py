@@ -5,7 +5,7 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, Seed
 
 
 class Objective(Input):
@@ -51,7 +51,7 @@ class Design(Input):
     limits: dict[str, Any] = Field(default_factory=dict, description="a table of results, each with its low or high end")
     validity: Literal["claimed", "possible", "any"] = Field("claimed", description="claimed, possible, any")
     effort: int = Field(60, ge=1, le=10_000, strict=True, description="generations of the search, 1 to 10000")
-    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+    seed: Seed = 0
 
 
 TABLE = (Design, "what `stiction design` chooses, and the objective of it")

@@ -5,7 +5,7 @@ from typing import Any, Literal, get_args
 from pydantic import Field, model_validator
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, Seed
 from stiction.studies.sweep.quantile_counts import PERCENTILES
 
 Method = Literal["grid", "list", "sobol", "latin_hypercube"]
@@ -24,7 +24,7 @@ class Sample(Input):
 
     method: Method = Field("grid", description=", ".join(get_args(Method)))
     count: int | None = Field(None, ge=1, le=_MOST_SOBOL, strict=True, description="a whole number, 1 or more")
-    seed: int = Field(0, ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")
+    seed: Seed = 0
 
     @property
     def is_drawn(self) -> bool:
