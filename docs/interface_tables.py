@@ -14,7 +14,7 @@ _OF_A_STATE = ("strength", "pressure_coefficient")
 
 def states() -> str:
     """Each state with its two numbers."""
-    head = ("state", "tau_0", "90 % range", "grade", "alpha", "90 % range", "grade")
+    head = ("interface", "tau_0", "90 % range", "grade", "alpha", "90 % range", "grade")
     cells = (median_in_words, range_of, grade_of)
     return table(
         head, [(f"`{row['name']}`", *(say(row[key]) for key in _OF_A_STATE for say in cells)) for row in st.interfaces()]
@@ -34,12 +34,12 @@ def sources() -> str:
         for key in _OF_A_STATE
         if row[key] is not None
     ]
-    return table(("state", "number", "source, in the words of the file"), rows)
+    return table(("interface", "number", "source"), rows)
 
 
 def limits() -> str:
     """Where a state must not be used."""
-    return table(("state", "not for"), [(f"`{row['name']}`", row["not_for"]) for row in st.interfaces()])
+    return table(("interface", "not for"), [(f"`{row['name']}`", row["not_for"]) for row in st.interfaces()])
 
 
 def weights() -> str:
@@ -50,12 +50,12 @@ def weights() -> str:
         pairs = "; ".join(f"{pair}{film if not weight else ''}: {weight:g}" for pair, weight in row["pairs"].items())
         only = f" (one body of {' or '.join(row['only_with'])})" if row["only_with"] else ""
         rows.append((f"`{row['name']}`", pairs + only))
-    return table(("state", "weight between"), rows)
+    return table(("interface", "classes of the two materials: weight"), rows)
 
 
 def of_finishes() -> str:
     """Each finish with its ranges."""
-    head = ("finish", "surface", *(f"{QUANTITIES[name].symbol} (grade)" for name in NUMBERS))
+    head = ("finish", "kind of surface", *(f"{QUANTITIES[name].symbol} (grade)" for name in NUMBERS))
     rows = [
         (f"`{row['name']}`", row["surface_kind"], *(_range(row["numbers"][name], name) for name in NUMBERS))
         for row in finishes()
@@ -77,7 +77,7 @@ def sources_of_finishes() -> str:
         (symbol, source, "all" if len(names) == len(finishes()) else ", ".join(names))
         for (symbol, source), names in found.items()
     ]
-    return table(("number", "source, in the words of the file", "finishes"), sorted(rows))
+    return table(("number", "source", "finishes"), sorted(rows))
 
 
 TABLES = {

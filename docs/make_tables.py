@@ -224,7 +224,7 @@ def material_sources() -> str:
         for name, words in st.material(key).source.items():
             presets.setdefault((QUANTITIES[name].symbol, words), []).append(f"`{key}`")
     ordered = sorted(presets, key=lambda row: (row[0], -len(presets[row]), row[1]))
-    head = ("number", "source, in the words of the file", "presets")
+    head = ("number", "source", "presets")
     return table(head, [(*row, ", ".join(presets[row])) for row in ordered])
 
 
