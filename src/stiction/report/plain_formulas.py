@@ -2,6 +2,7 @@ r"""Convert LaTeX formulas to plain text for the terminal and plain pages: \frac
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 _GREEK = re.compile(
@@ -19,9 +20,13 @@ _RELATIONS = {
 }  # fmt: skip
 _FUNCTION = re.compile("(arc)?(sin|cos|tan)|(cos|cot|sin|tan)h|ln|log|exp|min|max")
 _ACCENTS = {"bar": "\u0304", "overline": "\u0304", "hat": "\u0302", "dot": "\u0307", "tilde": "\u0303"}
-_AS_WRITTEN = ("mathrm", "text", "operatorname", "mathcal", "mathbf")
 _RAISED = str.maketrans("0123456789+-n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ")
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d*\.?\d+|\s+|.", re.DOTALL)
+_TEXT = r"\\(?:mathrm|text|operatorname|mathcal|mathbf)\{[^}]*\}"
+_BRACKET = r"\\(?:left|right|bigl|bigr)(?![A-Za-z])\s*(?:\\[A-Za-z]+|\\.|.)"
+_TOKEN = re.compile(rf"{_TEXT}|\\begin.*?\\end\{{\w+\}}|{_BRACKET}|\\[A-Za-z]+|\\.|\d*\.?\d+|\n|\S", re.DOTALL)
+_GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
+# An argument without braces.
+_ONE = rf"(\\(?:mathrm|mathcal|text|sqrt){_GROUP}|\\[td]?frac{_GROUP}{_GROUP}|\\[A-Za-z]+|[^\s{{}}\\[])"
 _NAME = re.compile(r"[\d.]+|[^\W\d_][^\W_]*'*")
 _OPEN = "([{⟨"
 
@@ -45,50 +50,39 @@ class _Piece:
 class _Reader:
     """Convert the tokens of a LaTeX formula to pieces of text, from left to right."""
 
-    tokens: list[str]
-    place: int = 0
+    tokens: Iterator[str]
     pieces: list[_Piece] = field(default_factory=list)
 
     def pieces_until(self, end: str) -> list[_Piece]:
         """Read and return the pieces before a closing token, and skip that token; "" reads to the end of the formula."""
         before, self.pieces = self.pieces, []
-        while self.place < len(self.tokens) and self.tokens[self.place] != end:
-            self._add(self._next())
-        self.place += 1
+        for token in self.tokens:
+            if token == end:
+                break
+            if token in ("^", "_"):
+                self._script(token)
+            else:
+                self.pieces.append(self._piece(token))
         inner, self.pieces = self.pieces, before
         return inner
 
-    def _next(self) -> str:
-        self.place += 1
-        return self.tokens[self.place - 1]
-
-    def _add(self, token: str) -> None:
-        if token in ("^", "_"):
-            self._script(token)
-        elif token == "\n":
-            self.pieces.append(_Piece("\n"))
-        elif not token.isspace():
-            self.pieces.append(self._piece(token))
-
     def _piece(self, token: str) -> _Piece:
-        name = token[1:] if token[0] == "\\" and len(token) > 1 else ""
         if token == "{":
             return _Piece(_joined(self.pieces_until("}")), word=True)
-        if not name:
-            relation = token in "=<>" or (token in "+-" and self._after_a_value())
-            return _Piece(token, relation=relation)
+        if token[0] != "\\":
+            return _Piece(token, relation=token in "=<>" or (token in "+-" and self._after_a_value()))
+        if token.startswith("\\begin"):
+            return _Piece(_rows(token))
+        name = token[1:]
+        if text := re.fullmatch(r"([a-z]+)\{(.*)\}", name):
+            return _Piece(text[2], word=True, function=text[1] == "operatorname")
         if name in ("frac", "tfrac", "dfrac"):
             above, below = self._argument(), self._argument()
             return _Piece(f"{_grouped(above, product=True)}/{_grouped(below)}", word=True, fraction=True)
         if name == "sqrt":
             return _Piece(f"√{_grouped(self._argument())}", word=bool(self.pieces) and self.pieces[-1].function)
-        if name in ("left", "right", "bigl", "bigr"):
-            sign = self._next()
-            return _Piece("" if sign == "." else _SIGNS.get(sign[1:], sign[1:]) if sign[0] == "\\" else sign)
-        if name == "begin":
-            return _Piece(self._rows(self._raw()))
-        if name in _AS_WRITTEN:
-            return _Piece(self._raw(), word=True, function=name == "operatorname")
+        if sign := re.fullmatch(r"(?:left|right|bigl|bigr)(?![A-Za-z])\s*(\\?)(.+)", name):
+            return _Piece(_SIGNS.get(sign[2], sign[2]) if sign[1] else sign[2].removeprefix("."))
         if name in _ACCENTS:
             inner = _joined(self._argument())
             return _Piece(unicodedata.normalize("NFC", inner[:1] + _ACCENTS[name]) + inner[1:])
@@ -123,40 +117,15 @@ class _Reader:
         self.pieces[-1:] = [_Piece(text, word=base.word or sign == "_" or raised[0] == "^", fraction=raised[0] == "^")]
 
     def _argument(self) -> list[_Piece]:
-        while self.tokens[self.place].isspace():
-            self.place += 1
-        token = self._next()
-        if token == "{":
-            return self.pieces_until("}")
-        if token.isdigit() and len(token) > 1:  # \frac12 has two arguments
-            self.place -= 1
-            self.tokens[self.place : self.place + 1] = list(token)
-            token = self._next()
-        before, self.pieces = self.pieces, []
-        argument = [self._piece(token)]
-        self.pieces = before
-        return argument
+        next(self.tokens)  # the brace that opens it
+        return self.pieces_until("}")
 
-    def _raw(self) -> str:
-        while self.tokens[self.place].isspace():
-            self.place += 1
-        if self.tokens[self.place] != "{":
-            return self._next()
-        end = self.tokens.index("}", self.place)
-        text = "".join(self.tokens[self.place + 1 : end])
-        self.place = end + 1
-        return text
 
-    def _rows(self, kind: str) -> str:
-        """Return the rows of a LaTeX environment as text, one line each; "cases" become one line."""
-        inner = []
-        while self.place < len(self.tokens) and self.tokens[self.place] != "\\end":
-            inner.append(self._next())
-        self.place += 1
-        self._raw()
-        rows = [row.strip() for row in "".join(inner).split("\\\\") if row.strip()]
-        text = [" if ".join(formula(cell) for cell in row.split("&")).strip(" ,;") for row in rows]
-        return "{ " + "; ".join(text) + " }" if kind == "cases" else "\n" + "\n".join(text) + "\n"
+def _rows(environment: str) -> str:
+    """Return the rows of a LaTeX environment as text, one line each; "cases" become one line."""
+    rows = [row.strip() for row in re.sub(r"\\(?:begin|end)\{\w+\}", "", environment).split("\\\\") if row.strip()]
+    text = [" if ".join(formula(cell) for cell in row.split("&")).strip(" ,;") for row in rows]
+    return "{ " + "; ".join(text) + " }" if "{cases}" in environment else "\n" + "\n".join(text) + "\n"
 
 
 def _joined(pieces: list[_Piece]) -> str:
@@ -192,9 +161,18 @@ def _grouped(pieces: list[_Piece], product: bool = False) -> str:
     return text if single or (product and not several) else f"({text})"
 
 
+def braced(tex: str) -> str:
+    """Return a LaTeX formula with every argument in braces."""
+    tex = re.sub(rf"(\\(?:mathrm|mathcal|sqrt|bar|overline|hat|dot|tilde))\s*{_ONE}", r"\1{\2}", tex)
+    before = ""
+    while before != tex:  # a fraction may stand inside another
+        before, tex = tex, re.sub(rf"(\\[td]?frac(?:{_GROUP})?)\s*{_ONE}", r"\1{\2}", tex)
+    return re.sub(rf"([\^_])\s*{_ONE}", r"\1{\2}", tex)
+
+
 def formula(tex: str) -> str:
     """Convert one LaTeX formula to plain text; a displayed formula keeps its line breaks."""
-    tokens = _TOKEN.findall(re.sub(r"\s*\n\s*", "\n", tex.strip()))
+    tokens = iter(_TOKEN.findall(braced(re.sub(r"\s*\n\s*", "\n", tex.strip()))))
     lines = _joined(_Reader(tokens).pieces_until("")).split("\n")
     return "\n".join(re.sub(r" {4,}", "   ", line).strip() for line in lines if line.strip())
 

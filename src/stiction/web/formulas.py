@@ -5,13 +5,11 @@ import io
 import re
 from functools import cache
 
-from stiction.report.plain_formulas import as_code, formula
+from stiction.report.plain_formulas import as_code, braced, formula
 
 _INLINE, _DISPLAY = 1.2, 1.7  # of the size in which matplotlib draws
 # Commands that matplotlib does not know, with what it takes in their place.
 _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr": ""}
-_GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
-_ONE = rf"(\\(?:mathrm|mathcal|sqrt){_GROUP}|\\[A-Za-z]+|[^\s{{}}\\[])"  # an argument without braces
 
 
 def typeset(text: str) -> str:
@@ -64,8 +62,4 @@ def _plain(tex: str) -> str:
     """Rewrite a formula with commands that matplotlib supports, every argument in braces."""
     tex = re.sub(r"\\([A-Za-z]+)", lambda command: _RENAMED.get(command[1], command[0]), tex)
     tex = re.sub(r"\\text\{[^}]*\}", lambda words: words[0].replace("text", "mathrm").replace(" ", r"\ "), tex)
-    tex = re.sub(rf"(\\(?:mathrm|mathcal|sqrt|bar|hat))\s*{_ONE}", r"\1{\2}", tex).replace("^*", "^{*}")
-    before = ""
-    while before != tex:  # a fraction may stand inside another
-        before, tex = tex, re.sub(rf"(\\frac(?:{_GROUP})?)\s*{_ONE}", r"\1{\2}", tex)
-    return tex
+    return braced(tex)
