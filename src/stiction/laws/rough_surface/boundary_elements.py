@@ -1,6 +1,7 @@
 r"""The contact of the measured map itself, solved point by point by boundary elements.
 
-*Assumes*: half-spaces without friction and with small slopes. There are no asperities and no statistics. *Sources*:
+*Assumes*: half-spaces without friction and with small slopes. There are no asperities and no statistics: the contact of the
+measured map is solved. *Sources*:
 [polonsky_keer_1999] for the minimum; [stanley_kato_1997] for displacements by Fourier transforms of one period, or by cosine
 transforms of a window that is continued by its mirror images; [love_1929] for a lone map, with which single spheres are
 checked; [almqvist_2007] for pressures limited to the hardness; [nogi_kato_1997] for a film; [yastrebov_2017] for the area
@@ -11,25 +12,29 @@ $$
 \hat C(k)=\frac2{E^*k}\ \text{(bare)}
 $$
 
-The map carries the nominal pressure; its area, stiffness and friction are multiplied by the nominal area over the area of the
-map. The hardness is the softer body's; with a film it is the smaller hardness of film and other body. If both bodies are
-coated, each has half of the thickness. The substrate does not yield.
+Angle brackets denote the mean over the points, $P/A_n$ the nominal pressure, $H$ the hardness, $E^*$ the contact modulus and
+$\hat C(k)$ the compliance for a wave of the wavenumber $k$. The map carries the nominal pressure; its area, stiffness and
+friction are multiplied by the nominal area over the area of the map. The hardness is the softer body's; with a film it is the
+smaller of the hardnesses of film and other body. If both bodies are coated, each has half of the thickness. The substrate does
+not yield.
 
-*Adhesion* (optional) of elastic bodies and one period: surfaces at the gap $g$ have the energy $-w\,e^{-g/\rho}$ (method of
-[pastewka_robbins_2014]). The range $\rho$ is 0.3 nm, or the shortest range that the map resolves, for which $E^*\rho^2/w$ is
-two points.
+*Adhesion* (optional) of elastic bodies and one period: surfaces at the gap $g$ have the energy per area
+$-\gamma\,e^{-g/\varrho}$ with the work of adhesion $\gamma$ (method of [pastewka_robbins_2014]). The range $\varrho$ is 0.3
+nm, or the shortest range that the map resolves, for which $E^*\varrho^2/\gamma$ is twice the point spacing.
 
-*Menisci* of a liquid: the suction $\gamma_\mathrm L/r$ acts on every point with a gap below $2rc$, like the attraction of
-[maugis_1992]. Contact and wetted points are computed in turn, starting with the dry contact. With adhesion the liquid is left
-out.
+*Menisci* of a liquid: the suction $\gamma_\mathrm L/r$ (surface tension over radius of the meniscus) acts on every point with
+a gap below the meniscus height $2rc$ of [`equilibrium_meniscus`](#equilibrium_meniscus), like the attraction of
+[maugis_1992]. Points in contact and wetted points are computed in turn, starting with the dry contact. With adhesion the
+liquid is left out.
 
-*Friction*: a law of the interface is applied to the pressure of every point. For $\tau=\tau_0+\alpha p$ the sum is exact,
-$T=\tau_0A+\alpha P$. With the option `shear` the strength of a point is the smaller of $\alpha p$ and $\tau_0$
-([orowan_1943]), or points that flow under pressure and shear grow until $p^2+9\tau_0^2=H^2$ ([tabor_1959]):
-$T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: $A=A_\text{px}-c\,S\,\Delta x$, where $S$ is the
-length of the edges of points in contact; the form follows [yastrebov_2017]. The coefficient was fitted to this solver:
-$c=.100+.090r^4$ with $r=|S_x-S_y|/(S_x+S_y)$, larger where edges run along the points. *Check*:
-Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics (tests).
+*Friction*: a law of the interface is applied to the pressure of every point. For the shear strength $\tau=\tau_0+\alpha p$ the
+sum is exact, $T=\tau_0A+\alpha P$ with the contact area $A$. With `shear="lesser"` the strength of a point is the smaller of
+$\alpha p$ and $\tau_0$ ([orowan_1943]). With `shear="junction_growth"` points that flow under pressure and shear grow until
+$p^2+9\tau_0^2=H^2$ ([tabor_1959]): $T=\tau_0\sum\max(A,\,P/\sqrt{H^2-9\tau_0^2})$ over the points. *Area*: the points in
+contact overestimate the area; $A=A_\text{px}-c\,S\,\Delta x$, where $A_\text{px}$ is their area, $\Delta x$ the point spacing
+and $S$ the length of the edges between points in contact and others. The form follows [yastrebov_2017]; the coefficient was
+fitted to this solver: $c=.100+.090\,\epsilon^4$ with $\epsilon=|S_x-S_y|/(S_x+S_y)$, the imbalance of edges along $x$ and $y$.
+*Check* (in the tests): Hertz, Westergaard, Johnson, Greenwood & Higginson, and the library ContactMechanics.
 """
 
 from collections.abc import Sequence
@@ -131,22 +136,23 @@ RECORD = RoughSurface(
     title="The contact of the measured map itself, solved point by point",
     grade="B",
     sources=(
-        Source("polonsky_keer_1999", "", "the conjugate gradients; changed to converge also where points flow"),
+        Source("polonsky_keer_1999", "", "conjugate gradients; changed to converge also where points flow"),
         Source("stanley_kato_1997", "", "displacements by Fourier transforms"),
         Source("almqvist_2007", "", "pressures between 0 and the hardness"),
         Source("nogi_kato_1997", "", "compliance of a film; checked by the boundary conditions of a wave, not against print"),
-        Source("love_1929", "", "displacement under a point of a lone map, for the checks"),
-        Source("pastewka_robbins_2014", "", "faces that attract each other over a range; solved by another descent"),
-        Source("maugis_1992", "", "the attraction of a liquid: a pressure up to a gap; here at every point of a map"),
+        Source("love_1929", "", "displacement under a loaded point of a map that is not periodic, for the checks"),
+        Source("pastewka_robbins_2014", "", "attraction with a finite range; solved here by another method of descent"),
+        Source("maugis_1992", "", "attraction by a constant stress up to a gap; here the liquid at every point of a map"),
         Source("orowan_1943", "", "shear = lesser; reconstructed, not compared with print"),
         Source("tabor_1959", "", "shear = junction_growth; reconstructed, not compared with print"),
-        Source("yastrebov_2017", "", "the area that pixels add"),
+        Source("yastrebov_2017", "", "correction of the area for the size of the pixels"),
     ),
     of_map=of_map,
     takes_surface_moments=True,
     accuracy=limits.TOLERANCE,
     up_to_full_contact=True,
-    verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program of few points; ContactMechanics",
+    verified="Hertz, Westergaard, Johnson, Greenwood & Higginson; a quadratic program for few points; the library "
+    "ContactMechanics",
     own_options={
         "points": ("all", "sampled"),
         "yielding": ("at_hardness", "none"),
@@ -177,8 +183,9 @@ RECORD = RoughSurface(
         Validity("load_error", 0.0, limits.LEAST_LOAD_ERROR, "the computed pressures do not add up to the load", "effect"),
     ),
     notes=(
-        "Solved on the map, prepared as its roughness says; one period (periodic = true, and made maps) has no form taken off "
-        "and no ends. No adhesion, unless asked for. The hardness is the largest pressure of a point; the substrate of a film "
-        'does not yield. points="sampled" solves only as many points as the area needs to 1 to 2 %, 3 to 10 % with a lay.'
+        "The contact of the map is solved, after the preparation that its roughness states; a periodic map (periodic = true, "
+        "and generated maps) keeps its form and has no ends. There is no adhesion by default. The hardness is the largest "
+        'pressure of a point; the substrate of a film does not yield. points="sampled" solves the fewest points that give the '
+        "area to 1 to 2 %, or to 3 to 10 % for a surface with a lay."
     ),
 )

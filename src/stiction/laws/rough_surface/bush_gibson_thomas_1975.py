@@ -1,18 +1,22 @@
 r"""The summits of an isotropic Gaussian surface as elastic paraboloids of two curvatures: Bush, Gibson & Thomas 1975.
 
-*Assumes*: the asperities are the summits of an isotropic Gaussian surface. Each is an elastic paraboloid with two curvatures
-and has a Hertzian elliptic contact. *Source*: [bush_gibson_thomas_1975], and [nayak_1971] for the density of summits by
-height $z$, mean curvature $\kappa_m$ and half-difference $r$ of the curvatures. This density is integrated here ($\phi$ is
-the joint Gaussian density of $z$ and $\kappa_m$, variances $m_0$ and $2s^2$, covariance $m_2$, $s^2=m_4/3$):
+*Assumes*: the asperities are the summits of an isotropic Gaussian surface with the spectral moments $m_0$, $m_2$, $m_4$ of its
+profile. Each is an elastic paraboloid with two principal curvatures and has a Hertzian elliptic contact. *Source*:
+[bush_gibson_thomas_1975], and [nayak_1971] for the number of summits per area by height $z$, mean curvature $\kappa_m$ and
+half-difference $r$ of the principal curvatures. This density is integrated here ($\phi$ is the joint Gaussian density of $z$
+and $\kappa_m$ with the variances $m_0$ and $2s^2$, the covariance $m_2$ and $s^2=m_4/3$):
 
 $$
 \frac1{2\pi m_2}\,\phi(z,\kappa_m)\,\frac r{s^2}e^{-r^2/(2s^2)}\,(\kappa_m^2-r^2),\qquad0<r<\kappa_m
 $$
 
-The surface has the given $\sigma$, $N$ and mean curvature $1/R$. Below $\rho=0.01581$ no such surface exists, and an error is
-raised. The paper's own result is that area and load become proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to
-$\sqrt{2\pi}=2.5066$ at light load, from below and slowly, so that they are proportional only at separations beyond those of
-any real contact. *Check*: $\kappa$ of this and of the simplified model [`greenwood_2006`](#greenwood_2006):
+Its summits have the height deviation $\sigma$, the number per area $N$ and the mean curvature $1/R$ of the contact. Below
+$\rho=NR\sigma=0.01581$ no such surface exists, and an error is raised. The paper's own result is that area and load become
+proportional: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ tends to $\sqrt{2\pi}=2.5066$ at light load, slowly and from below, so that
+they are proportional only at separations beyond those of any real contact. $A/A_n$ is contact area over nominal area, $p$ the
+nominal pressure, $E^*$ the contact modulus and $h'$ the root mean square gradient. *Check*: $\kappa$ of this and of the
+simplified model [`greenwood_2006`](#greenwood_2006) for the bandwidth parameter $\alpha=m_0m_4/m_2^2$ at the separation $h$
+(over $\sigma$, from the mean summit height):
 
 | $\alpha$ ($\rho$) | $\kappa$ at $h=0$ | 1 | 2 | 3 | 4 |
 |---|---|---|---|---|---|
@@ -85,21 +89,21 @@ RECORD = RoughSurface(
     title="Elastic contact of a rough surface: elliptic summits of a Gaussian surface",
     grade="B",
     sources=(
-        Source("bush_gibson_thomas_1975", "", "summed here from Nayak's density; the proportional light load is theirs"),
+        Source("bush_gibson_thomas_1975", "", "integrated here over Nayak's density; proportionality at light load is theirs"),
         Source("nayak_1971", "", "joint density of height and curvatures of the summits"),
         Source("johnson_1985", "section 4.2(c), Hertz's ellipse"),
     ),
     curve=curve,
     separation_near=separation_near,
     takes_surface_moments=True,
-    verified="adaptive integrals over height and both curvatures; A/A0 = sqrt(2 pi) p/(E* h') at light load",
+    verified="independent adaptive integration over height and both curvatures; A/A0 = sqrt(2 pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
     validity=(
         ENOUGH_SUMMITS,
         ELASTIC,
     ),
     notes=(
-        "The asperities are the summits of an isotropic Gaussian surface with the same sigma, N and mean curvature 1/R. "
-        "Separation is from the mean of the summits. Area is proportional to load only at very large separations."
+        "The asperities are the summits of an isotropic Gaussian surface with the given sigma, N and mean curvature 1/R. "
+        "The separation is from the mean summit height. Area is proportional to load only at very large separations."
     ),
 )

@@ -1,13 +1,16 @@
 r"""Elastic-plastic asperities (1987) with static friction of the elastic ones (1988): Chang, Etsion & Bogy.
 
 *Assumes*: asperities of [`chang_etsion_bogy_1987`](#chang_etsion_bogy_1987) are independent and fail at [first
-yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988].
+yield](#chang_etsion_bogy_1988-tangential-law). *Source*: [chang_etsion_bogy_1988]. The friction coefficient at the mean
+separation $h$ (over $\sigma$) is
 
 $$
-\mu(h)=\frac{\int_0^{w_c}Q(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
+\mu(h)=\frac{\int_0^{w_c}T(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Not included*: the adhesion of 1988. *Check*: [the three models of static friction side by
+with the load $P$ and the tangential force $T$ of one asperity at the displacement $w$, its displacement $w_c$ at first yield
+and the density $\varphi$ of heights. *Not included*: the adhesion of the 1988 papers. *Check*: [the three models of static
+friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
 
@@ -25,10 +28,10 @@ RECORD = RoughSurface(
     ),
     asperity="chang_etsion_bogy_1987",
     tangential="chang_etsion_bogy_1988",
-    verified="independent integrals at 30 digits; friction of single asperities tabulated independently",
+    verified="sums over heights, computed independently at 30 digits; friction of single asperities tabulated independently",
     validity=(
         Validity("plasticity_index", 0.0, 0.6, "plastic asperities have no friction in this law: mu is too low", "effect"),
     ),
     limits=(elastic_limit("greenwood_williamson_1966"),),
-    notes="Adhesion of the 1988 papers is left out.",
+    notes="The adhesion of the 1988 papers is not included.",
 )

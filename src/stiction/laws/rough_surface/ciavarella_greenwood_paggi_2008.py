@@ -1,16 +1,19 @@
-r"""Asperities that push each other down, all by the same displacement: Ciavarella, Greenwood & Paggi 2008.
+r"""Asperities that interact, all lowered by the same displacement: Ciavarella, Greenwood & Paggi 2008.
 
-*Assumes*: Greenwood and Williamson's asperities push each other down. To first order all have the same displacement, which
-the mean pressure gives the nominal area. *Source*: [ciavarella_greenwood_paggi_2008]; *unknown*: its text. *Reconstruction*:
-the nominal area is a square of side $L$ on a half-space and sinks by its mean displacement under uniform pressure (Love's
-solution, [johnson_1985]), $0.9464\,pL/E^*$:
+*Assumes*: the loads on Greenwood and Williamson's asperities lower all other asperities. To first order all are lowered by the
+same displacement, that of the nominal area under the mean pressure $p$. *Source*: [ciavarella_greenwood_paggi_2008]; *unknown*:
+its text. *Reconstruction*: the nominal area is a square of side $L$ on a half-space and is displaced by its mean displacement
+under uniform pressure (Love's solution, [johnson_1985]), $0.9464\,pL/E^*$:
 
 $$
 \bar P=F_{3/2}(h^*),\quad\bar A=F_1(h^*),\quad h^*=h+c\,F_{3/2}(h^*),\quad
 c=\frac4\pi\left[\ln(1+\sqrt2)-\frac{\sqrt2-1}3\right]\tfrac43\,\rho\,\varsigma\,\frac L\sigma
 $$
 
-The relation of area and load is Greenwood and Williamson's. Only the separation differs, and more for a larger surface.
+$\bar P$ and $\bar A$ are load and area per asperity and $F_n$ the integrals of
+[`greenwood_williamson_1966`](#greenwood_williamson_1966), $h$ is the separation (over $\sigma$), $h^*$ the separation enlarged
+by the displacement, $\rho=NR\sigma$ and $\varsigma=\sqrt{\sigma/R}$. The relation of area and load is Greenwood and
+Williamson's. Only the separation differs, and more for a larger surface.
 *Check*, $\rho=0.04$, $\varsigma=0.03$, $L/\sigma=20\,000$: $\bar P=0.0420103$, $\bar A=0.0482781$ at $h=0$ and 0.00449705,
 0.00584984 at $h=2$. *Limit*: Greenwood and Williamson for $L\to0$.
 """
@@ -82,21 +85,21 @@ RECORD = RoughSurface(
         Source(
             "ciavarella_greenwood_paggi_2008",
             "",
-            "reconstructed: the paper was not available. Its idea, uniform displacement by the mean pressure, is used with the "
-            "mean displacement 0.9464 p sqrt(A_n)/E* of a uniformly loaded square, derived here",
+            "reconstructed, the paper was not available: uniform displacement by the mean pressure, here the mean displacement "
+            "0.9464 p sqrt(A_n)/E* of a uniformly loaded square",
         ),
         Source("greenwood_williamson_1966", "", "the asperities"),
         Source("johnson_1985", "chapter 3, uniform pressure on a rectangle (Love)"),
     ),
     curve=curve,
     separation_near=separation_near,
-    verified="the load at the shifted separation against independent integrals; no shift for small areas; the mean "
-    "displacement of a square by numerical integration",
+    verified="loads and areas against independent integrals; greenwood_williamson_1966 for small areas; mean displacement of a "
+    "square by numerical integration",
     needs=("roughness_parameter", "sharpness", "nominal_width"),
     validity=(ELASTIC,),
     limits=(Limit("greenwood_williamson_1966", {"nominal_width": 1e-12}, ("load", "contact_area"), 1e-9),),
     notes=(
-        "Heights are Gaussian. The nominal area is a square on a half-space: the displacement grows with its side. Area "
-        "against load is Greenwood & Williamson's; only the separation differs."
+        "Heights are Gaussian. The nominal area is a square on a half-space, whose displacement grows with its side. Area "
+        "against load is that of Greenwood & Williamson; only the separation differs."
     ),
 )

@@ -1,13 +1,15 @@
 r"""Asperities in full stick with Gaussian heights: Cohen, Kligerman & Etsion 2008.
 
 *Assumes*: asperities of [`brizmer_kligerman_etsion_2006`](#brizmer_kligerman_etsion_2006) are independent and slide in full
-stick, [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). *Source*: [cohen_kligerman_etsion_2008].
+stick, [`brizmer_kligerman_etsion_2007`](#brizmer_kligerman_etsion_2007). *Source*: [cohen_kligerman_etsion_2008]. The friction
+coefficient at the mean separation $h$ (over $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^\infty\mu(P)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Unknown*: the empirical formulas that the authors fitted to their sums; the sums themselves are computed here. *Not
+with the load $P$ and the friction coefficient $\mu(P)$ of one asperity at the displacement $w$, and the density $\varphi$ of
+heights. *Unknown*: the empirical formulas that the authors fitted to their sums; the sums themselves are computed here. *Not
 included*: adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
@@ -25,5 +27,5 @@ RECORD = RoughSurface(
     ),
     asperity="brizmer_kligerman_etsion_2006",
     tangential="brizmer_kligerman_etsion_2007",
-    verified="integrals over Gaussian heights by an independent quadrature",
+    verified="sums over Gaussian heights, integrated independently",
 )

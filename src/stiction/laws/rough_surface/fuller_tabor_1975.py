@@ -1,13 +1,16 @@
 r"""JKR asperities in Greenwood & Williamson's sum, elastic at any load: Fuller & Tabor 1975.
 
-*Assumes*: [`jkr`](#jkr) asperities of one radius are independent. *Source*: [fuller_tabor_1975].
+*Assumes*: [`jkr`](#jkr) asperities of one radius are independent. *Source*: [fuller_tabor_1975]. The load per asperity at the
+mean separation $h$ (over $\sigma$), with the density $\varphi$ of heights, is
 
 $$
 \bar P(h)=\int P_\text{JKR}(w)\,\varphi(h+w)\,dw
 $$
 
-*Check*: the pull-off force on the unloading branch, over $NA_nP_c$, against $1/\Delta_c=\theta^{2/3}/1.94889$, where
-$\Delta_c$ is the stretch over $\sigma$ at which one asperity loses contact, and the separation $h$ at the pull-off force:
+*Check*: the pull-off force on the unloading branch over $NA_nP_c$, the pull-off force of all $NA_n$ asperities if each had its
+own maximum $P_c=\tfrac32\pi\gamma R$ at once, and the separation $h$ at this force. Both depend on
+$1/\Delta_c=\theta^{2/3}/1.94889$, where $\theta$ is the adhesion index and $\Delta_c$ the stretch over $\sigma$ at which one
+asperity loses contact:
 
 | $1/\Delta_c$ | 0.1 | 0.2 | 0.3 | 0.5 | 0.75 | 1 | 1.5 | 2 | 2.5 | 3 | 4 |
 |---|---|---|---|---|---|---|---|---|---|---|---|
@@ -20,10 +23,11 @@ from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="fuller_tabor_1975",
-    title="Adhesion of elastic solids with rough surfaces",
+    title="Adhesion of elastic rough surfaces with JKR asperities",
     grade="B",
     sources=(Source("fuller_tabor_1975", "", "pull-off on the unloading branch"),),
     asperity="jkr",
-    verified="pull-off curve and integrals at 30 digits; Greenwood-Williamson without adhesion",
+    verified="pull-off force and sums over heights, computed independently at 30 digits; Greenwood & Williamson without "
+    "adhesion",
     limits=(Limit("greenwood_williamson_1966", {"theta": 1e14}, ("load", "contact_area"), 1e-4),),
 )

@@ -1,15 +1,16 @@
 r"""Summits of a Gaussian surface as spheres of their geometric mean curvature: Greenwood 2006.
 
 *Assumes*: as [`bush_gibson_thomas_1975`](#bush_gibson_thomas_1975), with the same density of summits. A summit with the
-principal curvatures $\kappa_1$ and $\kappa_2$ is replaced by a sphere with the geometric mean of both,
+principal curvatures $\kappa_1$ and $\kappa_2$ is replaced by a sphere whose curvature is their geometric mean,
 
 $$
 \sqrt{\kappa_1\kappa_2}=\sqrt{\kappa_m^2-r^2}
 $$
 
-Greenwood found that Hertz's ellipse differs little from this. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and
-areas agree with Bush et al. within 3 % for $\rho$ from 0.017 to 0.3. $\kappa$ tends to $\sqrt{2\pi}$ as there; its values are
-in the table there.
+($\kappa_m$ is their mean, $r$ half of their difference). Greenwood found that Hertz's elliptic contact differs little from
+this. *Source*: [greenwood_2006], [nayak_1971]. *Check*: loads and areas agree with Bush et al. within 3 % for
+$\rho=NR\sigma$ from 0.017 to 0.3. The ratio $\kappa$ of area to load at light load tends to $\sqrt{2\pi}$ as there; its values
+are in the table on [that page](#bush_gibson_thomas_1975).
 """
 
 from functools import cache
@@ -51,24 +52,24 @@ def separation_near(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 RECORD = RoughSurface(
     key="greenwood_2006",
-    title="A simplified elliptic model of rough surface contact",
+    title="Elastic contact of a rough surface: summits as spheres of their geometric mean curvature",
     grade="B",
     sources=(
-        Source("greenwood_2006", "", "geometric mean curvature in place of the ellipse; summed here from Nayak's density"),
+        Source("greenwood_2006", "", "geometric mean curvature in place of the ellipse; integrated here over Nayak's density"),
         Source("nayak_1971", "", "joint density of height and curvatures of the summits"),
     ),
     curve=curve,
     separation_near=separation_near,
     takes_surface_moments=True,
-    verified="double integrals of the closed density of height and geometric mean curvature; A/A0 = sqrt(2 pi) p/(E* h') "
-    "at light load",
+    verified="independent integration over height and geometric mean curvature, whose density has a closed form; A/A0 = "
+    "sqrt(2 pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
     validity=(
         ENOUGH_SUMMITS,
         ELASTIC,
     ),
     notes=(
-        "The asperities are the summits of an isotropic Gaussian surface with the same sigma, N and mean curvature 1/R. "
-        "Separation is from the mean of the summits. Load and area are within 3 % of Bush, Gibson & Thomas."
+        "The asperities are the summits of an isotropic Gaussian surface with the given sigma, N and mean curvature 1/R. "
+        "The separation is from the mean summit height. Load and area are within 3 % of bush_gibson_thomas_1975."
     ),
 )

@@ -1,14 +1,16 @@
 r"""Elastic asperities of one radius, heights distributed, no adhesion: Greenwood & Williamson 1966.
 
 *Assumes*: asperities of one radius are independent, each with a [Hertz](#hertz) contact. *Source*:
-[greenwood_williamson_1966], load, area and number of contacts:
+[greenwood_williamson_1966], load, area and number of contacts. Load $\bar P$ and area $\bar A$ per asperity at the mean
+separation $h$ (over $\sigma$), with the density $\varphi(z)$ of asperity heights over $\sigma$, are
 
 $$
 \bar P=F_{3/2}(h),\qquad\bar A=F_1(h),\qquad F_n(h)=\int_h^\infty(z-h)^n\varphi(z)\,dz
 $$
 
-The fraction $F_0$ of them touches. In SI, per nominal area, $p=\tfrac43NE^*R^{1/2}\sigma^{3/2}F_{3/2}$ and $A/A_n=\pi
-NR\sigma F_1$. *Check*, Gaussian heights:
+The fraction $F_0$ of the asperities touches. In SI the nominal pressure is $p=\tfrac43NE^*R^{1/2}\sigma^{3/2}F_{3/2}$ and the
+contact area over the nominal area $A/A_n=\pi NR\sigma F_1$, with $N$ asperities per area of the tip radius $R$ and height
+deviation $\sigma$, and the contact modulus $E^*$. *Check*, Gaussian heights:
 
 | $h$ | $F_0$ | $F_{1/2}$ | $F_1$ | $F_{3/2}$ | $F_2$ | $F_{5/2}$ |
 |---|---|---|---|---|---|---|
@@ -30,5 +32,5 @@ RECORD = RoughSurface(
     grade="B",
     sources=(Source("greenwood_williamson_1966", "load, area and number of contacts"),),
     asperity="hertz",
-    verified="integrals F_n(h) at 30 digits; closed forms for exponential heights",
+    verified="sums over Gaussian heights, integrated independently at 30 digits; closed forms for exponential heights",
 )

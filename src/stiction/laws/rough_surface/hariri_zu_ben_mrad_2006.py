@@ -3,30 +3,30 @@ r"""Asperities of n neighbouring sampled points, n growing as the surfaces come 
 *Assumes* (abstract of [hariri_zu_ben_mrad_2006]): an asperity consists of $n$ neighbouring sampled points of a profile, with
 its $n-2$ middle points above a level. Larger $n$ appear as the separation falls. The example has exponential autocorrelation.
 *Source*: [hariri_zu_ben_mrad_2006], its abstract; the reconstruction is in `stiction.surfaces.theory.n_point`. *Unknown*: all
-formulas of the source. *Reconstruction*: with the level $d$, the height $t$ of the highest point above it and the chord
-$L=(n-1)\ell$ between the outer neighbours, an asperity is a Hertz contact at the displacement $t$, with the radius of the
-parabola,
+formulas of the source. *Reconstruction*: the sampled points are $\ell$ apart, the two outer points of an asperity
+$L=(n-1)\ell$. Its highest point is the height $t$ above the level $d$. The asperity is a Hertz contact at the displacement
+$t$, with the radius $R_n$ of a parabola of the height $t$ and the width $L$ and the contact modulus $E^*$,
 
 $$
 R_n=\frac{L^2}{8t},\qquad\text{area}=\frac\pi8L^2,\qquad\text{load}=\frac{\sqrt2}3E^*L\,t
 $$
 
-A line meets an asperity of width $L$ if it passes within $L/2$ of its centre. The number per area is therefore the number per
-length divided by $L$. (If it were the square of the number per length, the area at a large separation would be proportional
-to the square of the share of points above $d$.) Summed over all $n$, for a Gaussian profile whose neighbouring points have
-the correlation $r$:
+A line meets an asperity of width $L$ if it passes within $L/2$ of its centre. The number of asperities per area is therefore
+their number per length divided by $L$. (If it were the square of the number per length, the area at a large separation would
+be proportional to the square of the fraction of points above $d$.) The sum over all $n$, for a Gaussian profile whose
+neighbouring points have the correlation $r$, gives the contact area over the nominal area and the nominal pressure $p$:
 
 $$
 \frac A{A_n}=\frac\pi8\left[Q(D)+\nu_r\right],\qquad\frac p{E^*}=\frac{\sqrt2}3\,\frac{\nu_r\,\bar t}\ell,\qquad
 \nu_r=2\,T_O\!\left(D,\sqrt{\tfrac{1-r}{1+r}}\right)
 $$
 
-$D$ is the level over the profile's standard deviation, $Q$ the share of points above it, $\nu_r$ the number of rows of points
-per point ($T_O$ is Owen's function) and $\bar t(D,r)$ their mean height, tabulated from an integral equation. The number of
-points $n$ cancels in the load, and its square in the area. $\ell$ and $r$ are chosen so that peaks of three sampled points
-have the same number and curvature as the peaks of a profile of the surface with the given $\sigma$, $N$ and $1/R$. This is
-possible for $\rho$ from 0.0396 to 1.01. *Check*: $\nu_r$ and $\bar t$ over the profile's standard deviation, from simulated
-profiles of $2\cdot10^7$ points:
+$D$ is the level over the profile's standard deviation, $Q$ the fraction of points above it, $\nu_r$ the number of asperities
+(rows of neighbouring points above the level) per sampled point, $T_O$ Owen's function and $\bar t(D,r)$ the mean of $t$,
+tabulated from an integral equation. The number of points $n$ cancels in the load, and its square in the area. $\ell$ and $r$
+are chosen so that peaks of three sampled points have the same number and curvature as the peaks of a profile of the surface
+with the given $\sigma$, $N$ and $1/R$. This is possible for $\rho=NR\sigma$ from 0.0396 to 1.01. *Check*: $\nu_r$, and $\bar t$
+over the profile's standard deviation, from simulated profiles of $2\cdot10^7$ points:
 
 | $r$ | $D=-1$ | 0 | 1 | 2 |
 |---|---|---|---|---|
@@ -35,10 +35,11 @@ profiles of $2\cdot10^7$ points:
 | 0.7 | 0.0747, 1.721 | 0.1266, 0.940 | 0.0747, 0.578 | 0.0154, 0.394 |
 | 0.95 | 0.0305, 1.087 | 0.0504, 0.656 | 0.0306, 0.451 | 0.0068, 0.337 |
 
-The load has a maximum at about half a standard deviation below the mean plane, where rows merge; the model ends there. At the
-same load it has more area than any other elastic model here: $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, of simulated profiles
-too, is 4.3, 5.6 and 7.2 at $h$ = 0, 1 and 2 for $\rho=0.0405$, and 3.7, 4.1 and 4.8 for $\rho=0.06$. It is unknown whether
-this comes from the paper or from the reconstruction.
+The load has a maximum at a level about half a standard deviation below the mean plane, because rows of points merge; the model
+ends there. At the same load it has more area than any other elastic model here. $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$, with
+the root mean square gradient $h'$, is 4.3, 5.6 and 7.2 at the separations $h$ = 0, 1 and 2 for $\rho=0.0405$, and 3.7, 4.1 and
+4.8 for $\rho=0.06$; simulated profiles give the same. It is unknown whether this comes from the paper or from the
+reconstruction.
 """
 
 import math
@@ -117,14 +118,14 @@ RECORD = RoughSurface(
             "hariri_zu_ben_mrad_2006",
             "abstract",
             "reconstructed: n neighbouring points, the n - 2 in the middle above a level; larger n as the separation falls. "
-            "Height and radius of such an asperity, and the step from profile to surface, are this project's",
+            "Height and radius of such an asperity, and the step from profile to surface, are this project's own",
         ),
         Source("nayak_1971", "", "peaks of a profile of the isotropic Gaussian surface with the same sigma, R and N"),
     ),
     curve=curve,
     separation_near=separation_near,
     takes_surface_moments=True,
-    verified="simulated profiles of 1e8 points, and rates of rows in closed form; none of the paper's own numbers is known",
+    verified="simulated profiles; numbers of asperities in closed form; no numbers of the paper are known",
     needs=("roughness_parameter",),
     load_falls=False,
     accuracy=1e-5,
@@ -133,16 +134,16 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "a surface with fewer asperities N R sigma has no sampled profile with exponential autocorrelation; with more "
-            "the model is not tabulated",
+            "a surface with smaller N R sigma has no sampled profile with exponential autocorrelation; larger N R sigma is not "
+            "tabulated",
         ),
         ELASTIC,
     ),
     notes=(
-        "The sampled profile has the variance of the isotropic Gaussian surface with the same sigma, N and mean curvature 1/R, "
-        "and its peaks of three points are as many and as curved as those of that surface's profile; this decides spacing and "
-        "correlation of the points: 0 at the least N R sigma, 0.5 at 0.0455, 0.9 at 0.09. Separation is from the mean of the "
-        "summits. The load is largest at about half a deviation below the mean plane: two rows of points that merge lose one "
-        "peak, so that nearer surfaces carry less. There the model ends."
+        "The sampled profile has the variance of the isotropic Gaussian surface with the given sigma, N and mean curvature "
+        "1/R. Its peaks of three points have the same number and curvature as the peaks of that surface's profile. This "
+        "determines spacing and correlation of the points; the correlation is 0 at the smallest N R sigma, 0.5 at 0.0455 and "
+        "0.9 at 0.09. The separation is from the mean summit height. The load is largest at about half a standard deviation "
+        "below the mean plane, because two rows of points that merge lose one peak; the model ends there."
     ),
 )

@@ -1,13 +1,16 @@
 r"""Elastic-plastic asperities (2002) that slide by yield (2003), summed over a rough surface: Kogut & Etsion 2004.
 
 *Assumes*: asperities of [`kogut_etsion_2002`](#kogut_etsion_2002) are independent and fail by loss of strength,
-[`kogut_etsion_2003`](#kogut_etsion_2003). *Source*: [kogut_etsion_2004].
+[`kogut_etsion_2003`](#kogut_etsion_2003). *Source*: [kogut_etsion_2004]. The friction coefficient at the mean separation $h$
+(over $\sigma$) is
 
 $$
 \mu(h)=\frac{\int_0^{6w_c}\mu(w)P(w)\,\varphi(h+w)\,dw}{\int_0^\infty P(w)\,\varphi(h+w)\,dw}
 $$
 
-*Reconstructed*: the fits of 2003, as there. The sums themselves are computed, not the authors' empirical formulas for them.
+with the load $P$ and the friction coefficient $\mu(w)$ of one asperity at the displacement $w$, its displacement $w_c$ at
+first yield and the density $\varphi$ of heights. *Reconstructed*: the fits of [`kogut_etsion_2003`](#kogut_etsion_2003). The
+sums themselves are computed, not the authors' empirical formulas for them.
 *Not included*: adhesion. *Check*: [the three models of static friction side by
 side](#the-elastic-plastic-models-of-static-friction-side-by-side).
 """
@@ -18,7 +21,7 @@ from stiction.records.sources import Source
 
 RECORD = RoughSurface(
     key="kogut_etsion_2004",
-    title="Static friction of rough surfaces: elastic-plastic asperities, sliding inception as failure",
+    title="Static friction of rough surfaces: elastic-plastic asperities that slide when they fail by yield",
     grade="C",
     sources=(
         Source("kogut_etsion_2004", "", "integrals of the laws of 2002 and 2003, not the empirical formulas fitted to them"),
@@ -26,7 +29,7 @@ RECORD = RoughSurface(
     ),
     asperity="kogut_etsion_2002",
     tangential="kogut_etsion_2003",
-    verified="integrals over Gaussian heights by an independent quadrature; cross-model table",
+    verified="sums over Gaussian heights, integrated independently; comparison with two other models in a table",
     limits=(elastic_limit("greenwood_williamson_1966"),),
-    notes="The adhesion of elastic-plastic asperities of 2003 is left out: its coefficients could not be checked.",
+    notes="The adhesion of elastic-plastic asperities (2003) is not included, because its coefficients could not be checked.",
 )

@@ -1,22 +1,25 @@
 r"""Area against load of a rough surface that attracts but does not stick: Pastewka & Robbins 2014.
 
-*Assumes*: as the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014): attraction acts on rims around the contact
-spots and repulsion in the spots. Both are proportional to their areas, and these are proportional to the load. *Source*:
-[pastewka_robbins_2014]: the abstract (the area is proportional to the load; the factor rises linearly with weak attraction
-and changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10) states where the
-two pressures cancel, $Q=1$. Here they are also subtracted where they do not cancel:
+*Assumes*: as in the criterion [`pastewka_robbins_2014`](#pastewka_robbins_2014), attraction acts on rims around the contact
+spots and repulsion in the spots. Attractive and repulsive force are proportional to the areas of rims and spots, and these to
+the load. *Source*: [pastewka_robbins_2014]: the abstract (the area is proportional to the load; the factor rises linearly with
+weak attraction and changes sign at a threshold), and eq. (10) as restated by the authors' group. *Reconstructed*: eq. (10)
+states where the two forces cancel, $Q=1$. Here the attraction is also subtracted where they do not cancel:
 
 $$
 p=\left(1-\frac1Q\right)\frac{E^*h'}{\kappa}\frac A{A_n},\qquad
 Q=\frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3},\qquad\kappa=2
 $$
 
-*Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and $Q=14.666$. *Unknown*: the
-area law in the authors' form, and whether the threshold is $Q=1$, as restated, or $Q=\pi(3/16)^{2/3}=1.03$.
+$p$ is the nominal pressure, $A/A_n$ contact area over nominal area, $E^*$ the contact modulus, $h'$ the root mean square
+gradient, $h''$ the root mean square of half the Laplacian of the heights, $\gamma$ the work of adhesion and $\varrho$ the range
+of the attraction. *Limit*: $A/A_n=2p/(E^*h')$ without attraction. *Check*: $A/A_n=0.021463$ at $p/(E^*h')=0.01$ and
+$Q=14.666$. *Unknown*: the area law in the authors' form, and whether the threshold is $Q=1$, as restated, or
+$Q=\pi(3/16)^{2/3}=1.03$.
 
 A surface that sticks ($Q\le1$) is in contact without a load; the model then raises an error. The area is proportional to the
-load up to a tenth of the nominal area. The range of the attraction must be short against $\tfrac{16}3h'^2/h''$
-([monti_sanner_pastewka_2021]). The theory has no separation, and neither have its results.
+load up to a tenth of the nominal area. The range of the attraction must be short compared with $\tfrac{16}3h'^2/h''$
+([monti_sanner_pastewka_2021]). The theory does not compute the separation.
 """
 
 import math
@@ -52,14 +55,14 @@ RECORD = RoughSurface(
     title="Contact of a randomly rough surface with weak attraction around its contact spots, elastic",
     grade="C",
     sources=(
-        Source("pastewka_robbins_2014", "abstract and eq. (10)", "reconstructed: the balance of eq. (10) away from its border"),
-        Source("monti_sanner_pastewka_2021", "", "how short the range has to be, as the authors' group restates it"),
-        Source("nayak_1971", "", "gradient and curvature that belong to sigma, R and N"),
+        Source("pastewka_robbins_2014", "abstract and eq. (10)", "reconstructed: eq. (10) used away from the threshold"),
+        Source("monti_sanner_pastewka_2021", "", "how short the range must be, as restated by the authors' group"),
+        Source("nayak_1971", "", "gradient and curvature of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     adheres=True,
-    verified="pressures in spots and on rims in SI units; no attraction; none where they cancel",
+    verified="pressures in spots and on rims computed in SI units; limits of no attraction and of the threshold",
     needs=("theta", "roughness_parameter", "tabor_parameter"),
     validity=(
         ELASTIC_CONTACT,
@@ -72,5 +75,5 @@ RECORD = RoughSurface(
         ),
         Validity("range_over_gap", 0.0, 0.1, "the attraction reaches beyond the rims of the contact spots"),
     ),
-    notes="The range of the attraction is taken as the equilibrium distance. Surfaces that stick are refused.",
+    notes="The range of the attraction is taken as the equilibrium distance. A surface that sticks raises an error.",
 )

@@ -1,8 +1,9 @@
 r"""Elastic contact by diffusion of the pressure distribution towards finer roughness: Persson 2001.
 
-*Assumes*: there are no asperities. As finer roughness is included, the distribution of pressure broadens by diffusion.
-Contact is lost where the pressure reaches zero. *Source*: [persson_2001]. The time of the diffusion is $G=(E^*h')^2/8$ for
-the whole surface, $h'$ the root mean square gradient:
+*Assumes*: there are no asperities. As finer roughness is included, the distribution of the contact pressure broadens by
+diffusion. Contact is lost where the pressure reaches zero. *Source*: [persson_2001]. The variable that takes the place of time
+in the diffusion is $G=(E^*h')^2/8$ for the whole surface, with the contact modulus $E^*$ and the root mean square gradient
+$h'$. Contact area over nominal area at the nominal pressure $p$, and $\kappa$ in $A/A_n=\kappa\,p/(E^*h')$ at light load, are
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{2\sqrt G}=\operatorname{erf}\left(\sqrt2\,\frac p{E^*h'}\right),\qquad
@@ -15,8 +16,8 @@ $$
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.01596 | 0.07966 | 0.15852 | 0.31084 | 0.68269 | 0.95450 |
 
-$h'$ belongs to the Gaussian surface with these summits, $h'^2=\sqrt3/(64NR^2)$. The theory has no separation, and neither
-have its results.
+$h'$ is that of the isotropic Gaussian surface with $N$ summits per area of the mean curvature $1/R$, $h'^2=\sqrt3/(64NR^2)$.
+The theory does not compute the separation.
 """
 
 import math
@@ -50,12 +51,12 @@ RECORD = RoughSurface(
     grade="B",
     sources=(
         Source("persson_2001", "", "A/A0 = erf(p / (2 sqrt(G))), with G = (E* h')^2 / 8 for the gradient of the whole surface"),
-        Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
+        Source("nayak_1971", "", "gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="diffusion with an absorbing boundary, by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
+    verified="diffusion with an absorbing boundary by finite differences; A/A0 = sqrt(8/pi) p/(E* h') at light load",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
     notes=GRADIENT,

@@ -1,16 +1,19 @@
-r"""As persson_2001, with pressures limited to the hardness: Persson 2001, elastic and plastic.
+r"""Elastic-plastic contact by diffusion of the pressure distribution, with pressures up to the hardness: Persson 2001.
 
-*Assumes*: as [`persson_2001`](#persson_2001), with a second boundary at the hardness, where the contact turns plastic and
+*Assumes*: as [`persson_2001`](#persson_2001), with a second boundary at the hardness $H$, where the contact turns plastic and
 stays in contact. The hardness is the same at all scales. *Source*: [persson_2001_elastoplastic]; solved again here. The
-distribution of pressures obeys $\partial P/\partial G=\partial^2P/\partial p^2$ from a spike at the nominal pressure $p_0$,
-with $P=0$ at $p=0$ and at $p=H$; the solution as a series of sines of $n\pi p/H$ is
+probability density $P$ of the pressure $p$ obeys $\partial P/\partial G=\partial^2P/\partial p^2$. It starts as a delta
+function at the nominal pressure $p_0$ and is 0 at $p=0$ and at $p=H$. The solution as a series of sines of $n\pi p/H$ gives
+the elastic and the plastic contact area over the nominal area,
 
 $$
 \frac{A_\text{el}}{A_n}=\sum_{n\ \text{odd}}\frac4{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2},\qquad
 \frac{A_\text{pl}}{A_n}=\frac{p_0}H+\sum_n(-1)^n\frac2{n\pi}\sin\frac{n\pi p_0}H\,e^{-n^2\pi^2G/H^2}
 $$
 
-The second follows from the flux out at $H$. Both areas carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check*:
+with $G=(E^*h')^2/8$, the contact modulus $E^*$ and the root mean square gradient $h'$. The second follows from the flux out at
+$H$. Both areas together carry the load, $\int pP\,dp+HA_\text{pl}/A_n=p_0$. *Check* ($A_\text{el}/A_n$ and
+$A_\text{pl}/A_n$):
 
 | $H/(E^*h')$ | $p_0/H$ | elastic | plastic |
 |---|---|---|---|
@@ -86,16 +89,16 @@ RECORD = RoughSurface(
     sources=(
         Source("persson_2001_elastoplastic", "", "the diffusion and its boundaries; solved again here"),
         Source("persson_2001", "", "the diffusion, and G"),
-        Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
+        Source("nayak_1971", "", "gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="the diffusion equation by finite differences; balance of the load; persson_2001 for great hardness",
+    verified="the diffusion equation by finite differences; equilibrium of the load; persson_2001 for large hardness",
     needs=("hardness_group", "roughness_parameter"),
     limits=(Limit("persson_2001", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-12),),
     notes=(
-        "The hardness is the same at all scales, that of the softer body. A nominal pressure above it gives full contact. "
+        "The hardness is that of the softer body at all scales. A nominal pressure above it gives full contact. The gradient "
         "h' is that of the isotropic Gaussian surface whose summits have this R and N: h'^2 = sqrt(3) / (64 N R^2)."
     ),
 )

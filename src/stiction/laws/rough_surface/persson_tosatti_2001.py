@@ -1,20 +1,23 @@
-r"""Full contact of a soft smooth surface that adhesion presses flat: after Persson & Tosatti 2001.
+r"""Full contact of a soft, smooth surface that adhesion flattens: after Persson & Tosatti 2001.
 
-*Assumes*: elastic half-spaces. The surfaces are in full contact if flattening the roughness needs less elastic energy than
-the work of adhesion. *Source*: [persson_tosatti_2001], the energy balance as commonly quoted, derived again here. A wave of
-the wavevector $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area, so that
+*Assumes*: elastic half-spaces. The surfaces are in full contact if flattening the roughness needs less elastic energy $U$ per
+area than the work of adhesion $\gamma$. *Source*: [persson_tosatti_2001], the energy balance as commonly quoted, derived again
+here. A wave of the wavenumber $q$ and the mean square height $\langle h^2\rangle$ stores $E^*q\langle h^2\rangle/4$ per area,
+so that
 
 $$
 \frac U\gamma=\frac{E^*}{4\gamma}\int q\,C(q)\,d^2q\ \le\ \frac{E^*h_\mathrm{rms}h'}{4\gamma}<1,\qquad A=A_n,\qquad
 \mu=\frac{\tau_0A_n}P
 $$
 
-The bound (Cauchy and Schwarz) replaces the integral, because sigma, R and N give only the moments. It is exact for waves of
-one length, and three times the energy for self-affine surfaces over three decades. *Limit*: waves of one length jump into
-full contact by themselves if $U/\gamma<0.49$ (Johnson 1995, $\alpha>0.57$); from there to 1 they may need a load. If the
-bound is above 1 the model raises an error, because it does not describe partial contact with adhesion. *Check*: $E^*=2$ MPa,
-$h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2: $U/\gamma=0.1$. The theory has no separation, and neither have its
-results.
+with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$, the contact modulus $E^*$,
+the shear strength $\tau_0$ of the interface and the load $P$ on the nominal area $A_n$. The upper bound (by Cauchy and
+Schwarz) replaces the integral, because $\sigma$, $R$ and $N$ give only the moments. It is exact if all waves have one
+wavelength, and three times the energy of self-affine surfaces over three decades of wavelengths. *Limit*: waves of one
+wavelength jump into full contact without a load if $U/\gamma<0.49$ ([johnson_1995], parameter $\alpha>0.57$); for 0.49 to 1
+they may need a load. If the bound is above 1 the model raises an error, because it does not describe partial contact with
+adhesion. *Check*: $U/\gamma=0.1$ for $E^*=2$ MPa, $h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2. The theory does not
+compute the separation.
 """
 
 import math
@@ -53,18 +56,18 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 RECORD = RoughSurface(
     key="persson_tosatti_2001",
-    title="Full contact of a soft smooth surface that adhesion presses flat",
+    title="Full contact of a soft, smooth surface that adhesion flattens",
     grade="B",
     sources=(
         Source("persson_tosatti_2001", "", "elastic energy of full contact against the work of adhesion, as commonly quoted"),
-        Source("johnson_1995", "", "from where waves of one length jump into full contact, as commonly quoted"),
-        Source("nayak_1971", "", "height and gradient that belong to sigma, R and N"),
+        Source("johnson_1995", "", "the jump into full contact of waves of one wavelength, as commonly quoted"),
+        Source("nayak_1971", "", "height and gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
     adheres=True,
-    verified="energy of waves of one length, in SI units; the nominal area",
+    verified="elastic energy of waves of one wavelength, in SI units; contact area equal to the nominal area",
     needs=("theta", "roughness_parameter"),
     validity=(
         Validity(
@@ -73,6 +76,6 @@ RECORD = RoughSurface(
         Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load: mu may be lower"),
         ELASTIC_CONTACT,
     ),
-    notes="mu is the strength of the interface over the nominal pressure. Refused where flattening the roughness takes more "
-    "than the work of adhesion.",
+    notes="mu is the shear strength of the interface over the nominal pressure. The model raises an error if flattening the "
+    "roughness needs more energy than the work of adhesion.",
 )

@@ -1,8 +1,9 @@
-r"""Persson's contact area, widened by a fit to solved maps; for scans, the solution of their own contact.
+r"""Persson's contact area, increased by a fit to solved maps; for scans, the solution of their own contact.
 
-*Assumes*: half-spaces without adhesion and friction, with one hardness. *Source*: this project's own, a fit to maps of rough
-surfaces whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971] for the
-moments. With $p$ over $E^*h'$, $h'$ the root mean square gradient, and $\alpha=m_0m_4/m_2^2$,
+*Assumes*: half-spaces without adhesion and friction, with one hardness at all scales. *Source*: this project's own, a fit to
+maps of rough surfaces whose contact was solved point by point ([the set](truth.md)); [persson_2001] for the form, [nayak_1971]
+for the spectral moments $m_0$, $m_2$, $m_4$ of a profile. With the nominal pressure $p$ in units of $E^*h'$ ($E^*$ contact
+modulus, $h'$ root mean square gradient) and the bandwidth parameter $\alpha=m_0m_4/m_2^2$, the elastic contact area is
 
 $$
 \frac{A_\text{el}}{A_n}=
@@ -10,13 +11,15 @@ $$
 c=.617-.041\ln\alpha
 $$
 
-and with the hardness $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$. This formula is used if the surface is given
-by $\sigma$, $R$ and $N$. Most of its error comes from what these leave out: skewness, wear, a lay, and the scatter of a small
-map. If the contact names scans, the contact of their map is solved at every pressure, elastic or up to the hardness. The
-solution uses the fewest points that are sufficient (four in the shortest wave, eight across a lay, 3000 in contact). A map
-with too many points uses one of the formulas of `area_estimates`. `area_by` of the result names the method.
+and with the hardness $H$ the area is $A=\left[A_\text{el}^{3.5}+(pA_n/H)^{3.5}\right]^{1/3.5}$ (here $p$ in Pa). This formula
+is used if the surface is given by $\sigma$, $R$ and $N$. Most of its error comes from what these leave out: skewness, wear, a
+lay, and the scatter of a small map. If the contact names scans, the contact of their map is solved at every pressure, elastic
+or up to the hardness. The solution uses the fewest points that are sufficient (four per shortest wavelength, eight across a
+lay, 3000 in contact). A map with too many points uses one of the formulas of
+`solvers/boundary_elements/area_estimates.py`. The result `area_by` names the method.
 
-*Check*: $\kappa\to(1+c)\sqrt{8/\pi}$ at light load, $c=0$ gives [`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
+*Check*: at light load $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to(1+c)\sqrt{8/\pi}$; $c=0$ gives
+[`persson_2001`](#persson_2001); $A=pA_n/H$ for a soft body.
 """
 
 from typing import TYPE_CHECKING
@@ -36,10 +39,10 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
 WAYS = {
-    "moments": "formula from the moments of the surface, which is taken for Gaussian and isotropic",
-    "solution": "solution of the contact of the map, at points enough of it",
-    "top slopes": "formula from the slopes of the map's highest points: the map has too many points to be solved",
-    "ranks": "formula from the slopes of the map by height: the map has too many points to be solved",
+    "moments": "formula from spectral moments, for a Gaussian isotropic surface",
+    "solution": "solution of the contact of the map, with as few points as are sufficient",
+    "top slopes": "formula from the slopes of the map's highest points, because the map has too many points to be solved",
+    "ranks": "formula from the slopes of the map by height, because the map has too many points to be solved",
 }
 
 
@@ -81,11 +84,11 @@ def way(surface: "HeightMap | None") -> str:
 
 RECORD = RoughSurface(
     key="persson_widened",
-    title="Persson's contact area widened to that of solved maps; of a scan, the solution of its own contact",
+    title="Persson's contact area, increased by a fit to solved maps; for a scan, the solution of its own contact",
     grade="B",
     sources=(
         Source("persson_2001", "", "the form of the area"),
-        Source("nayak_1971", "", "gradient and bandwidth that belong to sigma, R and N"),
+        Source("nayak_1971", "", "gradient and bandwidth of the surface from sigma, R and N"),
         Source("polonsky_keer_1999", "", "how the contact of a map is solved"),
     ),
     area_at_load=area_at_load,
@@ -93,7 +96,7 @@ RECORD = RoughSurface(
     way=lambda surface: WAYS[way(surface)],
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="solved maps that took no part in the fit, periodic, Gaussian and not, elastic and with a hardness",
+    verified="solved maps that were not used in the fit: periodic, Gaussian and not, elastic and with a hardness",
     needs=("hardness_group", "roughness_parameter"),
     validity=(
         RESOLVED,
@@ -106,7 +109,7 @@ RECORD = RoughSurface(
         ),
     ),
     notes=(
-        "By numbers it is the formula for Gaussian isotropic surfaces; by scans the solution of their map. The hardness is the "
-        "same at all scales, that of the softer body."
+        "For a surface given by sigma, R and N the formula for Gaussian isotropic surfaces is used; for scans the contact of "
+        "their map is solved. The hardness is that of the softer body at all scales."
     ),
 )

@@ -1,9 +1,11 @@
-r"""Contact area of a rough surface on a film, with the modulus that a sphere as wide as the contact spots feels.
+r"""Contact area of a rough surface on a film, with the effective modulus of film and body for spheres of the spots' size.
 
 *Assumes*: a Gaussian isotropic surface without friction and adhesion, and a film bonded to its body. Pressures are limited to
-the film's hardness, or to what the body below carries through a harder film. Nothing hardens. *Source*: this project's own.
-It is grade B, because it was compared with solved maps; the limit by the body below is grade C and was not compared with any.
-The bare area law $F$ is the formula from moments in `solvers/boundary_elements/area_estimates.py`, $p$ the mean pressure,
+the film's hardness, or to the pressure that the body below a harder film can carry. Materials do not harden. *Source*: this
+project's own. It is grade B, because it was compared with solved maps; the limit by the body below is grade C and was not
+compared. $F$ is the area law of bare surfaces, the formula from spectral moments in
+`solvers/boundary_elements/area_estimates.py` (see [`persson_widened`](#persson_widened)). With the nominal pressure $p$ and the
+root mean square gradient $h'$, the elastic contact area is
 
 $$
 \frac{A_\mathrm{el}}{A_n}=F\!\left(\frac p{E_\mathrm{eff}h'}\right),\qquad
@@ -11,24 +13,25 @@ E_\mathrm{eff}^2=\frac{\sum k^2S(k)\,E_P^2(a/t)}{\sum k^2S(k)},\qquad
 a=\frac{2.06}k\left(\frac{A_\mathrm{el}}{A_n}\right)^{0.086}\left(\frac{E_f}{E_s}\right)^{-0.047}
 $$
 
-solved for $A_\mathrm{el}$. $E_P(a/t)$ is the modulus that carries a sphere on the film at the contact radius $a$, exact, as
-in [`layered`](#layered): a wave of the spectrum $S$ touches the film with spots of its own size. Weighting the film's
-compliance at the wavelength itself is not sufficient, because pressures vary over shorter lengths than heights. With the
-film's hardness $H_f$, or the pressure that the body below carries if this is less,
+solved for $A_\mathrm{el}$. $E_P(a/t)$ is the exact effective modulus of the film on its body for a sphere with the contact
+radius $a$, as in [`layered`](#layered); $t$ is the film thickness. Waves of the wavenumber $k$ in the power spectrum $S$ are
+assumed to touch the film with spots of the radius $a(k)$, fitted to solved maps; $E_f/E_s$ is the modulus of the film over the
+body's. Weighting the film's compliance at the wavelength itself is not sufficient, because pressures vary over shorter lengths
+than heights. With the film's hardness $H_f$, or the pressure that the body below can carry if this is less,
 
 $$
 \left(\frac A{A_n}\right)^{3.5}=\left(\frac{A_\mathrm{el}}{A_n}\right)^{3.5}+\left(\frac p{H_f}\right)^{3.5},\qquad A\le A_n
 $$
 
-*Spectrum*: sigma, R and N give only the moments. The surface is taken as self-affine, $S\propto k^{-2-2H}$ with $H=0.8$,
-between two wavelengths that give these moments. If the contact names a scan, the elastic contact of the map with its film is
-solved at up to five loads. Between and beyond them the area follows the law with the spectrum of the map, and with the bare
-area from its slopes as in [`persson_widened`](#persson_widened). A map too large to be solved uses the law alone. `area_by`
-of the result names the method.
+*Spectrum*: $\sigma$, $R$ and $N$ give only the spectral moments. The surface is assumed self-affine, $S\propto k^{-2-2H}$ with
+the Hurst exponent $H=0.8$, between two wavelengths that give these moments. If the contact names a scan, the elastic contact
+of the map with its film is solved at up to five loads. Between and beyond them the area follows the law above with the
+spectrum of the map, and with $F$ from the slopes of the map as in [`persson_widened`](#persson_widened). A map too large to be
+solved uses the law alone. The result `area_by` names the method.
 
-*Limit*: the bare area law, with the modulus of the bodies for zero film thickness and with the film's own for infinite
-thickness. *Check*: if film and bodies have the same modulus, $p=0.05\,E^*h'$ and $F=G$ of Nayak's $\alpha=6.93$
-($NR\sigma=0.05$) as `of_moments` has it; with a film of ten times the modulus and $a/t\to\infty$ the same.
+*Limit*: the area law of bare surfaces, with the modulus of the bodies for zero film thickness and with the film's own for
+infinite thickness. *Check*: if film and bodies have the same modulus, the area is that of the bare surface, for example at
+$p=0.05\,E^*h'$ and $NR\sigma=0.05$ (Nayak's $\alpha=6.93$); also with a film of ten times the modulus for $a/t\to\infty$.
 """
 
 import math
@@ -357,19 +360,19 @@ def _single(value: np.ndarray) -> float:
 
 
 WAYS = (
-    "formula from the moments of the surface, which is taken for Gaussian, isotropic and self-affine",
-    "solution of the contact of the map with its film, or, if it is too large, a formula from its slopes and its spectrum",
+    "formula from spectral moments, for a Gaussian, isotropic, self-affine surface",
+    "solution of the contact of the map with its film or, if the map is too large, a formula from its slopes and spectrum",
 )
 
 
 RECORD = RoughSurface(
     key="rough_on_film",
-    title="Area law of a rough surface on a film, with the modulus that a sphere feels at the size of a spot, elastic-plastic",
+    title="Elastic-plastic contact area of a rough surface on a film, with an effective modulus of film and body",
     grade="B",
     sources=(
-        Source("persson_2001", "", "the form of the bare area law, widened here"),
-        Source("perriot_barthel_2004", "", "the sphere on a film, whose modulus is weighted here"),
-        Source("nayak_1971", "", "the moments that belong to sigma, R and N"),
+        Source("persson_2001", "", "the form of the area law of bare surfaces, increased here by a fit to solved maps"),
+        Source("perriot_barthel_2004", "", "the sphere on a film, whose effective modulus is averaged over the spectrum here"),
+        Source("nayak_1971", "", "spectral moments of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     area_on_map=area_on_map,
@@ -377,7 +380,7 @@ RECORD = RoughSurface(
     takes_surface_moments=True,
     on_film=True,
     up_to_full_contact=True,
-    verified="maps solved by boundary elements on a film, elastic and with hardness; closed limits of no film and nothing else",
+    verified="maps on a film solved by boundary elements, elastic and with hardness; limits of zero and infinite thickness",
     needs=(
         "hardness_group", "roughness_parameter", "nu", "n_E", "n_H", "film_aspect", "films", "coated_share", "layer_nu",
         "coated_nu", "counter_nu",
@@ -387,8 +390,7 @@ RECORD = RoughSurface(
         Validity("n_E", 0.1, 10.0, "the law was compared with solved maps only for these films", "fit"),
         Validity("stiff_film_over_wave", 0.15, math.inf, "the contact area is inaccurate under such a thin, stiff film"),
     ),
-    notes="The hardness is the film's, or what the body below carries through a harder film, whichever is less; that a soft "
-    "film bears more which a hard body confines is not counted. Of sigma, R and N the spectrum is taken as self-affine, Hurst "
-    "exponent 0.8; "
-    "of a scan it is that of its map.",
+    notes="The pressure is limited to the film's hardness or to the pressure that the body below a harder film can carry, "
+    "whichever is smaller. The higher pressure of a soft film confined by a hard body is not included. For a surface given by "
+    "sigma, R and N the spectrum is self-affine with the Hurst exponent 0.8; for a scan it is the spectrum of its map.",
 )  # fmt: skip

@@ -2,14 +2,16 @@ r"""Static friction of adhesive rough surfaces, bare or with a thin soft film: t
 
 *Assumes*: asperities of [`roy_chowdhury_ghosh_1994`](#roy_chowdhury_ghosh_1994) are independent, and their friction follows
 [the tangential law of 2015](#soft_coating_2015-tangential-law). A film deforms alone until the displacement equals its
-thickness, [`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). For a bare surface
+thickness, [`sequential`](#sequential). *Source*: [soft_coating_2015], eqs. (1) to (15). The friction coefficient of a bare
+surface at the mean separation $h$ (over $\sigma$) is
 
 $$
 \mu(h)=\frac{\int T(w)\,\varphi(h+w)\,dw}{\int P(w)\,\varphi(h+w)\,dw}
 $$
 
-All equations, and all departures from the print, are in [theory](theory.md). With `variant="published"` the printed equations
-are used, [`printed`](#printed); with `transition="gradual"` an asperity becomes plastic gradually, as in [`graded`](#graded).
+with the load $P$ and the tangential force $T$ of one asperity at the displacement $w$ and the density $\varphi$ of heights. All
+equations, and all departures from the print, are in [theory](theory.md). With `variant="published"` the printed equations are
+used, [`printed`](#printed). With `transition="gradual"` an asperity becomes plastic gradually, as in [`graded`](#graded).
 *Reconstructed*: the coefficients of eq. (11), departure D12.
 """
 
@@ -69,7 +71,8 @@ RECORD = RoughSurface(
     asperity="roy_chowdhury_ghosh_1994",
     tangential="soft_coating_2015",
     regimes=regimes,
-    verified="independent evaluation at 30 digits, both readings, bare and coated; limits below. The paper prints no numbers",
+    verified="load, area and friction of both variants, bare and coated, computed independently at 30 digits; limits; the "
+    "paper prints no numbers",
     validity=(
         Validity(
             "mean_separation", -4.0, np.inf, "surfaces this close have no independent asperities (section 4 of the paper)"

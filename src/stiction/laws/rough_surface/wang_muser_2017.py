@@ -1,14 +1,16 @@
 r"""Persson's diffusion with a rate fitted to elastic solutions up to full contact: Wang & Müser 2017.
 
-*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with another factor. *Source*: [wang_muser_2017], as the program
-published with [xu_zhu_xiao_zhou_2024] restates it (the text was not available):
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), with another factor for the growth of the variance $V$ of the
+pressure. *Source*: [wang_muser_2017], as the program published with [xu_zhu_xiao_zhou_2024] restates it (the text was not
+available). With the variance $V_c$ in full contact, the nominal pressure $p$, the contact modulus $E^*$ and the root mean
+square gradient $h'$:
 
 $$
 \frac{dV}{dV_c}=\frac59-\frac29\left(\frac A{A_n}\right)^2+\frac69\left(\frac A{A_n}\right)^4,\qquad
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad V_c=\frac{(E^*h')^2}4
 $$
 
-*Limit*: $\kappa\to\sqrt{72/(5\pi)}=2.1410$ at light load, full contact at high load. *Check*:
+*Limit*: $A/A_n=\kappa\,p/(E^*h')$ with $\kappa\to\sqrt{72/(5\pi)}=2.1410$ at light load, full contact at high load. *Check*:
 
 | $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
 |---|---|---|---|---|---|---|
@@ -16,7 +18,7 @@ $$
 
 The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) agree with this
 formula within -10 to +5 %. The source treats surfaces that attract each other; its correction for surfaces without attraction
-is used here. The theory has no separation, and neither have its results.
+is used here. The theory does not compute the separation.
 """
 
 import numpy as np
@@ -48,14 +50,14 @@ RECORD = RoughSurface(
     grade="B",
     sources=(
         Source("wang_muser_2017", "", "the factor, as restated in the program of Xu et al. 2024; the text was not available"),
-        Source("xu_zhu_xiao_zhou_2024", "", "the factor in a program"),
+        Source("xu_zhu_xiao_zhou_2024", "", "the program that contains the factor"),
         Source("persson_2001", "", "the diffusion"),
-        Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
+        Source("nayak_1971", "", "gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="the differential equation by an independent integrator; its limits at light load and full contact",
+    verified="the differential equation integrated independently; its limits at light load and full contact",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
     notes=GRADIENT,

@@ -1,23 +1,24 @@
 r"""Persson's diffusion for elastic contact with a corrected variance: Xu, Zhu, Xiao & Zhou 2024.
 
-*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the factor applies to the variance itself, not to its growth, so
-that the area depends only on the present scale. *Source*: [xu_zhu_xiao_zhou_2024], the program published with it (only the
-abstract of the text was available):
+*Assumes*: as [`yang_persson_2008`](#yang_persson_2008), but the factor applies to the variance $V$ of the pressure itself, not
+to its growth with finer roughness. *Source*: [xu_zhu_xiao_zhou_2024], the program published with it (only the abstract of the
+text was available). With the nominal pressure $p$, the contact modulus $E^*$ and the root mean square gradient $h'$:
 
 $$
 \frac A{A_n}=\operatorname{erf}\frac p{\sqrt{2V}},\qquad
 V=\left[\gamma+(1-\gamma)\frac A{A_n}\right]\frac{(E^*h')^2}4,\qquad\gamma=0.45
 $$
 
-This is an equation for $A$ with one root. *Limit*: $\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact at high
-load. *Unknown*: which $\gamma$ the text recommends. The figures use 0.45; the default of the program is 0.42. *Check*:
+This is an equation for $A$ with one root; $\gamma$ is a constant. *Limit*: $A/A_n=\kappa\,p/(E^*h')$ with
+$\kappa\to\sqrt{8/(\pi\gamma)}=2.3788$ at light load, full contact at high load. *Unknown*: which $\gamma$ the text recommends.
+The figures use 0.45; the default of the program is 0.42. *Check*:
 
 | $p/(E^*h')$ | 0.01 | 0.05 | 0.1 | 0.2 | 0.5 | 1 |
 |---|---|---|---|---|---|---|
 | $A/A_n$ | 0.02345 | 0.11123 | 0.20975 | 0.37808 | 0.72264 | 0.95704 |
 
 The simulations published with that program (17 pressures, $p/(E^*h')$ from 0.0004 to 1.8, Hurst exponent 0.8) agree with this
-formula within -3 to +5 %. The theory has no separation, and neither have its results.
+formula within -3 to +5 %. The theory does not compute the separation.
 """
 
 import math
@@ -61,17 +62,17 @@ def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
 
 RECORD = RoughSurface(
     key="xu_zhu_xiao_zhou_2024",
-    title="Contact of randomly rough surfaces by diffusion of the pressure, its variance corrected, elastic",
+    title="Contact of randomly rough surfaces by diffusion of the pressure with a corrected variance, elastic",
     grade="B",
     sources=(
-        Source("xu_zhu_xiao_zhou_2024", "", "the published program, and gamma = 0.45 in its figures; of the text the abstract"),
+        Source("xu_zhu_xiao_zhou_2024", "", "the published program, gamma = 0.45 as in its figures; abstract of the text"),
         Source("persson_2001", "", "the diffusion"),
-        Source("nayak_1971", "", "the gradient that belongs to sigma, R and N"),
+        Source("nayak_1971", "", "gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
-    verified="the equation solved by bisection in 30 digits; its limits at light load and full contact",
+    verified="the equation solved by bisection at 30 digits; its limits at light load and full contact",
     needs=("roughness_parameter",),
     validity=(ELASTIC_CONTACT,),
     notes=f"gamma = {GAMMA}. {GRADIENT}",

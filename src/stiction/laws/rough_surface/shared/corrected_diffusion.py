@@ -5,8 +5,8 @@ area over the nominal area, A = erf(p / sqrt(2 V)). Persson (2001) has dV = dV_c
 
     dV/dV_c = S(A),   V = 0 at V_c = 0,   S(1) = 1,   at the end V_c = (E* h')^2 / 4
 
-(h': root mean square gradient). V_c takes the place of time, so that of the whole spectrum only h' is needed. With
-q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
+(p: nominal pressure, E*: contact modulus, h': root mean square gradient, S: factor of the theory). V_c takes the place of time,
+so that only h' of the whole spectrum is needed. With q = p / sqrt(2 V), V = p^2 / (2 q^2), the equation becomes an integral,
 
     1 / (4 x^2) = J(q) = Int_q^inf dt / (t^3 S(erf t)),   x = p / (E* h'),   A = erf(q).
 
