@@ -171,9 +171,8 @@ def test_what_was_not_measured_says_why():
     assert "flow" in row["why_not"] and "error" not in row and "flow" in in_words(row)
     stiff = st.solve(coated(n_E=300.0), load="1 N", model=PLAIN, film="halling_1979")
     rows = json.loads(stiff.attrs["measured_film_error"])
-    modulus = "the film's modulus over that of the bodies is 300, and only"
     for row, ends in zip(rows, ("0.005 to 100", "0.1 to 10"), strict=True):
-        assert row["why_not"].startswith(f"{modulus} {ends} was solved")
+        assert "modulus" in row["why_not"] and " 300," in row["why_not"] and f" {ends}" in row["why_not"]
     area = st.solve(coated(n_E=300.0), load="1 N", model="rough_on_film")
     (row,) = json.loads(area.attrs["measured_film_error"])
     assert "0.1 to 10" in row["why_not"]
@@ -184,9 +183,9 @@ def test_what_was_measured_at_some_points_only_says_at_which():
     found = st.solve(coated(thickness=25e-9), load=["1 uN", "1 mN", "100 N"], model=PLAIN, film="halling_1979")
     sphere, maps = json.loads(found.attrs["measured_film_error"])
     assert sphere["near"]["a_over_t"][0] < 20.0 < sphere["near"]["a_over_t"][1]
-    assert "of 3 points, and only 0.05 to 20 was solved" in sphere["outside"]
-    assert f"elsewhere nothing was measured: {sphere['outside']}" in in_words(sphere)
-    assert "the thickness of a film over the shortest wave of the surface is " in maps["why_not"]
+    assert "of 3 points" in sphere["outside"] and sphere["outside"].endswith("0.05 to 20")
+    assert sphere["outside"] in in_words(sphere)
+    assert "film thickness" in maps["why_not"]
     inside = st.solve(coated(), load="1 N", model=PLAIN, film="halling_1979")
     assert not any("outside" in row for row in json.loads(inside.attrs["measured_film_error"]))
 

@@ -234,7 +234,7 @@ def test_far_from_the_set_nothing_is_stated(change, pressure, why):
     data = st.solve(one, load=load, model="soft_coating_2015")
     assert measured(data)["area"] == [None]
     assert why in data.attrs["measured_error_in_words"]
-    assert data.attrs["measured_error_in_words"].startswith("not measured here")
+    assert data.attrs["measured_error_in_words"].startswith("not known here")
 
 
 @pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (1e-6, "slope 0.002 where this has 1e-06")))

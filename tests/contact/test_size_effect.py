@@ -73,7 +73,7 @@ def test_films():
 def test_what_is_said():
     sized = CONTACT.replace(first=DEEP)
     found = st.solve(sized, load="10 N", model="jackson_green_2005")
-    assert "1.63 times as hard" in found.attrs["remarks"] and found.attrs["inputs_not_used"] == ""
+    assert "1.63 times the hardness" in found.attrs["remarks"] and found.attrs["inputs_not_used"] == ""
     elastic = st.solve(sized, load="10 N", model="greenwood_williamson_1966")
     assert "first.characteristic_depth" in elastic.attrs["inputs_not_used"]
     tiny = sized.replace(roughness=SURFACE.replace(asperity_radius="200 nm", asperity_height_deviation="5 nm"))

@@ -200,7 +200,7 @@ def test_a_strength_that_the_default_model_ignores_is_refused(study, tmp_path, m
     with pytest.raises(st.InputError) as caught:
         REFUSED[study]()
     said = str(caught.value)
-    assert said.startswith("interfacial_shear_strength: 200 MPa; allowed: none with the default model, soft_coating_2015")
+    assert said.startswith("interfacial_shear_strength: 200 MPa; allowed: no value with the default model, soft_coating_2015")
     assert "--model recommended" in said and len(said.split()) <= 27 and not list(tmp_path.iterdir())
 
 

@@ -49,7 +49,7 @@ class _Solve(Input):
         table, own = dict(table), table.get("options", {})
         for name in own if isinstance(own, Mapping) else ():
             if name in cls.model_fields or name in _OF_SOLVE:
-                raise InputError(f"options.{name}", own[name], f"an option of a model or a law; {name} is none")
+                raise InputError(f"options.{name}", own[name], f"an option of a model or law; write {name} in [solve]")
         if not table.keys() - cls.model_fields.keys():
             return table  # without loading all models
         known = all_options()

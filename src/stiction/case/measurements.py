@@ -180,7 +180,7 @@ def _check_heads(columns: list[_Column], heads: list[str]) -> None:
     keys = [(column.kind, column.quantity, column.path) for column in columns if column.kind != "note"]
     for key, head in zip(keys, [h for h, column in zip(heads, columns, strict=True) if column.kind != "note"], strict=True):
         if keys.count(key) > 1:
-            raise InputError("--data", head, "each column only once")
+            raise InputError("--data", head, "each column only once; delete the repetition")
     measured = [column.quantity for column in columns if column.kind == "value"]
     if not measured:
         raise InputError("--data", ", ".join(heads), "a column with a measured quantity: " + ", ".join(MEASURABLE))

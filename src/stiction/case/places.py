@@ -71,7 +71,7 @@ def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
     is_leaf: function that returns whether a table counts as one entry. Raises InputError if `table` is no table.
     """
     if not isinstance(table, Mapping):
-        raise InputError(where, table, "a table whose keys are names of numbers of the case")
+        raise InputError(where, table, "a table with names of numbers of the case, e.g. hardness = ...")
     for key, value in table.items():
         if isinstance(value, Mapping) and not is_leaf(value):
             for name, leaf in flat(value, f"{where}.{key}", is_leaf):

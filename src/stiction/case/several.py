@@ -267,7 +267,7 @@ def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
     if by_sigma:
         text = next((entry for entry in entries if isinstance(entry, str)), None)
         if text is not None:
-            raise InputError(where, text, "multiples of sigma without unit for all separations, because sigma is swept")
+            raise InputError(where, text, "plain numbers, in multiples of sigma, because sigma is an array")
         numbers = [plain_number(entry, where) for entry in entries]
     h = np.array(numbers)
     if is_range:

@@ -118,7 +118,7 @@ class Uncertain(Several):
 
     def numbers(self) -> np.ndarray:
         """Raise InputError in every case: an uncertain number has no list of values to sweep."""
-        drawn = 'a number, a list or a range; or sample the sweep, e.g. sample = { method = "sobol", count = 1024 }'
+        drawn = 'a number, list or range; uncertain numbers need a sampled sweep: sample = { method = "sobol", count = 1024 }'
         raise InputError(self.where, self.words, drawn)
 
     def as_table(self) -> dict[str, Any]:

@@ -65,6 +65,6 @@ def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:
     ratio = counterbody.hardness / bare
     n_H = f"n_H = {float(ratio):.4g}" if np.ndim(ratio) == 0 else "n_H"
     return (
-        f"the counterbody {counterbody.name} is softer than the film {film.name} and yields first: where they meet its "
-        f"hardness counts ({n_H}), and the hardness of the film changes nothing"
+        f"the counterbody {counterbody.name} is softer than the film {film.name} and yields first: its hardness is "
+        f"used ({n_H}), and the hardness of the film changes nothing"
     )

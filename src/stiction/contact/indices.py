@@ -51,7 +51,7 @@ def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
     for (name, (value, ratio)), field in zip(alone.items(), ("n_E", "n_H"), strict=True):
         bounds = QUANTITIES[name]
         if not np.all((value >= bounds.lower) & (value <= bounds.upper)):
-            raise InputError(field, ratio, f"a ratio with which {bounds.symbol} of the film alone is {bounds.allowed}")
+            raise InputError(field, ratio, f"a ratio with which {bounds.symbol} of the film material is {bounds.allowed}")
 
 
 class Indices(Subject):
@@ -138,7 +138,7 @@ class Indices(Subject):
             return self
         missing = "lam" if self.lam is None and self.theta is not None else "theta"
         if self.hardness_group is not None:
-            allowed = "no value beside theta and lam, because it follows from them"
+            allowed = "no value together with theta and lam, because it follows from them"
             raise InputError("hardness_group", self.hardness_group, allowed)
         raise InputError(
             missing, None, f"{QUANTITIES[missing].described}; without adhesion state hardness_group in place of theta and lam"
@@ -163,7 +163,7 @@ class Indices(Subject):
     def _check_bodies(self) -> None:
         """Raise InputError for an impossible combination of film and bodies."""
         if self.films is not None and not np.all((self.films == 1.0) | (self.films == 2.0)):
-            raise InputError("films", self.films, "1 or 2")
+            raise InputError("films", self.films, "1 or 2, the number of coated bodies")
         if not self.has_film or self.coated_share is None:
             return
         films = 1.0 if self.films is None else self.films
@@ -289,7 +289,7 @@ class Indices(Subject):
         the film's unit of force, which is n_E times smaller. Raises InputError without a film.
         """
         if not self.has_film:
-            raise InputError("tau", None, "a film thickness over sigma, beside n_E and n_H: without it there is no film")
+            raise InputError("tau", None, "the film thickness over sigma; a film needs tau, n_E and n_H together")
         whole = self.resolved()
         strength, tabor, eta = whole.shear_strength, whole.tabor_parameter, whole.hardness_group
         return whole.substrate().with_changes(

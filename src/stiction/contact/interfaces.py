@@ -147,7 +147,7 @@ def interface_names() -> list[str]:
 def interface(name: str, /) -> Interface:
     """Return the state of this name. Raises InputError for an unknown name, with similar names."""
     if not isinstance(name, str) or name not in _states():
-        raise InputError("interface", name, "a state: " + nearest(name, interface_names()))
+        raise InputError("interface", name, "a state of an interface: " + nearest(name, interface_names()))
     return _states()[name]
 
 

@@ -60,7 +60,7 @@ class Liquid(Input):
     def _wets(self):
         self.check_dimensions()
         if not np.all(np.asarray(self.wetting) > _LEAST_WETTING):
-            allowed = "angles whose cosines add up to more than 0: this liquid does not condense between the bodies"
+            allowed = "contact angles whose cosines sum to more than 0, or no meniscus forms between the bodies"
             angles = {name: float(np.max(getattr(self, name))) for name in ("contact_angle_second", "contact_angle_first")}
             name = max(angles, key=lambda name: angles[name])
             raise InputError(name, show(angles[name], name), allowed)
@@ -69,7 +69,7 @@ class Liquid(Input):
             outside = (np.asarray(self.temperature) < low) | (np.asarray(self.temperature) >= high)
             if outside.any():
                 raise InputError(
-                    "surface_tension", None, f"the surface tension of the liquid: the preset water ends at {low} and {high} K"
+                    "surface_tension", None, f"a value of your own, because the preset water holds from {low} to {high} K only"
                 )
         return self
 

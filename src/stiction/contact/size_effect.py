@@ -60,6 +60,6 @@ def size_notes(bodies: Iterable[Material], radius) -> list[str]:
     for body in bodies:
         if body.characteristic_depth is not None:
             factor = (1.0 + size_ratio(body, radius)) ** 0.5
-            words = f"{float(factor):.3g} times as hard" if np.ndim(factor) == 0 else "harder"
-            notes.append(f"asperities find {body.name} {words} as large imprints do (Nix and Gao 1998)")
+            words = f"{float(factor):.3g} times the" if np.ndim(factor) == 0 else "above the"
+            notes.append(f"hardness of {body.name} in small contacts: {words} hardness of large imprints (Nix and Gao 1998)")
     return list(dict.fromkeys(notes))

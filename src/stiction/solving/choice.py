@@ -66,7 +66,7 @@ class Choice:
     def __post_init__(self):
         for name, value in (self.arguments() | {"model": None}).items():  # an unknown model is refused with the known ones
             if not (value is None or isinstance(value, str)):
-                raise InputError(name, value, "text: the name of a law, or a value of an option")
+                raise InputError(name, value, "text: the name of a law or of an option")
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":

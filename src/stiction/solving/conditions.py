@@ -93,7 +93,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
     *((rule, _by_numbers) for rule in OUT_OF_PROPORTION),
     (Validity("area_fraction", 0.0, 1.0 + _ROUNDING, "the real contact area is above the nominal one", "impossible"), _any),
     (Validity("nominal_pressure_over_hardness", -inf, 1.0, "the surfaces are pressed flat", "impossible"), _any),
-    (Validity("mean_pressure_over_hardness", -inf, 1.05, "contacts bear more than their hardness", "effect"), _any),
+    (Validity("mean_pressure_over_hardness", -inf, 1.05, "the mean contact pressure exceeds the hardness", "effect"), _any),
     (Validity("strength_over_bodies", 0.0, 1.0 + _ROUNDING,
               "the interface is stronger than the bodies: mu follows the weaker body"), _shears_the_interface),
     (Validity("grown_area_ratio", 1.0, 2.0, "junctions grow under shear, which is left out: mu is too low", "effect"),
@@ -136,7 +136,7 @@ def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[Validit
         return []
     where = f"in {lost.sum()} of {lost.size} points" if lost.size > 1 else "here"
     off = np.abs(carried[lost] / asked[lost] - 1.0).max()
-    why = f"the requested load is below round-off {where}: the computed load differs by up to {off:.2g} times"
+    why = f"the requested load is below round-off {where}: the computed load differs by up to {off:.2g} times the requested one"
     return [ValidityWarning(why, kind="impossible")]  # at the requested load there is no result
 
 

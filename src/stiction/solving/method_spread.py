@@ -25,7 +25,7 @@ _MU = "friction_coefficient"
 # Fewer than this many of the asperities found in a scan: how high they are is then chance.
 FEW_TOUCH = 10
 _MEANINGS = {
-    "by_method": ("friction, each method", "static friction coefficient by how asperities were found"),
+    "by_method": ("friction, each method", "static friction coefficient, for each method of finding asperities"),
     "low": ("friction, lowest", "lowest static friction coefficient over the methods of finding asperities"),
     "high": ("friction, highest", "highest static friction coefficient over the methods of finding asperities"),
 }
@@ -94,7 +94,7 @@ def with_method_spread(
     tables = np.stack(rows, axis=1)
     of_found = np.array([counts[name] or np.nan for name in contacts])
     touching = tables[1] * of_found.reshape(-1, *(1 for _ in like.shape))
-    meaning = {"units": "1", "long_name": "found ones that touch", "comment": "how many of the asperities found would touch"}
+    meaning = {"units": "1", "long_name": "found ones that touch", "comment": "number of the asperities found that would touch"}
     result = with_range_over_methods(data, list(contacts), tables[0], points, _MU)
     result = result.assign(found_touching_by_method=((METHOD, *points), touching, meaning))
     return with_warnings(result, map(ValidityWarning, filter(None, [_on_the_tail(result)])))
@@ -119,8 +119,8 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
     if not said:
         return ""
     return (
-        f"contact on fewer than {FEW_TOUCH} of the asperities found ({', '.join(said)}): there mu follows from the tail of the "
-        "height distribution that is assumed, not from measured heights"
+        f"fewer than {FEW_TOUCH} of the asperities found touch ({', '.join(said)}): mu then follows from the assumed tail of "
+        "the height distribution, not from measured heights"
     )
 
 

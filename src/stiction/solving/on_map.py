@@ -149,7 +149,11 @@ class OnMap(Problem):
         whole = self.contact.nominal_area / one.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None and one.pressure is None:
-            raise InputError("shear", self.options["shear"], "law, because the pressures of adhesive surfaces include adhesion")
+            raise InputError(
+                "shear",
+                self.options["shear"],
+                "law, because other values need contact pressures without adhesion",
+            )
         if of_points is not None:
             force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, one))
             return force * whole / self.factors["N"]
@@ -165,10 +169,10 @@ class OnMap(Problem):
         Raises InputError without a tangential law, and for adhesive contact, where point strengths are unknown.
         """
         if self.chosen.tangential is None:
-            raise InputError("tangential", "none", "a tangential law: it gives the shear strength of each point")
+            raise InputError("tangential", "none", "a tangential law, which gives the shear strength of each point")
         if one.pressure is None:
             raise InputError(
-                "adhesion", self.options["adhesion"], "left_out, because this law needs contact pressures without adhesion"
+                "adhesion", self.options["adhesion"], "left_out, because slip needs contact pressures without adhesion"
             )
         strength = np.zeros_like(one.pressure)
         hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf

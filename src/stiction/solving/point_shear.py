@@ -55,7 +55,7 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
         raise InputError(
             "pressure_coefficient",
             None,
-            "a number: shear = lesser takes the smaller of tau_0 and pressure_coefficient times pressure",
+            "a number, because shear = lesser is the smaller of shear strength and pressure_coefficient times pressure",
         )
     for state, pressure, pixel, area in points_of(one):
         yield state, np.minimum(coefficient * pressure * pixel, strength * area)

@@ -71,7 +71,7 @@ def variables_of(
 
 _RESIDUAL = {
     "long_name": "load residual",
-    "comment": "load found less load asked for, over the latter, or over the pull-off force if it is nothing beside that",
+    "comment": "(computed load - requested load) / requested load; relative to the pull-off force if the load is negligible",
 }
 
 
@@ -129,14 +129,14 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
         return {}
     mu, published = (np.ravel(tables[name]) for name in ("friction_coefficient", "friction_coefficient_published"))
     known = np.isfinite(mu) & np.isfinite(published)
-    words = [f"plastic junctions resist as after {problem.options[JUNCTIONS]}, not as published"]
+    words = [f"yielded junctions follow {problem.options[JUNCTIONS]}, not the published law"]
     if known.any():
         mu, published = mu[known], published[known]
         ends = [span((one.min(), one.max())) for one in (mu, published)]
-        words.append(f"mu is {ends[0]}, as published {ends[1]}")
+        words.append(f"mu is {ends[0]}, by the published law {ends[1]}")
         if (published > 0.0).all():
             ratio = mu / published
-            words.append(f"{span((ratio.min(), ratio.max()))} times that")
+            words.append(f"a ratio of {span((ratio.min(), ratio.max()))}")
     return {"change_by_junctions": ": ".join([words[0], ", ".join(words[1:])]) if words[1:] else words[0]}
 
 

@@ -125,7 +125,7 @@ def slide(
         return slide_on_map(on_map, points_of(on_map, load, separation), how)
     for name, value in of_maps.items():
         if value is not None:
-            raise InputError(name, value, "no value, except with model = boundary_elements")
+            raise InputError(name, value, "no value; only model = boundary_elements uses it")
     if subject.has_film:
         raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
     choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
@@ -179,7 +179,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
         if not farthest > 0.0:
-            raise InputError("displacement", None, "one or more displacements: without friction this contact has no default")
+            raise InputError("displacement", None, "one or more values, because a contact without friction has no default")
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
     moved = points_asked(subject, "displacement", given)
     if not np.size(moved):

@@ -54,7 +54,9 @@ def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset"
     contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
     if len(contacts) < loads.size:
         raise InputError(
-            "load", f"{loads.size - len(contacts)} without a solution", "loads at which the contact of the map can be solved"
+            "load",
+            f"{loads.size - len(contacts)} loads without a solution",
+            "loads that the solver can solve",
         )
     strengths = [problem.strengths(one) for one in contacts]
     operator = _operator(problem)
@@ -149,19 +151,19 @@ def _at_forces(
     from stiction.solvers.shear.path import at_force
 
     if move.displacement is not None:
-        raise InputError("tangential_force", move.tangential_force, "no value beside displacement")
+        raise InputError("tangential_force", move.tangential_force, "no value together with displacement; give one of the two")
     if move.residual < 1.0:
         raise InputError(
-            "tangential_force", move.tangential_force, "no value where strength falls with slip: give displacements"
+            "tangential_force", move.tangential_force, "no value, because strength falls with slip; give displacement instead"
         )
     if len(strengths) != 1:
-        raise InputError("load", f"{len(strengths)} loads", "one load beside tangential_force")
+        raise InputError("load", f"{len(strengths)} loads", "one load together with tangential_force")
     contact, pixel = problem.contact, nominal_area / strengths[0].size
     forces = np.atleast_1d(np.asarray(problem.subject.read(move.tangential_force, "tangential_force"), dtype=float))
     most = float(strengths[0].sum()) * pixel * contact.nominal_area / nominal_area
     if not ((forces >= 0.0) & (forces < most)).all():
         shown = contact.show(float(forces.max()), "tangential_force"), contact.show(most, "tangential_force")
-        raise InputError("tangential_force", shown[0], f"0 to less than the sum of strengths, {shown[1]}")
+        raise InputError("tangential_force", shown[0], f"0 to less than the summed strength of the points, {shown[1]}")
     part = nominal_area / contact.nominal_area
     return np.array([at_force(operator, strengths[0], float(force) * part, pixel=pixel).shift for force in forces])
 

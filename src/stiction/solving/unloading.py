@@ -145,13 +145,13 @@ def unload(
 
 # What is in no table of quantities: like which quantity each is measured, and what it is.
 _DESCRIBED = {
-    "min_separation": ("mean_separation", "nearest mean separation reached"),
-    "max_load": ("load", "normal load at the nearest mean separation reached"),
-    "separation_increase": ("mean_separation", "distance by which the surfaces have been drawn apart"),
-    "pull_off_separation": ("mean_separation", "mean separation at the largest tension, undefined where there is none"),
+    "min_separation": ("mean_separation", "smallest mean separation during loading"),
+    "max_load": ("load", "normal load at the smallest mean separation"),
+    "separation_increase": ("mean_separation", "increase of the mean separation since the smallest one"),
+    "pull_off_separation": ("mean_separation", "mean separation at the largest tension; NaN if there is no tension"),
     "zero_load_separation": (
         "mean_separation",
-        "mean separation at which the load has fallen to nothing, undefined where it never does",
+        "mean separation at which the load has fallen to 0; NaN if it never does",
     ),
 }
 
@@ -243,7 +243,7 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
     if not model.asperity:
         raise InputError("model", choice.model_key, "a sum over asperities, because unload() follows each asperity")
     if model.regimes is not None:
-        reason = f"the source of {choice.model_key} does not state how it unloads"
+        reason = f"the source of {choice.model_key} does not describe unloading"
         raise InputError("model", choice.model_key, f"another sum over asperities: {reason}")
     problem = make_problem(contact, choice, heights)
     assert isinstance(problem, Sum)  # of a model with an asperity law
@@ -263,7 +263,7 @@ def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
     if "no adhesion" in law.traits:
         how = "elastic spheres whose flattened shape gives the load and area of each asperity at its deepest compression"
         return (lambda groups, distance, **options: drawn_apart(law.segments(groups, **options), distance)), how
-    reason = f"the source of {law.key} does not state how it unloads"
+    reason = f"the source of {law.key} does not describe unloading"
     raise InputError("asperity", law.key, f"a law that is elastic, without adhesion, or has an unloading law: {reason}")
 
 

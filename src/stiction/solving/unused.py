@@ -36,7 +36,7 @@ class Unused:
 
     def say(self, before: str = "", between: str = " ") -> str:
         """Describe the unused input; before, between: how a law is selected, for example "--tangential KEY" in the terminal."""
-        others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} does" for kind, keys in self.laws.items())
+        others = "; ".join(f"{before}{kind}{between}{' or '.join(keys)} uses it" for kind, keys in self.laws.items())
         return (
             f"{self.input} is not used"
             + (f": {self.why}" if self.why else " by this model")
@@ -67,7 +67,7 @@ def unused_inputs(problem: Problem) -> list[Unused]:
     found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():
         if not group:
-            found.append(Unused(name, why="one H/Y and one E_t/E, those of the bodies, are taken for the film too"))
+            found.append(Unused(name, why="the values of the bodies are used for the film too"))
         elif group not in spoken_of:
             found.append(Unused(name, _laws_that_use(group, problem)))
     return found
@@ -86,7 +86,7 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
     if ignored:
         inputs = dict(problem.subject.inputs())
         value = InWords(inputs.get(ignored[0]) or inputs.get(f"{ignored[0]}.name", "given"))
-        allowed = f"none with the default model, {choice.model_key}, which ignores it"
+        allowed = f"no value with the default model, {choice.model_key}, which ignores it"
         hint = f"name a model: --model recommended, one that `stiction compare` shows, or {choice.model_key}"
         raise InputError(ignored[0], value, allowed, hint)
 

@@ -75,7 +75,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
         raise InputError("contact", f"{case.size} points", f"at most {_MOST}; `stiction sweep` computes more, on disk")
     choice = choice_of_case(case, choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
-    data = with_bands(data, case, choice, progress("Drawing what is uncertain"))
+    data = with_bands(data, case, choice, progress("Sampling uncertain inputs"))
     return with_groups(_said(data, case), case.with_surface_moments(choice.model_key).subject)
 
 
@@ -208,7 +208,7 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
     False
     """
     case = as_case(case)
-    return _said(compare(case.subject, load=load, progress=progress("Asking the models")), case)
+    return _said(compare(case.subject, load=load, progress=progress("Comparing the models")), case)
 
 
 def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":

@@ -67,10 +67,10 @@ class Origin(Input):
     file: str = Field("", description="the CSV file with the values, from the folder of the entry")
     band: list[Band] = Field(default_factory=list, description="ranges of the friction coefficient, in place of a file")
     kind: Literal["measured", "synthetic"] = Field(description="measured, or synthetic: made up to show the format")
-    source: str = Field(description="authors, title, where it appeared, year")
+    source: str = Field(description="authors, title, journal or publisher, year")
     place: str = Field("", description='page, and table, figure or section: "p. 57, Table 3"')
     doi: str = Field("", description="DOI of the source, if it has one")
-    read: Literal["printed", "digitised", "data file", "computed"] = Field(description="how the values came into the file")
+    read: Literal["printed", "digitised", "data file", "computed"] = Field(description="how the values were read")
     note: str = Field("", description="what else a reader has to know: how it was prepared, what is assumed here")
 
     @model_validator(mode="after")
@@ -80,7 +80,7 @@ class Origin(Input):
                 "file or band", "both" if self.file else None, "exactly one of the two: a CSV file or [[measured.band]]"
             )
         if not self.source.strip():
-            raise InputError("source", self.source, "authors, title, where it appeared, year")
+            raise InputError("source", self.source, "authors, title, journal or publisher, year")
         if self.kind == "measured" and not self.place.strip():
             raise InputError("place", self.place or None, 'page, and table, figure or section, e.g. "p. 57, Table 3"')
         if (self.kind == "synthetic") != (self.read == "computed"):

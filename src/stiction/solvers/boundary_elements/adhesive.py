@@ -219,7 +219,7 @@ class _Grid:
     def validity_warnings(self) -> tuple[ValidityWarning, ...]:
         if self.points >= LEAST_POINTS * (1.0 - 1e-9):
             return ()
-        why = f"the edge of contact is pulled over {self.points:.2g} points, at least {LEAST_POINTS:g} are needed"
+        why = f"adhesion acts over {self.points:.2g} points beside the edge of contact; at least {LEAST_POINTS:g} are needed"
         return (ValidityWarning(why, "points_at_edge", self.points, self.points, low=LEAST_POINTS),)
 
 

@@ -55,7 +55,7 @@ class Film:
             raise InputError("film.substrate_modulus", self.substrate_modulus, "> 0 Pa, or infinite for a rigid body")
         for name in ("poisson", "substrate_poisson"):
             if not (-1.0 < getattr(self, name) <= 0.5):
-                raise InputError(f"film.{name}", getattr(self, name), "> -1, <= 0.5")
+                raise InputError(f"film.{name}", getattr(self, name), "above -1 and at most 0.5")
 
     @property
     def plane_strain(self) -> float:

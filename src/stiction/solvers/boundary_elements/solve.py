@@ -177,7 +177,7 @@ class _How:
                 raise InputError(name, how[name], f"another option: {nearest(name, known)}")
         made = cls(**how)
         if not 0.0 < made.tolerance < 1.0:
-            raise InputError("tolerance", made.tolerance, "> 0, < 1")
+            raise InputError("tolerance", made.tolerance, "above 0 and below 1")
         return made
 
 
@@ -219,7 +219,7 @@ class _Asked:
 def usable_map(heights) -> np.ndarray:
     heights = np.ascontiguousarray(heights, dtype=np.float64)
     if heights.ndim != 2 or min(heights.shape) < 4:
-        raise InputError("heights", f"shape {heights.shape}", "(rows, columns), at least 4 of each")
+        raise InputError("heights", f"shape {heights.shape}", "an array with at least 4 rows and 4 columns")
     bad = int(heights.size - np.count_nonzero(np.isfinite(heights)))
     if bad:
         raise InputError(

@@ -39,7 +39,7 @@ def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
     attraction [m]. Raises InputError for a map that is not periodic, for plastic bodies, and for films on both bodies.
     """
     if not surface.periodic:
-        raise InputError("adhesion", "on a map that is not periodic", "left_out, or a map of one period with periodic = true")
+        raise InputError("adhesion", "on a map that is not periodic", "left_out, or a periodic map (periodic = true)")
     if bodies.hardness is not None:
         raise InputError("yielding", "at_hardness", "none, because the adhesive solver assumes elastic bodies")
     if bodies.counter_film is not None:

@@ -41,7 +41,7 @@ class HalfSpace:
         if not self.modulus > 0.0:
             raise InputError("modulus", self.modulus, "> 0 Pa, or infinite for a rigid body")
         if not -1.0 < self.poisson <= 0.5:
-            raise InputError("poisson", self.poisson, "> -1, <= 0.5")
+            raise InputError("poisson", self.poisson, "above -1 and at most 0.5")
 
     @property
     def shear_modulus(self) -> float:

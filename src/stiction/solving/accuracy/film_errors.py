@@ -22,7 +22,7 @@ from stiction.solving.problem import Problem
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
 _ROUNDING = 1e-3  # of the ends of what was measured
-_FLOWS = "films that flow were compared with nothing: what squeezes them out is solved nowhere here"
+_FLOWS = "unknown for films that flow plastically: no reference solution contains their squeeze-out"
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
@@ -86,9 +86,9 @@ def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, np.nd
 
 # What errors are looked up by, in words.
 _WORDS = {
-    "n_E": "the film's modulus over that of the bodies",
-    "a_over_t": "the mean contact's radius over the thickness of a film",
-    "thickness_over_shortest_wave": "the thickness of a film over the shortest wave of the surface",
+    "n_E": "film modulus over the modulus of the bodies",
+    "a_over_t": "mean contact radius over film thickness",
+    "thickness_over_shortest_wave": "film thickness over the shortest wavelength of the surface",
 }
 
 
@@ -100,7 +100,7 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
         beyond = known[(known < low / (1.0 + _ROUNDING)) | (known > high * (1.0 + _ROUNDING))]
         if beyond.size:
             share = "" if beyond.size == known.size else f" at {beyond.size} of {known.size} points"
-            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, and only {low:g} to {high:g} was solved")
+            said.append(f"{_WORDS[name]} is {span(_ends(beyond))}{share}, but solved only from {low:g} to {high:g}")
     return "; ".join(said)
 
 
@@ -185,5 +185,5 @@ def in_words(row: Mapping[str, Any]) -> str:
     parts = [f"area {span(row['error'], '+.0%')} at given load"]
     parts += [f"load {span(row['load_error'], '+.0%')} at given approach"] if "load_error" in row else []
     parts += [f"off by {row['rms']:.2g} in ln(area), rms"] if "rms" in row else []
-    parts += [f"elsewhere nothing was measured: {row['outside']}"] if "outside" in row else []
+    parts += [f"unknown where {row['outside']}"] if "outside" in row else []
     return f"{head}: {', '.join(parts)}"

@@ -123,11 +123,11 @@ class MeasuredErrors:
     def words(self) -> str:
         """Describe the errors in one line."""
         if not self.known:
-            return f"not measured here: {self.why_not}"
+            return f"not known here: {self.why_not}"
         some = np.isfinite(self.area)
         most = self.relative[some].max()
         if self.column == _ITSELF:
-            return f"the reference solution; points as wide as these leave {most:.1%}{self._of_sample}"
+            return f"the reference solution; its point spacing leaves an error of {most:.1%}{self._of_sample}"
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
         nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]
@@ -135,7 +135,7 @@ class MeasuredErrors:
         middle, levels = np.expm1(self.area[some]), np.expm1(self.levels[some])
         mean, ends = (span((one.min(), one.max()), "+.0%") for one in (middle, levels))
         alike = "like this one" if self.kind is None else f"of this kind, {self.kind}"
-        kinds = alike if self.kind_known else "of all kinds, which numbers do not tell apart"
+        kinds = alike if self.kind_known else "of all kinds, because the kind is not stated"
         surfaces = f"solved {'' if self.kind_known else 'Gaussian '}surfaces{where}"
         counted = f"{ends} for 90% of {int(self.surfaces[some].max())} {kinds}{nearest}"
         return f"contact area {mean} against {surfaces} ({counted}){of_mu}{self._of_sample}"
@@ -143,7 +143,7 @@ class MeasuredErrors:
     @property
     def _of_sample(self) -> str:
         largest = float(np.max(self.sample, where=np.isfinite(self.sample), initial=0.0))
-        return f"; as one window of a larger surface +/-{largest:.0%} more, by its quadrants" if largest > 0.0 else ""
+        return f"; +/-{largest:.0%} more because the map is one part of a larger surface" if largest > 0.0 else ""
 
 
 def _plain(values: np.ndarray) -> list[float | None]:
@@ -182,8 +182,8 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     place = Place.of(problem, load)
     found = _near(problem, column, place, load.size // len(problem.groups), area)
     if found is None:
-        kind = "" if place.kind is None else f" on such surfaces, {place.kind}"
-        return _unknown(column, load.size, f"this model was not measured{kind}")
+        kind = "" if place.kind is None else f" on {place.kind} surfaces"
+        return _unknown(column, load.size, f"this model was not compared with solved surfaces{kind}")
     far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
     relative, error = (np.where(far, np.nan, one) for one in (found.relative, found.middle))
     why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
@@ -314,31 +314,31 @@ def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     """State why no solved surface is near enough, with the difference of the nearest one."""
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
-        return "the film is not as in the set, elastic and on one body under a rigid one"
-    return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "it carries no such load there"
+        return "solved surfaces with a film have one elastic film on one body, and a rigid counterbody"
+    return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "the model carries no such load"
 
 
 def _why_not(problem: Problem, column: str, points: int, most_points: float) -> str:
     if not column:
-        return "not with these options"
+        return "this variant of the model was not compared with solved surfaces"
     if problem.groups.roughness_parameter is None:
-        return "the roughness is not known as a surface"
+        return "sigma, R and N of the roughness are not known together"
     if points > most_points:
-        return f"asked for {most_points:g} points at most"
+        return f"computed for at most {most_points:g} points"
     return ""
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
     """Return how well dry surfaces without adhesion represent the contact, 1 to 0, and the reason if they do not."""
-    state, why = state_of(problem, results), "menisci would pull, the solved surfaces are dry"
+    state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
         pulled, load = (np.abs(np.asarray(results[name], dtype=float)) for name in ("load_meniscus", "load"))
         share = np.where(pulled > 0.0, quotient(pulled, load, _FULL), 0.0)
-        pull, why = _largest(share), "menisci pull, the solved surfaces are dry"
+        pull, why = _largest(share), "menisci pull, but the solved surfaces are dry"
     sticks = _largest(state.get("adhesion_share"))
     if sticks > max(pull, _MOST_ADHESION):
-        pull, why = sticks, "the contact adheres, the solved surfaces do not"
+        pull, why = sticks, "the contact adheres, but the solved surfaces do not"
     near = float(np.clip(2.0 - 2.0 * max(pull, sticks) / _MOST_ADHESION, 0.0, 1.0))
     return near, "" if pull <= _MOST_ADHESION else why
 

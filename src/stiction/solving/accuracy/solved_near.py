@@ -251,5 +251,5 @@ def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
     for part, one in sorted(zip(squared, found, strict=True), key=lambda row: -row[0]):
         if part >= _SAID * sum(squared):
             their = np.broadcast_to(of_point(one.theirs), shape).flat[at]
-            said.append(f"{of_point(one.names)} {their:.2g} where this has {of_point(one.ours):.2g}")
+            said.append(f"{of_point(one.names)} {their:.2g} instead of {of_point(one.ours):.2g}")
     return "the nearest has " + " and ".join(said)

@@ -74,8 +74,8 @@ def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tup
         if name not in columns:
             columns[name] = (along, values[rows], dict(QUANTITIES[quantity_of(name)].attributes))
     for name, off in off_targets(search.plan, known):
-        columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "distance from the target, over its size"})
-    columns["constraint_violation"] = (along, worst, {"long_name": "constraint violation over the size of the constraint"})
+        columns[f"{name}_off_target"] = (along, off[rows], {"long_name": "relative distance from the target"})
+    columns["constraint_violation"] = (along, worst, {"long_name": "relative constraint violation"})
     columns["feasible"] = (along, worst <= TOLERANCE, {"long_name": "whether all constraints are met"})
     return columns
 
@@ -104,7 +104,7 @@ def _attributes(search: "Designing", best: np.ndarray) -> dict[str, Any]:
         "evaluated": search.archive.count,
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
-        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design keeps the limits; the nearest is shown",
+        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design meets all limits; the nearest one is shown",
         "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
         "stopped": int(search.stopped),
     }
@@ -124,7 +124,7 @@ def designed_case(search: "Designing", out: Path) -> str:
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:
-        comments += [f"It breaks a limit: {words}." for words in search.space.violations(shares[best])]
+        comments += [f"It violates a limit: {words}." for words in search.space.violations(shares[best])]
     content = _with_numbers(without_studies(plan.given), search.space.numbers(shares[best]))
     return case_text(content, comments, plan.folder, out)
 

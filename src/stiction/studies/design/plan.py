@@ -148,7 +148,7 @@ def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple
             "design.choose", None, 'something to choose, e.g. coating.thickness = { low = "50 nm", high = "1 um" }'
         )
     if len(free) > _MOST_FREE:
-        raise InputError("design.choose", f"{len(free)} numbers with ends", f"{_MOST_FREE} at most")
+        raise InputError("design.choose", f"{len(free)} numbers with low and high", f"{_MOST_FREE} at most")
     ways = int(np.prod([float(len(one.entries)) for one in options if not one.is_number] or [1.0]))
     if ways > _MOST_WAYS:
         raise InputError("design.choose", f"{ways} combinations of materials and bodies", f"{_MOST_WAYS} at most")
@@ -220,5 +220,5 @@ def _limit(name: str, entry: Any) -> Limit:
         number_of(entry[end], quantity_of(name), f"{where}.{end}") if end in entry else np.nan for end in ("low", "high")
     )
     if np.isfinite(low) and np.isfinite(high) and low > high:
-        raise InputError(where, [entry["low"], entry["high"]], "the low end first")
+        raise InputError(where, [entry["low"], entry["high"]], "low not above high")
     return Limit(name, -np.inf if np.isnan(low) else low, np.inf if np.isnan(high) else high)

@@ -200,7 +200,7 @@ class Space:
             beyond = _beyond(limit.low, limit.high, tables[limit.quantity])
             if _worst(beyond)[0] > TOLERANCE:
                 value = float(tables[limit.quantity][_place_of_worst(beyond)][0])
-                found.append(f"{limit.words}, found {show(value, quantity_of(limit.quantity), 3)}")
+                found.append(f"{limit.words}, but the result is {show(value, quantity_of(limit.quantity), 3)}")
         counted = _as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape)
         have, values = solved.validity_warnings
         bits = _as_table(have, values, shape)[_place_of_worst(counted)][0]

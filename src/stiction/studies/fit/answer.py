@@ -91,7 +91,7 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     refused = np.flatnonzero(~np.isfinite(forward.values(best.shares)[0]))
     if refused.size:
         line, load = forward.data.line[refused[0]], float(forward.data.load[refused[0]])
-        allowed = f"a load that {forward.choice.model_key} can carry; widen the ends of [fit.free], or leave the line out"
+        allowed = f"a load that {forward.choice.model_key} can carry; widen the ranges of [fit.free], or delete the line"
         raise InputError(f"line {line}, load", show(load, "load"), allowed)
     return _scaled(name, forward, best, (errors, stated), with_profiles)
 
@@ -222,8 +222,8 @@ def _of_one(fit: Fitted, at: int, profile: Profile) -> list[str]:
     if profile.open_high:
         return [f"these data bound {name} only from below: every value from {low} to its high end, {high}, fits"]
     if min(fit.best.shares[at], 1.0 - fit.best.shares[at]) < _AT_END:
-        return [f"{name} is best at its end {free.show(float(fit.values[at]))}: give it wider ends"]
-    return [f"{name} is badly determined: from {low} to {high}"] if _is_wide(fit, at) else []
+        return [f"{name} is best at the end of its range, {free.show(float(fit.values[at]))}: widen the range"]
+    return [f"{name} is badly determined: its interval is {low} to {high}"] if _is_wide(fit, at) else []
 
 
 def _is_wide(fit: Fitted, at: int) -> bool:

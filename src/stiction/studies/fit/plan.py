@@ -118,7 +118,7 @@ def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
         found[path] = read_free(path, entry, where)
     if not 1 <= len(found) <= _MOST_FREE:
         raise InputError(
-            "fit.free", InWords(f"{len(found)} numbers"), f"1 to {_MOST_FREE} numbers of the case, each with its ends"
+            "fit.free", InWords(f"{len(found)} numbers"), f"1 to {_MOST_FREE} numbers of the case, each with low and high"
         )
     return tuple(found.values())
 

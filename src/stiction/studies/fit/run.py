@@ -136,7 +136,7 @@ def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -
             found.bands = predicted(plan, found.best)
         others = [one for one in dict.fromkeys(plan.models) if one != name]
         if others:
-            for one in progress("Asking other models")([name, *others]):
+            for one in progress("Fitting other models")([name, *others]):
                 found.rivals.append(rival(plan, one, found.best if one == name else None))
     except KeyboardInterrupt:
         if not keep_on_interrupt:
@@ -260,7 +260,7 @@ def _unsure(fitting: Fitting) -> list[str]:
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:
-        said.append(f"the bands rest on {fitting.bands.effective:.0f} independent sets of numbers: they are rough")
+        said.append(f"predicted intervals use only {fitting.bands.effective:.0f} independent samples: they are rough")
     return said
 
 
@@ -269,13 +269,13 @@ def _errors_said(fit: Fitted) -> str:
         names = sorted(set(fit.forward.data.quantity))
         one_known = len(names) == 1 and names[0] in QUANTITIES
         size = show(float(fit.errors[0]), names[0], 3) if one_known else f"{fit.errors[0]:.3g} in SI units"
-        return f"no errors were given: all values have one, {size}, by their scatter about the fit"
+        return f"none given; the scatter about the fit, {size}, is used for all values"
     if fit.scale > 1.0:
         return (
-            f"the scatter about the fit is {fit.scale:.2g} times the errors that were given, more than chance allows: the "
-            "model or the errors are wrong; intervals are for errors so much larger"
+            f"multiplied by {fit.scale:.2g}, because residuals scatter that much more than the given errors: the "
+            "model or the errors are wrong"
         )
-    return "as they were given; the scatter about the fit agrees with them"
+    return "as given; the scatter about the fit agrees with them"
 
 
 def _fitted_case(fitting: Fitting, out: Path) -> str:
@@ -288,6 +288,6 @@ def _fitted_case(fitting: Fitting, out: Path) -> str:
         if x.path != RESISTANCE and x.path not in numbers:
             numbers[x.path] = float(value)
     if any(x.sample is not None for x in one.parameters):
-        comments.append(f"Of numbers that every sample has for itself, those of {plan.data.samples[0]} stand here.")
+        comments.append(f"Numbers that differ between samples have the values of sample {plan.data.samples[0]}.")
     comments += [f"Note: {text}" for text in verdicts(one)]
     return case_text(with_written(without_studies(plan.given), numbers), comments, plan.folder, out)

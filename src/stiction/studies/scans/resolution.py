@@ -183,7 +183,7 @@ def resolution_study(
     asked = _Friction(contact, load, Choice() if choice is None else choice)
     given = options or {}
     if set(given) - set(keys):
-        raise InputError("options", tuple(given), f"of the methods {', '.join(keys)}")
+        raise InputError("options", tuple(given), f"options of these methods only: {', '.join(keys)}")
     names = [*_KEPT, _FRICTION] if contact is not None else [*_KEPT]
     numbers = {name: np.full((len(keys), len(wanted)), math.nan) for name in names}
     words = {name: np.full((len(keys), len(wanted)), "", dtype=object) for name in ("height_distribution", "failure")}
@@ -249,7 +249,7 @@ def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> Heig
     k is the largest number that leaves at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m].
     """
     if not points_per_cutoff >= 2.0:
-        raise InputError("points_per_cutoff", points_per_cutoff, ">= 2")
+        raise InputError("points_per_cutoff", points_per_cutoff, "2 or more points per cutoff wavelength")
     # The tolerance is for a cutoff that is a whole number of pitches, to rounding.
     steps = [max(int(cutoff / (points_per_cutoff * pitch) * (1.0 + 1e-9)), 1) for pitch in surface.pitch]
     if surface.is_profile:

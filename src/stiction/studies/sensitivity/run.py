@@ -236,9 +236,9 @@ _MEANINGS = {
     "total_order": ("total", "total Sobol index of the logarithm"),
     "total_order_low": ("total_low", "low end of its 95 % interval, total Sobol index of the logarithm"),
     "total_order_high": ("total_high", "high end of its 95 % interval, total Sobol index of the logarithm"),
-    "effect": ("size", "mean size of the effects of Morris on the logarithm, from end to end"),
-    "effect_error": ("size_error", "standard error of the mean size of the effects"),
-    "effect_deviation": ("deviation", "deviation of the effects: how much they depend on where the others are"),
+    "effect": ("size", "mean absolute Morris effect on the logarithm, over the range of the input"),
+    "effect_error": ("size_error", "standard error of the mean absolute Morris effect"),
+    "effect_deviation": ("deviation", "standard deviation of the Morris effects: large if the effect depends on other inputs"),
 }
 
 

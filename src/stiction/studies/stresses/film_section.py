@@ -111,7 +111,7 @@ def _dataset(
     along = {"units": unit} | over
     return xarray.Dataset(
         {
-            "stress_over_yield": (("z", "x"), field, told("von Mises stress over the yield stress of what is there")),
+            "stress_over_yield": (("z", "x"), field, told("von Mises stress over the yield stress of film or body")),
             "interface_normal_stress": ("x", scale * normal, told("stress across the interface, tension above 0", **along)),
             "interface_shear_stress": ("x", scale * shear, told("shear stress on the interface along x", **along)),
         },

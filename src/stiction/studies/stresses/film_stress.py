@@ -27,9 +27,9 @@ _FILM = "layered"
 # The radii, over the thickness of a film, at which stresses were compared.
 LEAST, MOST = 1e-3, 1e3
 _RULES = (
-    Validity("stress_over_yield", 0.0, 1.0, "film or body yields under the mean asperity, and its stresses are elastic"),
-    Validity("interface_shear", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is sheared off"),
-    Validity("interface_tension", 0.0, 1.0, "a bond that is no stronger than the weaker of film and body is torn off"),
+    Validity("stress_over_yield", 0.0, 1.0, "film or body yields under the mean asperity, but computed stresses are elastic"),
+    Validity("interface_shear", 0.0, 1.0, "the film shears off unless its bond is stronger than film or body"),
+    Validity("interface_tension", 0.0, 1.0, "the film is torn off unless its bond is stronger than film or body"),
     Validity("contact_over_thickness", LEAST, MOST, "radii at which the stresses were compared", "fit"),
 )
 

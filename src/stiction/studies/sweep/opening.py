@@ -184,8 +184,8 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     sums = group.create_array(
         CHECKSUMS, shape=(plan.blocks,), chunks=(1,), dtype="uint32", fill_value=0, dimension_names=("block",)
     )
-    sums.attrs["long_name"] = "CRC-32 of what a block holds"
-    done.attrs.update({"long_name": "points of a block at which a rule is left", "meanings": meanings})
+    sums.attrs["long_name"] = "CRC-32 checksum of each block"
+    done.attrs.update({"long_name": "number of points of each block outside each validity range", "meanings": meanings})
 
 
 def _of_sample(plan: Plan) -> dict[str, Any]:

@@ -34,7 +34,7 @@ class Sample(Input):
     @model_validator(mode="after")
     def _count_is_needed(self):
         if self.is_drawn and self.count is None:
-            raise InputError("count", None, "a whole number, 1 or more: how many points are drawn")
+            raise InputError("count", None, "a whole number, 1 or more: the number of sampled points")
         if not self.is_drawn and self.count is not None:
             raise InputError("count", self.count, "no value: count is for sobol and latin_hypercube")
         if self.method == "latin_hypercube" and (self.count or 0) > _MOST_HYPERCUBE:

@@ -73,7 +73,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
     variables: dict[str, tuple] = {}
     for name in draws.tables:
         variables |= _as_variables(name, draws, levels(wanted.coverage))
-    data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "share of the points below"}))
+    data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "quantile level"}))
     return _with_stated_values_beyond(_said(data.assign(variables), case, draws))
 
 
@@ -97,7 +97,7 @@ def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tupl
     dims, meaning = ("quantile", *draws.dims[name]), dict(draws.attributes[name])
     long_name = meaning.pop("comment", meaning["long_name"])
     return {
-        f"{name}_quantile": (dims, values, meaning | {"long_name": f"{long_name}, quantiles over what is uncertain"}),
+        f"{name}_quantile": (dims, values, meaning | {"long_name": f"{long_name}, quantiles over the uncertain inputs"}),
         f"{name}_quantile_error": (dims, errors, meaning | {"long_name": f"{long_name}, standard error of its quantiles"}),
     }
 
