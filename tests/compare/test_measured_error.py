@@ -223,7 +223,7 @@ def test_friction_of_the_interface_is_off_as_the_area_and_less_where_strength_ri
     ("change", "pressure", "why"),
     (
         ({"work_of_adhesion": "50 J/m^2"}, 0.02, "adheres"),
-        ({}, 1e-10, "the nearest has nominal pressure over E* times rms slope 0.002 where this has 1e-10"),
+        ({}, 1e-10, "the nearest has nominal pressure over E* times rms slope 0.002 instead of 1e-10"),
         ({"roughness": st.Roughness(asperity_height_deviation="1 um", asperity_radius="1 um", asperity_density="1e13 1/m^2")},
          0.02, "no solved surface is like this one: the nearest has Nayak's alpha "),
     ),
@@ -237,7 +237,7 @@ def test_far_from_the_set_nothing_is_stated(change, pressure, why):
     assert data.attrs["measured_error_in_words"].startswith("not known here")
 
 
-@pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (1e-6, "slope 0.002 where this has 1e-06")))
+@pytest.mark.parametrize(("pressure", "said"), ((0.02, ""), (1e-6, "slope 0.002 instead of 1e-06")))
 def test_in_what_the_nearest_differs_is_said_from_a_distance_of_one_on(pressure, said):
     """A pressure of e^7.6 below the least of the set, 0.002, is at 7.6/7."""
     one = contact(by_numbers(gaussian(9004)))

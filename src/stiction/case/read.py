@@ -38,6 +38,8 @@ from stiction.surfaces.finished import is_finished
 from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
 
 if TYPE_CHECKING:
+    import xarray
+
     from stiction.quantities.arguments import FilePath
 
 _CASE_FILE = "a TOML case file"
@@ -57,7 +59,7 @@ class Case:
 
     title: str
     subject: Subject
-    separation: Any
+    separation: "np.ndarray | xarray.DataArray | None"
     load: np.ndarray | None
     choice: Choice
     uncertain: tuple[Uncertain, ...] = ()
@@ -78,6 +80,13 @@ class Case:
         (subject,) = with_numbers(self.tables, numbers).values()
         points = None if self.separation is None else self.points
         return replace(self, subject=subject, separation=_separations(points, subject))
+
+    @property
+    def loads_or_separations(self) -> "np.ndarray | xarray.DataArray":
+        """Return the points to solve: loads, or separations if no load is stated."""
+        points = self.separation if self.load is None else self.load
+        assert points is not None
+        return points
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:

@@ -99,7 +99,7 @@ def report(
     """
     with busy("Reading the case"):
         from stiction.report.html_report import write_report
-    answer: dict[str, Any] = write_report(case, out, load=load, ranges=ranges, progress=bar)
+    answer = write_report(case, out, load=load, ranges=ranges, progress=bar)
     if json:
         print_json(answer | {"file": str(out)})
         return

@@ -2,7 +2,7 @@
 
 from functools import cached_property
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -21,6 +21,10 @@ from stiction.quantities.inputs import Number, OptionalNumber
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.surfaces.rough_input import Rough
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+    from stiction.surfaces.measured import Measured
 
 # Equilibrium distance of two surfaces for the Tabor parameter: an atomic spacing, a customary round value, from memory.
 EQUILIBRIUM_DISTANCE = 0.3e-9
@@ -267,11 +271,11 @@ class Contact(Subject):
         return self.roughness.surface_kind
 
     @property
-    def measured(self) -> Any:
+    def measured(self) -> "Measured | None":
         return self.roughness.measured
 
     @property
-    def map(self) -> Any:
+    def map(self) -> "HeightMap | None":
         return self.roughness.map
 
     def as_numbers(self) -> "Contact":

@@ -2,11 +2,15 @@
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
 from stiction.quantities.units import several_in_words
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
+    from stiction.surfaces.measured import Measured
 
 
 @dataclass(frozen=True)
@@ -98,12 +102,12 @@ class Subject(Input):
         return {} if rough is None else rough.shape
 
     @property
-    def measured(self) -> Any:
+    def measured(self) -> "Measured | None":
         """Return the measured roughness if it comes from scans; else None."""
         return None
 
     @property
-    def map(self) -> Any:
+    def map(self) -> "HeightMap | None":
         """Return the height map that represents both surfaces, if the scans give one; else None."""
         return None
 

@@ -49,7 +49,7 @@ class InputError(ValueError):
     thickness
     """
 
-    def __init__(self, field: str, value, allowed: str, hint: str = ""):
+    def __init__(self, field: str, value: object, allowed: str, hint: str = ""):
         self.field = field
         self.value = value
         self.allowed = allowed

@@ -5,7 +5,7 @@ Terminal, web page, report and notebook use the same text.
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
@@ -57,7 +57,40 @@ def confidence(mu: float, low: float, high: float) -> str:
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
 
 
-def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
+class PredictionAnswer(TypedDict):
+    """Answer of a prediction at its working load; an interval is its two ends. SI units."""
+
+    load: float
+    friction_coefficient: float
+    interval: list[float]
+    level: float
+    confidence: str
+    friction_force: float
+    friction_force_interval: list[float]
+    contact_area: float
+    contact_area_interval: list[float]
+    efficiency: float | None
+    regime: str
+    shares: dict[str, float]
+    warnings: list[str]
+    inputs_not_used: list[str]
+    next: str
+    models: dict[str, float]
+    excluded: float
+    bare_metal: list[float] | None
+    checked_against: str
+
+
+class ModelAnswer(TypedDict):
+    """Result of one model at one load; interval and level are None if no input is uncertain. SI units."""
+
+    load: float
+    friction_coefficient: float | None
+    interval: list[float] | None
+    level: float | None
+
+
+def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
     """Return the answer of a prediction as a dict for JSON."""
     point = at_working_load(data)
 
@@ -87,7 +120,7 @@ def answer_record(data: "xarray.Dataset") -> dict[str, Any]:
     }
 
 
-def model_record(data: "xarray.Dataset") -> dict[str, Any]:
+def model_record(data: "xarray.Dataset") -> ModelAnswer:
     """Return the result of one model as a dict for JSON, at the middle point of its curve.
 
     The entry `interval` is the interval of mu over the uncertain inputs. It is None if no input is uncertain, if no sample
@@ -95,7 +128,7 @@ def model_record(data: "xarray.Dataset") -> dict[str, Any]:
     """
     point = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(point[_MU]) if _MU in point else None
-    answer = {"load": float(point["load"]), "friction_coefficient": mu, "interval": None, "level": None}
+    answer: ModelAnswer = {"load": float(point["load"]), "friction_coefficient": mu, "interval": None, "level": None}
     if f"{_MU}_quantile" not in point:
         return answer
     ends = point[f"{_MU}_quantile"]

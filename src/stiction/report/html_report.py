@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from functools import partial
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from stiction.case.read import Case, as_case
 from stiction.case.text import as_toml
@@ -20,7 +20,7 @@ from stiction.quantities.extras import installed, require
 from stiction.quantities.paths import require_place
 from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
-from stiction.report.answer import answer_record, model_record
+from stiction.report.answer import ModelAnswer, PredictionAnswer, answer_record, model_record
 from stiction.report.honest_digits import rounded
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
@@ -41,6 +41,31 @@ _SUFFIXES = (".html", ".htm", ".pdf")
 _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge")
 
 
+class ReportAnswer(TypedDict):
+    """Answer of a report, as `write_report` returns it.
+
+    friction_coefficient: None if no load is compressive, or if the model has no friction. answer: of the prediction, or of
+    the named model; None for a case with array parameters. measured_error: errors of the model on solved surfaces; None for
+    a prediction.
+    """
+
+    title: str
+    question: str
+    answer: PredictionAnswer | ModelAnswer | None
+    answer_in_words: str
+    model: str
+    grade: str | None
+    working_load: float | None
+    working_load_unit: str
+    friction_coefficient: float | None
+    friction_coefficient_rounded: str | None
+    validity_warnings: list[dict[str, Any]]
+    measured_error: dict[str, Any] | None
+    not_compared: str
+    sources: list[str]
+    versions: dict[str, str]
+
+
 def write_report(
     case: "CaseLike",
     path: "FilePath",
@@ -48,7 +73,7 @@ def write_report(
     load: "QuantityLike | None" = None,
     ranges: bool | None = None,
     progress: Progress = silent,
-) -> dict[str, Any]:
+) -> ReportAnswer:
     """Write a report of a case as one HTML or PDF file.
 
     Parameters
@@ -66,8 +91,8 @@ def write_report(
 
     Returns
     -------
-    dict
-        The answer as numbers and texts, e.g. `friction_coefficient`.
+    ReportAnswer
+        A dict with the answer as numbers and texts, e.g. `friction_coefficient`.
 
     Raises
     ------
@@ -167,7 +192,7 @@ def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, l
         yield name, list(draw(findings))
 
 
-def report_record(findings: ReportData) -> dict[str, Any]:
+def report_record(findings: ReportData) -> ReportAnswer:
     """Return the answer of a report as a dict of numbers and texts for JSON."""
     data, point = findings.data, findings.working_results
     mu = None if point is None or "friction_coefficient" not in point else float(point["friction_coefficient"])
@@ -194,7 +219,7 @@ def report_record(findings: ReportData) -> dict[str, Any]:
     }
 
 
-def _answer(findings: ReportData) -> dict[str, Any] | None:
+def _answer(findings: ReportData) -> PredictionAnswer | ModelAnswer | None:
     if findings.prediction is not None:
         return answer_record(findings.prediction)
     return None if findings.case.is_several else model_record(findings.data)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.curve import MapCurve
     from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.surfaces.heightmap import HeightMap
+    from stiction.surfaces.measured import Measured
 
 # Results that are of every contact: name in the table of quantities -> name of the number of a MapContact.
 _PLAIN = {
@@ -76,9 +77,15 @@ class OnMap(Problem):
         """Return the units of normalised results, by scale."""
         return self.contact.scales().factors()
 
+    @property
+    def _measured(self) -> "Measured":
+        measured = self.contact.measured
+        assert measured is not None  # `contact` refuses others
+        return measured
+
     def surface(self) -> "HeightMap":
         """Return the map that is solved. Raises InputError if it cannot be solved."""
-        return self.contact.measured.solvable.one()
+        return self._measured.solvable.one()
 
     def curve(self, load: np.ndarray) -> "MapCurve":
         """Solve the map at normalised loads (m,)."""
@@ -140,8 +147,7 @@ class OnMap(Problem):
 
     def _mean_height(self) -> float:
         """Return the mean height of the asperities above the mean plane [m], the origin of all separations."""
-        measured = self.contact.measured
-        return float(measured.mean_heights[measured.method])
+        return float(self._measured.mean_heights[self._measured.method])
 
     def _friction(self, one: "MapContact") -> float:
         """Return the tangential force of the whole contact, normalised."""

@@ -1,7 +1,7 @@
 """Show users the registered models, and the bibliography entries of a result."""
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NotRequired, TypedDict, cast
 
 from stiction.quantities.errors import InputError, nearest
 from stiction.records.registry import AsperityMethod, FilmLaw, Limit, Record, records, text_of
@@ -12,7 +12,51 @@ if TYPE_CHECKING:
     import xarray
 
 
-def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
+class ModelRow(TypedDict):
+    """What is known of one model, law or method, as `models` returns it.
+
+    Keys that not every kind of record has come last.
+    """
+
+    key: str
+    kind: str
+    title: str
+    grade: str
+    source: list[str]
+    validity: list[str]
+    needs: list[str]
+    options: dict[str, list[str]]
+    accuracy: str
+    verified: str
+    limits: list[str]
+    notes: str
+    text: str
+    measured_film_error: NotRequired[list[str]]
+    options_mean: NotRequired[dict[str, str]]
+    traits: NotRequired[list[str]]
+    wants: NotRequired[dict[str, str]]
+    jumps: NotRequired[list[str]]
+    departures: NotRequired[list[str]]
+    asperity: NotRequired[str]
+    tangential: NotRequired[str]
+    default_film: NotRequired[str]
+    own_asperity: NotRequired[bool]
+    bares_substrate: NotRequired[bool]
+    confined: NotRequired[bool]
+    interchangeable: NotRequired[bool]
+    interfacial: NotRequired[bool]
+    yielded: NotRequired[str]
+    below: NotRequired[str]
+    above: NotRequired[str]
+    property: NotRequired[str]
+    label: NotRequired[str]
+    order: NotRequired[int]
+    of_profiles: NotRequired[bool]
+    of_summits: NotRequired[bool]
+    of_moments: NotRequired[bool]
+
+
+def models(keys: Iterable[str] | None = None) -> list[ModelRow]:
     """Return what is known of every model, law and method.
 
     Parameters
@@ -22,9 +66,8 @@ def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
 
     Returns
     -------
-    list of dict
-        One dict for each record, with at least key, kind, title, grade, source, validity, needs, options, verified, notes and
-        text: texts, or lists of texts. `text`, in Markdown, holds assumptions, equations and check numbers.
+    list of ModelRow
+        One dict for each record. `text`, in Markdown, holds assumptions, equations and check numbers.
 
     Raises
     ------
@@ -50,7 +93,7 @@ def models(keys: Iterable[str] | None = None) -> list[dict[str, Any]]:
     return [_row(record) for record in records() if record.key in wanted]
 
 
-def _row(record: Record) -> dict[str, Any]:
+def _row(record: Record) -> ModelRow:
     row: dict[str, Any] = {
         "key": record.key,
         "kind": record.kind,
@@ -70,7 +113,8 @@ def _row(record: Record) -> dict[str, Any]:
         row["measured_film_error"] = _measured(record)
     if isinstance(record, AsperityMethod):
         row["options_mean"] = {name: option.meaning for name, option in record.parameters.items()}
-    return row | {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+    more = {name: say(getattr(record, name)) for name, say in _MORE.items() if hasattr(record, name)}
+    return cast(ModelRow, row | more)
 
 
 def _measured(record: FilmLaw) -> list[str]:

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
+from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject, as_subject
 from stiction.engine.heights import Heights
 from stiction.laws.validity import with_warnings
@@ -103,7 +104,9 @@ def solve(
         return with_warnings(data, map(ValidityWarning, measured.validity_warnings)).assign_attrs(
             measured.solvable.attributes()
         )
-    contacts = measured.contacts(with_surface_moments(contact, choice.model_key))
+    bodies = with_surface_moments(contact, choice.model_key)
+    assert isinstance(bodies, Contact)  # no other subject has scans
+    contacts = measured.contacts(bodies)
     return as_measured(with_method_spread(data, contacts, measured.counts, choice, heights), measured)
 
 

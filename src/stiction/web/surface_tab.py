@@ -114,9 +114,9 @@ class SurfaceTab:
         except InputError as error:
             # Before the line is made, which shortens long paths. An archive is named without its folder.
             value, allowed = (
-                text and str(text).replace(path, name).replace(Path(path).name, name) for text in (error.value, error.allowed)
+                str(text or "").replace(path, name).replace(Path(path).name, name) for text in (error.value, error.allowed)
             )
-            self._history.set_text(str(InputError(error.field, value, allowed)))
+            self._history.set_text(str(InputError(error.field, value or None, allowed)))
             return
         self._scan = Scan(surface, path, stated)
         low, high = self._limits = tuple(map(math.log10, wavevectors(surface)))

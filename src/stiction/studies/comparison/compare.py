@@ -1,6 +1,6 @@
 """Comparison of all applicable models on one contact: their friction, and whether the contact is in their validity range."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -96,9 +96,10 @@ def compare(
     """
     as_subject(contact).require_single(_ONE)
     data = _compared(contact, load, separations, progress)
-    if contact.measured is None:
+    measured = contact.measured
+    if measured is None:
         return data
-    return as_measured(_over_methods(data, contact, load, progress), contact.measured)
+    return as_measured(_over_methods(data, measured.contacts(contact), load, progress), measured)
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
@@ -112,9 +113,11 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     return _dataset(contact, answers, target)
 
 
-def _over_methods(data: "xarray.Dataset", contact: Subject, load: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the comparison with the friction at the working load for each asperity method."""
-    contacts = contact.measured.contacts(contact)
+def _over_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
+    """Return the comparison with the friction at the working load for each asperity method.
+
+    contacts: the contact with the roughness of each method.
+    """
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
         return data

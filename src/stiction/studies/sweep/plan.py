@@ -178,9 +178,10 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
         raise InputError("sweep.block", sweep.block, "no value, because the sweep is over maps and each map is a block")
     case = case_of({key: value for key, value in opened_content.items() if key != "sweep"})
     scans = {"maps": "\n".join(one.name for one in maps)}
-    points = case.load if case.load is not None else case.separation
     case = replace(case, subject=case.subject.as_numbers())
-    return Plan(case, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(points), case.load, scans=scans, maps=maps)
+    return Plan(
+        case, {}, sweep, {PLACE: len(maps)}, {PLACE: 1}, np.size(case.loads_or_separations), case.load, scans=scans, maps=maps
+    )
 
 
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
