@@ -128,7 +128,7 @@ def test_settings(read):
         ("[1]", "[true]", "solve.separation: True; allowed: "),
         ("[1]", "[nan]", "solve.separation: nan; allowed: a finite number"),
         ("[1]", "[1" + "0" * 400 + "]", "solve.separation: 1"),
-        ("[1]", "[]", "solve.separation: []; allowed: at least one point"),
+        ("[1]", "[]", "solve.separation: []; allowed: a list with at least one value"),
         ("[1]", '["1"]', "solve.separation: '1'; allowed: a number with its unit"),
         ("[1]", '["1 N"]', "solve.separation: '1 N'; allowed: any finite number in m"),
         (

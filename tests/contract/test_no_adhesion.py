@@ -94,8 +94,8 @@ def test_zero_and_nothing_are_the_same(zero):
     with pytest.raises(InputError) as caught:
         st.solve(bare, load="1 mN")
     line = str(caught.value)
-    assert line.startswith("work_of_adhesion: ") and "roy_chowdhury_ghosh_1994, which soft_coating_2015 takes here" in line
-    assert "`stiction compare CASE.toml` shows models that do without it" in line
+    assert line.startswith("work_of_adhesion: ") and "roy_chowdhury_ghosh_1994, which soft_coating_2015 uses here" in line
+    assert "`stiction compare CASE.toml` shows them" in line
     assert line.endswith("--model names one") and str(pickle.loads(pickle.dumps(caught.value))) == line
     with pytest.raises(InputError) as caught:
         st.solve(bare, load="1 mN", model="fuller_tabor_1975")

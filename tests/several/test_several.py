@@ -117,7 +117,7 @@ SIGMA = "roughness.asperity_height_deviation"
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({SIGMA: []}, f"contact.{SIGMA}: []; allowed: a list, at least one value"),
+        ({SIGMA: []}, f"contact.{SIGMA}: []; allowed: a list with at least one value"),
         ({SIGMA: [48]}, f"contact.{SIGMA}: 48; allowed: text with a unit"),
         ({SIGMA: ["48 nm", "-1 nm"]}, f"contact.{SIGMA}: '-1 nm'; allowed: > 0 m"),
         ({SIGMA: ["48 nm", "1 N"]}, f"contact.{SIGMA}: '1 N'; allowed: > 0 m"),

@@ -122,7 +122,7 @@ class Case:
     @property
     def size(self) -> int:
         """Return the number of points to solve: loads or separations of all contacts."""
-        points = self.load if self.load is not None else self.separation
+        points = self.loads_or_separations
         contacts = prod(dimensions([*(array for _, array in self.subject.arrays()), points]).values())
         return contacts if hasattr(points, "dims") else contacts * np.size(points)
 

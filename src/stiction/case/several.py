@@ -79,7 +79,7 @@ class _Ends(Range):
 class _Values(Input):
     """A swept number as a list of values, with the name of its dimension."""
 
-    values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list, at least one value")
+    values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list with at least one value")
     along: Along = None
 
 
@@ -87,7 +87,7 @@ def _points(value):
     if isinstance(value, Mapping):
         return Range(**value)
     if value == []:
-        raise InputError("", value, "at least one point")
+        raise InputError("", value, "a list with at least one value")
     return [as_point(entry) for entry in (value if isinstance(value, list) else [value])]
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, nearest
 from stiction.records.registry import (
     AsperityLaw,
     FilmLaw,
@@ -118,7 +118,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
     if name is None:
         return Choice.of(None, given)
     if not isinstance(name, str):
-        raise InputError(RoughSurface.keyword, name, ", ".join(of_kind(RoughSurface)))
+        raise InputError(RoughSurface.keyword, name, "text: the key of a model; all: stiction models")
     try:
         return Choice.of(find(name, RoughSurface).key, given)
     except InputError as error:
@@ -128,7 +128,8 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
         if name not in known:
             if name == RECOMMENDED:
                 raise InputError(error.field, name, "the name of a model; `stiction compare --all` lists them") from None
-            raise InputError(error.field, name, ", ".join(dict.fromkeys([*of_kind(RoughSurface), *known]))) from None
+            similar = nearest(name, dict.fromkeys([*of_kind(RoughSurface), *known]))
+            raise InputError(error.field, name, f"a model: {similar}; all: stiction models") from None
     asked = Choice.of(name, given)
     return known[name].with_changes(asked.laws() | {"model": None}, asked.options)
 

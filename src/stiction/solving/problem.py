@@ -285,7 +285,7 @@ def _others(model: str) -> str:
     """
     if model != DEFAULT_MODEL:
         return ""
-    return "`stiction compare CASE.toml` shows models that do without it, --model names one"
+    return "or name a model that does not need it with --model: `stiction compare CASE.toml` shows them"
 
 
 def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
@@ -367,7 +367,7 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
         for name in record.needs:
             if not groups.knows(name):
                 given = subject.given_as(name) if subject is not None else name
-                whose = "" if record is chosen.model else f", which {chosen.model.key} takes here,"
+                whose = "" if record is chosen.model else f", which {chosen.model.key} uses here,"
                 allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
                 raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
     kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm

@@ -16,7 +16,9 @@ from stiction.studies.study import Study
 
 def _plan(
     case: Path,
-    data: Annotated[Path, Option(help="Measured series, units in the heads.", metavar="MEASURED.csv")],
+    data: Annotated[
+        Path, Option(help="CSV file of a measured series, units in the column names.", metavar="MEASURED.csv")
+    ],
     out: Path | None = None,
     details: bool = False,
 ) -> tuple[Any, ...]:

@@ -118,7 +118,7 @@ def predict(
     case, (loads, working_index) = with_uncertain(case), pressing_loads(case)
     if not loads.size:
         largest_load = None if case.load is None else case.subject.show(float(case.load.max()), "load")
-        raise InputError("load", largest_load, "above 0 N, but no point of the case has a compressive load")
+        raise InputError("load", largest_load, "above 0 N; the case has no compressive load")
     if measured is None:
         levels = draws_of(case)
         mixture = Mixture.of(SampledCase(case, loads, levels.inputs))
