@@ -176,7 +176,7 @@ def test_a_window_is_one_sample_of_its_surface():
     few_waves = 1.0 + 0.8 * (6.0 / waves - 1.0)
     assert 4.0 < waves < 6.0
     assert measured(data)["sample"] == pytest.approx([few_waves * np.std(np.log(alone), ddof=1) / 2.0], rel=0.02)
-    assert "quadrants" in data.attrs["measured_error_in_words"]
+    assert "larger surface" in data.attrs["measured_error_in_words"]
 
 
 def errors_at(one, pressure, model):

@@ -95,11 +95,11 @@ def test_zero_and_nothing_are_the_same(zero):
         st.solve(bare, load="1 mN")
     line = str(caught.value)
     assert line.startswith("work_of_adhesion: ") and "roy_chowdhury_ghosh_1994, which soft_coating_2015 uses here" in line
-    assert "`stiction compare CASE.toml` shows them" in line
-    assert line.endswith("--model names one") and str(pickle.loads(pickle.dumps(caught.value))) == line
+    assert "--model" in line and line.endswith("`stiction compare CASE.toml` shows them")
+    assert str(pickle.loads(pickle.dumps(caught.value))) == line
     with pytest.raises(InputError) as caught:
         st.solve(bare, load="1 mN", model="fuller_tabor_1975")
-    assert "named" not in str(caught.value)  # somebody chose that one
+    assert "--model" not in str(caught.value)  # somebody chose that one
     assert "named" not in st.compare(bare, load="1 mN").attrs["not_applicable"]
     assert st.solve(bare, load="1 mN", model="chang_etsion_bogy_1988")["pull_off_force"] == 0.0
 
