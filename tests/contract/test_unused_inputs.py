@@ -164,7 +164,7 @@ def test_the_command_says_it(tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
     case = tmp_path / "case.toml"
     # the others need more
-    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 or tabor_1959 does"
+    said = "interfacial_shear_strength is not used by this model; --tangential bowden_tabor_1943 or tabor_1959 uses it"
     assert said in run(case, "--details") and "interfacial_shear_strength is not used" in run(case)
     assert said not in run(case, "--details", "--tangential", "bowden_tabor_1943")
     assert "is not used" in run(

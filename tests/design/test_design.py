@@ -321,7 +321,7 @@ def test_broken_limits_are_named_with_their_values():
     sqrt(sigma/R) = 0.63 are beyond 1 and 10, and beyond 0.3."""
     bounded = design(case(MOST, RADIUS, {"area_fraction": {"high": 1e-9}, "friction_coefficient": {"low": 1e-9}}))
     area = float(bounded["friction_coefficient"][0]) * LOAD / STRENGTH / AREA
-    assert bounded["violated"].values.tolist() == [f"area_fraction 1e-09 at most, found {area:.3g}"]
+    assert bounded["violated"].values.tolist() == [f"area_fraction 1e-09 at most, but the result is {area:.3g}"]
     table = case(LEAST, {"second": ["silver", "gold"]}, model="greenwood_williamson_1966", validity="claimed")
     table["contact"]["roughness"] = ROUGH | {"asperity_height_deviation": "20 um"}
     rough = design(table)

@@ -634,6 +634,6 @@ def test_an_interval_ends_where_the_profile_does_also_beyond_a_bend():
 def test_an_error_that_was_estimated_has_its_unit():
     data = SimpleNamespace(quantity=["contact_area"] * 3)
     fitted = SimpleNamespace(stated=False, errors=np.array([1.23e-10]), forward=SimpleNamespace(data=data))
-    assert "all values have one, 123 µm^2, by their scatter" in fit_module._errors_said(fitted)
+    assert "123 µm^2" in fit_module._errors_said(fitted)
     data.quantity[0] = "friction_coefficient"
     assert "1.23e-10 in SI units" in fit_module._errors_said(fitted)

@@ -16,9 +16,7 @@ from stiction.studies.study import Study
 
 def _plan(
     case: Path,
-    data: Annotated[
-        Path, Option(help="CSV file of a measured series, units in the column names.", metavar="MEASURED.csv")
-    ],
+    data: Annotated[Path, Option(help="CSV file of a measured series, units in the column names.", metavar="MEASURED.csv")],
     out: Path | None = None,
     details: bool = False,
 ) -> tuple[Any, ...]:
