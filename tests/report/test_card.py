@@ -5,7 +5,7 @@ import re
 import pytest
 
 import stiction as st
-from stiction.report.answer import at_working_load
+from stiction.report.answer import at_working_load, load_in_words
 from stiction.report.card import Card, briefly, card_of
 
 CASE = """
@@ -68,3 +68,8 @@ def test_an_interval_that_begins_at_nothing_has_a_bar():
 )
 def test_a_warning_has_twelve_words_at_most(warning):
     assert 0 < len(briefly(warning).split()) <= 12
+
+
+def test_the_load_of_several_is_named_as_their_middle(predicted):
+    assert card_of(predicted).load == load_in_words(predicted) == "1 N, the middle of 3 loads"
+    assert load_in_words(predicted.isel(load=0)) == "100 mN"

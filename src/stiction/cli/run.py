@@ -62,7 +62,7 @@ def run(
     if predicted:
         from stiction.report.views.prediction import prediction_view
 
-        present(prediction_view(chosen, data, str(case), details), out, json)
+        present(prediction_view(chosen, data, str(case), details, out is not None), out, json)
     else:
         from stiction.report.views.run import run_view
 

@@ -163,6 +163,12 @@ def headline(data: "xarray.Dataset") -> str:
     return f"mu = {number(float(point[_MU]))}, {data.attrs['level']:.0%} interval {span(point, _MU)}"
 
 
+def load_in_words(data: "xarray.Dataset") -> str:
+    """Return the working load of a prediction, and of how many loads it is the middle."""
+    load = show(float(at_working_load(data)["load"]), "load", 3)
+    return load if data["load"].size < 2 else f"{load}, the middle of {data['load'].size} loads"
+
+
 def beside_area(attrs: dict[str, Any]) -> str:
     """Return the names of the meniscus and contamination laws that a prediction uses; "" if none.
 
@@ -174,7 +180,6 @@ def beside_area(attrs: dict[str, Any]) -> str:
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     """Return the answer as pairs of heading and text, the numbers first."""
     point, attrs = at_working_load(data), data.attrs
-    load = show(float(point["load"]), "load", 3)
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
     warnings, level = attrs["warnings"], f"{attrs['level']:.0%}"
@@ -182,7 +187,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     rows = [
         (
             f"mu = {number(float(point[_MU]))}",
-            f"{level} interval {span(point, _MU)}, at {load}; confidence: {sure}",
+            f"{level} interval {span(point, _MU)}, at {load_in_words(data)}; confidence: {sure}",
         ),
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),

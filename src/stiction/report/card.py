@@ -5,8 +5,15 @@ from html import escape
 from typing import TYPE_CHECKING, NamedTuple
 
 from stiction.quantities import html
-from stiction.quantities.units import show
-from stiction.report.answer import answer_lines, at_working_load, confidence, confidence_in_words, number, part_name
+from stiction.report.answer import (
+    answer_lines,
+    at_working_load,
+    confidence,
+    confidence_in_words,
+    load_in_words,
+    number,
+    part_name,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -102,11 +109,10 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     told = largest[:1] + [(name, share) for name, share in largest[1:2] if share > _NOTICED]
     decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in told)
     warning = briefly(next(iter(attrs["warnings"]), ""))
-    load = show(float(point["load"]), "load", 3)
     bare = attrs["bare_metal"]
     worn = f"mu = {number(bare[0])} to {number(bare[1])} where oxide or film is gone" if bare else ""
     rows = answer_lines(data)
-    return Card(mu, low, high, attrs["level"], load, decides, warning, attrs["next_step"], rows, named, worn)
+    return Card(mu, low, high, attrs["level"], load_in_words(data), decides, warning, attrs["next_step"], rows, named, worn)
 
 
 def briefly(warning: str) -> str:

@@ -119,7 +119,7 @@ def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> Vi
 def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
     """Return the view of a prediction that uses measured friction. out: output folder."""
     path, case, data, details = fit
-    view = prediction_view(case, data, str(path), details)
+    view = prediction_view(case, data, str(path), details, out is not None)
     if out is not None and "parameter" in data.dims:
         fitted = {"fitted.toml": lambda file: file.write_text(fitted_case(path, case, data, out), encoding="utf-8")}
         return replace(view, files={**view.files, **fitted})

@@ -24,10 +24,11 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area")
 _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")]
 
 
-def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False) -> View:
+def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False, saved: bool = False) -> View:
     """Return the view of a prediction.
 
     file: name of the case file, for the commands that the view suggests. details: whether to show the full answer.
+    saved: whether files are written, which takes one more line to say.
     """
 
     def parts() -> Iterator[Any]:
@@ -39,7 +40,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         if details:
             yield from (facts(rows), *_details(case, data))
         else:
-            yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title))
+            yield _in_short([*rows, ("details", more)], MOST_LINES - bool(case.title) - saved)
 
     def as_record() -> dict[str, Any]:
         curve = {name: data[name].values.ravel().tolist() for name in ("load", *_COLUMNS)}
@@ -58,7 +59,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
     """Return the table of an answer, without the least important rows if it exceeds `most` lines."""
-    for name in ("along the load", "model", "checked against", "uncertainty from", "bare metal"):
+    for name in ("model", "along the load", "checked against", "uncertainty from", "bare metal"):
         if lines_of(facts(rows)) <= most:
             break
         rows = [row for row in rows if row[0] != name]
