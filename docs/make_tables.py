@@ -140,7 +140,8 @@ def shares_its_key(model: dict) -> bool:
 
 
 def heading(model: dict) -> str:
-    return f"`{model['key']}` ({model['kind']} law)" if shares_its_key(model) else f"`{model['key']}`"
+    kind = model["kind"] if model["kind"] == Criterion.kind else f"{model['kind']} law"
+    return f"`{model['key']}` ({kind})" if shares_its_key(model) else f"`{model['key']}`"
 
 
 def file_of(model: dict) -> Path:

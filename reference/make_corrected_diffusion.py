@@ -8,6 +8,8 @@
   in SI units: `reduced_pressure` is it over E* h'
 - `persson_tosatti_2001.csv`: `ratio` of the elastic energy of flattening the roughness, at most, to the work of adhesion, from
   moments in SI units
+- `effective_adhesion.csv` of `persson_tosatti_2001` (criterion): `ratio` of that energy to what adhesion gains on the area of
+  the rough face, and the effective work of adhesion over the work of adhesion, `effective`
 """
 
 import csv
@@ -82,7 +84,10 @@ def attracted():
 
 
 def flattened():
-    """sigma, R, N, E*, w in SI units: the elastic energy of flattening the roughness, at most, over the work of adhesion."""
+    """sigma, R, N, E*, w in SI units: the elastic energy of flattening the roughness, at most, over the work of adhesion.
+
+    Yields theta, N R sigma, this ratio, sqrt(sigma/R) and the rms gradient.
+    """
     deficit = 1 + 16 / math.pi - 3 * math.sqrt(3)
     for sigma, R, N, E, w in (
         (5e-9, 10e-6, 1e12, 2.6e6, 0.05),
@@ -92,7 +97,15 @@ def flattened():
         m4 = 9 * math.pi / (64 * R * R)
         m2 = m4 / (6 * math.pi * math.sqrt(3) * N)
         m0 = sigma**2 + deficit * m2 * m2 / m4
-        yield [4 / 3 * E * sigma**1.5 / (w * math.sqrt(R)), N * R * sigma, E * math.sqrt(m0) * math.sqrt(2 * m2) / 4 / w]
+        theta, slope = 4 / 3 * E * sigma**1.5 / (w * math.sqrt(R)), math.sqrt(2 * m2)
+        yield [theta, N * R * sigma, E * math.sqrt(m0) * slope / 4 / w, math.sqrt(sigma / R), slope]
+
+
+def effective():
+    """The surfaces of `flattened`: adhesion gains w per area of the rough face, 1 + slope^2/2 of the nominal area."""
+    for theta, density, ratio, sharpness, slope in flattened():
+        gain = 1 + slope**2 / 2
+        yield [theta, density, sharpness, ratio / gain, gain - ratio]
 
 
 if __name__ == "__main__":
@@ -101,4 +114,5 @@ if __name__ == "__main__":
     write("xu_zhu_xiao_zhou_2024", ["pressure", "area"], xu())
     header = ["theta", "roughness_parameter", "tabor_parameter", "area_fraction", "reduced_pressure"]
     write("pastewka_robbins_2014_area", header, attracted())
-    write("persson_tosatti_2001", ["theta", "roughness_parameter", "ratio"], flattened())
+    write("persson_tosatti_2001", ["theta", "roughness_parameter", "ratio"], [row[:3] for row in flattened()])
+    write("effective_adhesion", ["theta", "roughness_parameter", "sharpness", "ratio", "effective"], effective())

@@ -7,9 +7,12 @@ import pytest
 
 import stiction as st
 from refusals import refusal
+from stiction.case.read import parse_case
 from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
+from stiction.laws.criterion.persson_tosatti_2001 import energy_ratio
+from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion, energy_over_bound
 from stiction.laws.validity import warnings_of
+from stiction.studies.comparison.compare import criteria_of
 from tables import column, groups, read
 
 PDMS, GLASS = {"youngs_modulus": "2 MPa", "poissons_ratio": 0.49, "hardness": "1 MPa"}, "soda_lime_glass"
@@ -80,6 +83,16 @@ def test_energies_in_si_units():
     np.testing.assert_allclose(elastic_over_adhesion(given), column(rows, "ratio"), rtol=1e-12)
 
 
+def test_effective_work_of_adhesion_in_si_units():
+    rows = read("effective_adhesion.csv")
+    names = ("theta", "roughness_parameter", "sharpness")
+    given = groups(**{name: column(rows, name) for name in names}, lam=1.0)
+    ratio = energy_ratio(given)
+    np.testing.assert_allclose(ratio, column(rows, "ratio"), rtol=1e-12)
+    gain = elastic_over_adhesion(given) / ratio
+    np.testing.assert_allclose(gain * (1.0 - ratio), column(rows, "effective"), rtol=1e-11)
+
+
 @pytest.mark.parametrize("ratio", (1.01, 10.0, 1e3))
 def test_the_bound_is_above_the_energy(ratio):
     """By up to a factor of three, of self-affine surfaces with C ~ q^-3.6 from q to this times q, all in closed form."""
@@ -88,3 +101,61 @@ def test_the_bound_is_above_the_energy(ratio):
         return (ratio ** (order - 1.6) - 1.0) / (order - 1.6)
 
     assert 0.3 < moment(1) / math.sqrt(moment(0) * moment(2)) <= 1.0
+
+
+def test_effective_work_of_adhesion_of_waves_of_one_length():
+    """The numbers of the criterion's docstring: gamma_eff = gamma (1 + h'^2/2) (1 - r) = 45.25 mJ/m^2, all in SI units."""
+    heights, slope, energy, work = 0.1e-6, 0.1, 2e6 * 0.1e-6 * 0.1 / 4.0, 0.05
+    alpha = 1.5  # m0 m4/m2^2, with m0 = heights^2 and 2 m2 = slope^2: summits of these waves by Nayak and McCool
+    m2 = slope**2 / 2.0
+    m4 = alpha * m2 * m2 / heights**2
+    R, density = 3.0 / 8.0 * math.sqrt(math.pi / m4), m4 / m2 / (6.0 * math.pi * math.sqrt(3.0))
+    sigma = heights * math.sqrt(1.0 - (1.0 + 16.0 / math.pi - 3.0 * math.sqrt(3.0)) / alpha)
+    rigid = {"youngs_modulus": 1e20, "poissons_ratio": 0.3, "hardness": 1e18}
+    soft = {"youngs_modulus": 2e6 * (1.0 - 0.49**2), "poissons_ratio": 0.49, "hardness": "1 MPa"}
+    given = contact(sigma, R, density, first=soft, second=rigid, work_of_adhesion=work)
+    ratio = float(energy_ratio(Groups.of(given.indices())[0])[0])
+    effective = work * (1.0 + slope**2 / 2.0) - energy
+    assert work * (1.0 + slope**2 / 2.0) * (1.0 - ratio) == pytest.approx(effective, rel=1e-9)
+    assert effective == pytest.approx(45.25e-3, rel=1e-12) and ratio == pytest.approx(0.0995, abs=5e-5)
+
+
+def rough_map(periodic=True):
+    spectrum = st.SelfAffine(hurst=0.8, rolloff="5 um", shortest="300 nm", deviation="200 nm")
+    surface = st.gaussian_surface((128, 128), ("10 um", "10 um"), spectrum, seed=3)
+    return st.HeightMap(surface.heights, (10e-6, 10e-6), periodic=periodic)
+
+
+def test_a_map_has_the_energy_of_its_waves():
+    """E*/4 times the sum over waves of q times their mean square, over that bound: by NumPy's transform in SI units."""
+    surface = rough_map()
+    power = np.abs(np.fft.fft2(surface.heights - surface.heights.mean())) ** 2 / surface.heights.size**2
+    along = 2.0 * math.pi * np.fft.fftfreq(128, 10e-6 / 128)
+    q = np.hypot(along[:, None], along)
+    expected = (q * power).sum() / math.sqrt(power.sum() * (q * q * power).sum())
+    assert energy_over_bound(surface) == pytest.approx(expected, rel=1e-9)
+    assert energy_over_bound(rough_map(periodic=False)) == pytest.approx(expected, rel=0.15)  # windowed
+    wave = np.tile(np.cos(6.0 * math.pi * np.arange(32) / 32), (32, 1)) * 1e-8
+    assert energy_over_bound(st.HeightMap(wave, (1e-6, 1e-6), periodic=True)) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_scans_give_the_energy_and_numbers_its_bound(tmp_path):
+    """A contact that the bound refuses is answered if the spectrum of its scan stores less energy than gained."""
+    np.save(tmp_path / "scan.npy", rough_map().heights)
+    scan = {"file": str(tmp_path / "scan.npy"), "size": "10 um", "height_unit": "m", "periodic": True}
+    table = {"first": PDMS, "second": GLASS, "nominal_area": "1 mm^2", "interfacial_shear_strength": "100 kPa"}
+    table |= {"work_of_adhesion": "60 mJ/m^2", "roughness": {"first": scan}}
+    by_scan = parse_case({"contact": table, "solve": {"load": "1 mN"}}).subject
+    by_numbers = by_scan.replace(roughness=by_scan.roughness.as_numbers())
+    whole = by_scan.with_surface_moments()
+    groups = Groups.of(whole.indices())[0]
+    ratio, bound = (float(elastic_over_adhesion(groups, surface)[0]) for surface in (whole.map, None))
+    assert ratio < 1.0 < bound and ratio == pytest.approx(bound * energy_over_bound(rough_map()), rel=1e-12)
+    data = st.solve(by_scan, load="1 mN", model="persson_tosatti_2001")
+    assert float(data["contact_area"]) == pytest.approx(1e-6, rel=1e-12)
+    (said,) = (one for one in warnings_of(data) if one.quantity == "elastic_over_adhesion")
+    assert said.most == pytest.approx(ratio, rel=1e-9)
+    with refusal("work_of_adhesion"):
+        st.solve(by_numbers, load="1 mN", model="persson_tosatti_2001")
+    lines = [line for subject in (by_scan, by_numbers) for line in criteria_of(subject) if line.startswith("persson_tosatti")]
+    assert "full contact needs no load" in lines[0] and "not in full contact" in lines[1]

@@ -249,13 +249,14 @@ class Criterion(Record):
     """A number that separates two kinds of behaviour of a rough contact, e.g. elastic and plastic.
 
     ratio(groups): array (n,), for asperities with the spectral moments of the surface. below, above: what holds for the
-    contact if the ratio is below or above 1.
+    contact if the ratio is below or above 1. on_map: whether `ratio` also takes a HeightMap that represents both faces.
     """
 
     kind = "criterion"
     ratio: Callable
     below: str
     above: str
+    on_map: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

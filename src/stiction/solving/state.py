@@ -16,6 +16,7 @@ interference (Chang, Etsion & Bogy 1987).
 
 import math
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,6 +27,9 @@ from stiction.quantities.quotient import quotient
 from stiction.solvers.layered.below import pressure_carried_below
 from stiction.solving.problem import Problem, number_of_asperities
 from stiction.surfaces.theory.touching import expected_share
+
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
 # Pull-off force of a sphere over gamma R at the most (Derjaguin, Muller & Toporov 1975); JKR's is 3/4 of it.
 _DMT = 2.0 * math.pi
@@ -54,7 +58,9 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
         count = number_of_asperities(groups)
         if count is not None:
             found["touching_asperities"] = count * some
-    of_surface = _of_the_surface(groups) | (_of_attraction(groups) if problem.record.adheres else {})
+    of_surface = _of_the_surface(groups) | (
+        _of_attraction(groups, getattr(problem, "map", None)) if problem.record.adheres else {}
+    )
     known = {} if problem.subject is None else of_the_map(problem.subject)
     of_map = {name: np.full((n, 1), value) for name, value in known.items()}
     return found | {name: value[:, None] for name, value in of_surface.items()} | of_map
@@ -95,12 +101,12 @@ def of_the_map(subject: Subject) -> dict[str, float]:
     return {name: min(getattr(map_area(one).waves, name) for one in maps) for name in names}
 
 
-def _of_attraction(groups: Groups) -> dict[str, np.ndarray]:
-    """Return quantities of the attraction (n,), for theories of the whole surface."""
+def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
+    """Return quantities of the attraction (n,), for theories of the whole surface; surface: the map they use, or None."""
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 
-    found = {"elastic_over_adhesion": elastic_over_adhesion(groups)}
+    found = {"elastic_over_adhesion": elastic_over_adhesion(groups, surface)}
     if groups.tabor_parameter is None:
         return found
     return found | {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}

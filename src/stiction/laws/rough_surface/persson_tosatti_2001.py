@@ -13,14 +13,15 @@ $$
 with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$, the contact modulus $E^*$,
 the shear strength $\tau_0$ of the interface and the load $P$ on the nominal area $A_n$. The upper bound (by Cauchy and
 Schwarz) replaces the integral, because $\sigma$, $R$ and $N$ give only the moments. It is exact if all waves have one
-wavelength, and three times the energy of self-affine surfaces over three decades of wavelengths. *Limit*: waves of one
-wavelength jump into full contact without a load if $U/\gamma<0.49$ ([johnson_1995], parameter $\alpha>0.57$); for 0.49 to 1
-they may need a load. If the bound is above 1 the model raises an error, because it does not describe partial contact with
+wavelength, and three times the energy of self-affine surfaces over three decades of wavelengths. If the contact names scans,
+the spectrum of their map gives the integral. *Limit*: waves of one wavelength jump into full contact without a load if
+$U/\gamma<0.49$ ([johnson_1995], parameter $\alpha>0.57$); for 0.49 to 1 they may need a load. If the bound is above 1 the model raises an error, because it does not describe partial contact with
 adhesion. *Check*: $U/\gamma=0.1$ for $E^*=2$ MPa, $h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2. The theory does not
 compute the separation.
 """
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -29,24 +30,41 @@ from stiction.laws.shared_claims import ELASTIC_CONTACT
 from stiction.quantities.errors import InputError, InWords
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
+from stiction.surfaces.spectrum import power_spectrum
 from stiction.surfaces.theory.moments import Moments
 
+if TYPE_CHECKING:
+    from stiction.surfaces.heightmap import HeightMap
 
-def elastic_over_adhesion(groups: Groups) -> np.ndarray:
-    """Return an upper bound of the elastic energy over the work of adhesion, U/gamma (n,).
+
+def energy_over_bound(surface: "HeightMap") -> float:
+    """Return the elastic energy of flattening a map over its bound, sum q C over the root of (sum C) (sum q^2 C)."""
+    spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
+    moments = np.zeros(3)
+    along_y, along_x = spectrum.wavevectors
+    for row, density in zip(along_y, spectrum.density, strict=True):
+        q = np.hypot(row, along_x)
+        power = spectrum.waves * density
+        moments += power.sum(), (q * power).sum(), (q * q * power).sum()
+    return float(moments[1] / math.sqrt(moments[0] * moments[2]))
+
+
+def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
+    """Return the elastic energy over the work of adhesion, U/gamma (n,): an upper bound, or the energy of a map itself.
 
     By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
     """
     moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
-    return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
+    bound = 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
+    return bound if surface is None else bound * energy_over_bound(surface)
 
 
-def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
+def area_at_load(load: np.ndarray, groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
     """Return the nominal area per asperity over pi R sigma (n, H); NaN for contacts that stay partial.
 
     Raises InputError if all contacts stay partial.
     """
-    ratio = elastic_over_adhesion(groups)
+    ratio = elastic_over_adhesion(groups, surface)
     if not (ratio < 1.0).any():
         allowed = f"{ratio.min():.3g} times as much or more: flattening the roughness takes that energy"
         raise InputError("work_of_adhesion", InWords("too small for full contact"), allowed)
@@ -64,6 +82,7 @@ RECORD = RoughSurface(
         Source("nayak_1971", "", "height and gradient of the surface from sigma, R and N"),
     ),
     area_at_load=area_at_load,
+    area_on_map=area_at_load,
     takes_surface_moments=True,
     up_to_full_contact=True,
     adheres=True,

@@ -352,11 +352,12 @@ def criteria_of(contact: Subject) -> list[str]:
 
     Criteria that need an unknown group are left out.
     """
-    groups = Groups.of(contact.with_surface_moments().indices())[0].substrate()
+    whole = contact.with_surface_moments()
+    groups = Groups.of(whole.indices())[0].substrate()
     lines = []
     for criterion in of_kind(Criterion).values():
         if all(groups.knows(name) for name in criterion.needs):
-            ratio = float(criterion.ratio(groups)[0])
+            ratio = float((criterion.ratio(groups, whole.map) if criterion.on_map else criterion.ratio(groups))[0])
             statement = criterion.below if ratio < 1.0 else criterion.above
             lines.append(f"{criterion.key}: {statement} (ratio {ratio:.3g}, the border is 1)")
     return lines
