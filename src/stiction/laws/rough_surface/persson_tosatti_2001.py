@@ -15,9 +15,9 @@ the shear strength $\tau_0$ of the interface and the load $P$ on the nominal are
 Schwarz) replaces the integral, because $\sigma$, $R$ and $N$ give only the moments. It is exact if all waves have one
 wavelength, and three times the energy of self-affine surfaces over three decades of wavelengths. If the contact names scans,
 the spectrum of their map gives the integral. *Limit*: waves of one wavelength jump into full contact without a load if
-$U/\gamma<0.49$ ([johnson_1995], parameter $\alpha>0.57$); for 0.49 to 1 they may need a load. If the bound is above 1 the model raises an error, because it does not describe partial contact with
-adhesion. *Check*: $U/\gamma=0.1$ for $E^*=2$ MPa, $h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2. The theory does not
-compute the separation.
+$U/\gamma<0.49$ ([johnson_1995], parameter $\alpha>0.57$); for 0.49 to 1 they may need a load. If $U/\gamma$ is above 1 the
+model raises an error, because it does not describe partial contact with adhesion. *Check*: $U/\gamma=0.1$ for $E^*=2$ MPa,
+$h_\mathrm{rms}=0.1$ um, $h'=0.1$, $\gamma=50$ mJ/m^2. The theory does not compute the separation.
 """
 
 import math
