@@ -9,8 +9,7 @@ import stiction as st
 from refusals import refusal
 from stiction.case.read import parse_case
 from stiction.contact.indices import Groups
-from stiction.laws.criterion.persson_tosatti_2001 import energy_ratio
-from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion, energy_over_bound
+from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion, energy_over_bound, energy_ratio
 from stiction.laws.validity import warnings_of
 from stiction.studies.comparison.compare import criteria_of
 from tables import column, groups, read

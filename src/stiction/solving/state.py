@@ -104,7 +104,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
     """Return quantities of the attraction (n,), for theories of the whole surface; surface: the map they use, or None."""
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
-    from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
+    from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 
     found = {"elastic_over_adhesion": elastic_over_adhesion(groups, surface)}
     if groups.tabor_parameter is None:

@@ -19,18 +19,41 @@ in full contact sticks like a smooth one with the work of adhesion $\gamma_\math
 $r=0.1/1.005=0.0995$, $\gamma_\mathrm{eff}=50\cdot1.005\cdot0.9005=45.25$ mJ/m^2. *Limit*: $r\to0$ for soft or smooth bodies.
 """
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.records.registry import Criterion
 from stiction.records.sources import Source
-from stiction.surfaces.theory.moments import slope_over_sharpness
+from stiction.surfaces.spectrum import power_spectrum
+from stiction.surfaces.theory.moments import Moments, slope_over_sharpness
 
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
+
+
+def energy_over_bound(surface: "HeightMap") -> float:
+    """Return the elastic energy of flattening a map over its bound, sum q C over the root of (sum C) (sum q^2 C)."""
+    spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
+    moments = np.zeros(3)
+    along_y, along_x = spectrum.wavevectors
+    for row, density in zip(along_y, spectrum.density, strict=True):
+        q = np.hypot(row, along_x)
+        power = spectrum.waves * density
+        moments += power.sum(), (q * power).sum(), (q * q * power).sum()
+    return float(moments[1] / math.sqrt(moments[0] * moments[2]))
+
+
+def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
+    """Return the elastic energy over the work of adhesion, U/gamma (n,): an upper bound, or the energy of a map itself.
+
+    By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
+    """
+    moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
+    bound = 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
+    return bound if surface is None else bound * energy_over_bound(surface)
 
 
 def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:

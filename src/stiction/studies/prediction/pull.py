@@ -24,7 +24,7 @@ from dataclasses import replace
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.persson_tosatti_2001 import elastic_over_adhesion
+from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
 from stiction.studies.prediction.sampled_case import SampledCase
