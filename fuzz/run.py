@@ -2,9 +2,10 @@
 
     python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60] [--only commands]
 
-A failure is a traceback, a message of more than one line, a command of more than `--seconds` or 4 GB, a number that is not
-finite, a negative area or friction coefficient, an interval without mu in it, or a number that differs in a second run. Exit
-code 1 where there is one. Each failure is printed with its seed: `python fuzz/run.py --first SEED --count 1` repeats it.
+A failure is a traceback, a message of more than one line, a command of more than `--seconds` of processor time or 4 GB, a
+number that is not finite, a negative area or friction coefficient, an interval without mu in it, or a number that differs in a
+second run. Exit code 1 where there is one. Each failure is printed with its seed: `python fuzz/run.py --first SEED --count 1`
+repeats it.
 
 All run in one worker process, so that Python, libraries and kernels are loaded once. A worker that dies, or stays in compiled
 code where no alarm reaches it, is replaced, and its seed is a failure.
@@ -160,18 +161,18 @@ def _words(command: str, path: Path, out: Path, files: bool) -> list[str]:
 
 @contextmanager
 def at_most(seconds: int) -> Iterator[None]:
-    """Raise TooLong after so many seconds."""
+    """Raise TooLong after so many seconds of processor time: elapsed time would depend on what else the machine does."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         raise TooLong
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(seconds)
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
 
 
 def faults_of(out: str) -> Iterator[str]:
@@ -246,7 +247,7 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="first seed")
     parser.add_argument("--count", type=int, default=1_000_000, help="number of seeds")
     parser.add_argument("--minutes", type=float, default=5.0, help="end after so many minutes")
-    parser.add_argument("--seconds", type=int, default=60, help="most seconds of a command")
+    parser.add_argument("--seconds", type=int, default=60, help="most processor time of a command")
     names = ["commands", *(target.__name__ for target in TARGETS)]
     parser.add_argument("--only", choices=names, action="append", help="what is tried; by default all")
     wanted = parser.parse_args()
@@ -278,7 +279,7 @@ def in_workers(seeds: range, names: list[str], seconds: int) -> Iterator[tuple[i
         worker.start()
         there.close()
         try:
-            while here.poll(20 * seconds):  # a seed runs several commands, some of them twice
+            while here.poll(30 * seconds):  # elapsed; a seed runs several commands, some of them twice
                 seed, failures, said = here.recv()
                 yield seed, failures, said
                 if seed == few[-1]:

@@ -15,14 +15,11 @@ from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.laws.joining import coordinates, normal_states
 from stiction.laws.presliding.kind import Presliding
 from stiction.quantities.errors import InputError
-from stiction.quantities.notices import Notice, notice
 from stiction.quantities.table import QUANTITIES
-from stiction.records import record as record_finding
 from stiction.records.registry import (
     GRADES,
     TRAITS,
     AsperityLaw,
-    AsperityMethod,
     FilmLaw,
     RoughSurface,
     TangentialLaw,
@@ -34,7 +31,6 @@ from stiction.records.registry import (
     records,
     resolve_options,
     select_options,
-    text_of,
 )
 from stiction.records.sources import bibliography
 from stiction.solving.choice import Choice
@@ -560,78 +556,3 @@ def test_order_and_lookup():
         assert caught.value.field == kind.keyword and "\n" not in str(caught.value)
     with pytest.raises(InputError):
         find(FILMS[0].key, RoughSurface)
-
-
-class Outside:
-    """What an installed distribution declares: a name and something to load."""
-
-    module = name = value = __name__
-
-    def __init__(self, record):
-        self.record = record
-
-    def load(self):
-        return self.record
-
-
-@pytest.fixture(params=(*CHOSEN, AsperityMethod), ids=lambda kind: kind.kind)
-def outside(request, monkeypatch):
-    """A law of each kind registered from outside the package, through an entry point of the group "stiction"."""
-    record = replace(next(iter(of_kind(request.param).values())), key="somebody_2031", title="A model of somebody else's")
-    asked = []
-
-    def entry_points(group):
-        asked.append(group)
-        return [Outside(record)]
-
-    monkeypatch.setattr(record_finding, "entry_points", entry_points)
-    record_finding._outside.cache_clear()
-    yield record
-    assert asked == ["stiction"]
-    monkeypatch.undo()
-    record_finding._outside.cache_clear()
-
-
-def test_a_model_from_outside_appears(outside):
-    assert find("somebody_2031", type(outside)) is outside
-    assert len(records()) == HOW_MANY + 1
-
-
-class Broken(Outside):
-    """An installed distribution that cannot be imported, or declares something else than a record."""
-
-    name, value = "theirs", "theirs.law:RECORD"
-
-    def load(self):
-        if isinstance(self.record, BaseException):
-            raise self.record
-        return self.record
-
-
-@pytest.mark.parametrize("what", [ModuleNotFoundError("No module named\n'theirs'"), SystemExit(1), {"key": "no record"}])
-def test_a_broken_plug_in_is_named_and_all_else_goes_on(monkeypatch, what):
-    sound = replace(next(iter(of_kind(AsperityLaw).values())), key="somebody_2031")
-    monkeypatch.setattr(record_finding, "entry_points", lambda group: [Broken(what), Outside(sound)])
-    record_finding._outside.cache_clear()
-    notice.cache_clear()
-    try:
-        with pytest.warns(Notice, match=r"^the plug-in theirs \(theirs.law:RECORD\) is ignored: [^\n]+$") as said:
-            assert len(records()) == HOW_MANY + 1
-        assert find("somebody_2031", AsperityLaw) is sound and text_of(sound)
-        with refusal("asperity", "theirs", "somebody_2031"):
-            find("theirs", AsperityLaw)
-        assert len(said) == 1
-    finally:
-        monkeypatch.undo()
-        record_finding._outside.cache_clear()
-
-
-def test_a_plug_in_takes_no_name_of_ours(monkeypatch):
-    ours = next(iter(of_kind(AsperityLaw).values()))
-    monkeypatch.setattr(record_finding, "entry_points", lambda group: [Outside(replace(ours, title="Theirs"))])
-    record_finding._outside.cache_clear()
-    try:
-        assert of_kind(AsperityLaw)[ours.key] is ours
-    finally:
-        monkeypatch.undo()
-        record_finding._outside.cache_clear()

@@ -79,6 +79,16 @@ def _one_line() -> Iterator[None]:
     except KeyboardInterrupt:
         print("stiction: interrupted", file=sys.stderr)
         raise typer.Exit(INTERRUPTED) from None
+    except typer.Exit:
+        raise
+    except Exception as error:
+        from stiction.records.record import plug_in_error
+
+        plug_in = plug_in_error(error)
+        if plug_in is None:
+            raise
+        print(f"stiction: {plug_in}", file=sys.stderr)
+        raise typer.Exit(_BAD_INPUT) from None
 
 
 # Warnings that a user is to see: of numbers that were hardly meant, of what the program could not do.

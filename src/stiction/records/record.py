@@ -7,6 +7,8 @@ import importlib
 import importlib.util
 import inspect
 import pkgutil
+import threading
+import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -73,24 +75,60 @@ def _package(kind: type[Record]) -> str:
     return f"stiction.{kind.room}.{kind.kind.replace(' ', '_')}"
 
 
+_LONG = 10.0  # seconds that a plug-in may take to be imported before a notice names it
+
+
 @cache
 def _outside() -> tuple[tuple[Record, str], ...]:
     """Return all records of installed plug-in packages, each with the name of its module.
 
-    A plug-in that cannot be loaded gives a notice.
+    A plug-in that cannot be used gives a notice, and so does one whose import takes long.
     """
-    loaded = []
+    loaded: list[tuple[Record, str]] = []
     for entry in entry_points(group="stiction"):
+        name = f"the plug-in {entry.name} ({entry.value})"
+        slow = threading.Timer(
+            _LONG, notice, [f"{name} is still being imported: interrupt and uninstall it if that does not end"]
+        )
+        slow.daemon = True
+        slow.start()
         try:
             record = entry.load()
-            problem = "" if isinstance(record, Record) else f"it is a {type(record).__name__}, not a record of a law"
-        except (Exception, SystemExit) as error:  # somebody else's code may raise anything
+            problem = _problem(record, [other for other, _ in loaded])
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # somebody else's code may raise anything
             problem = " ".join(f"{type(error).__name__}: {error}".split())
+        finally:
+            slow.cancel()
         if problem:
-            notice(f"the plug-in {entry.name} ({entry.value}) is ignored: {problem}")
+            notice(f"{name} is ignored: {problem}")
         else:
             loaded.append((record, entry.module))
     return tuple(loaded)
+
+
+def _problem(record: object, others: list[Record]) -> str:
+    """Return why an object from a plug-in cannot be used as a record; "" if it can. others: records of earlier plug-ins."""
+    if not isinstance(record, Record) or not hasattr(record, "kind"):
+        return f"it is a {type(record).__name__}, not a record of a law"
+    if not isinstance(record.key, str) or not record.key.isidentifier():
+        return f"key = {record.key!r}; allowed: letters, digits and underscores"
+    ours = importlib.util.find_spec(f"{_package(type(record))}.{record.key}") is not None
+    if ours or any(other.kind == record.kind and other.key == record.key for other in others):
+        return f"key = {record.key!r}; allowed: a key that no other law or method of this kind ({record.kind}) has"
+    return ""
+
+
+def plug_in_error(error: BaseException) -> InputError | None:
+    """Return an error in one line that names the plug-in whose code raised an exception; None if no plug-in did."""
+    modules = {str(frame.f_globals.get("__name__")) for frame, _ in traceback.walk_tb(error.__traceback__)}
+    packages = {module.partition(".")[0] for module in modules}
+    for record, module in _outside():
+        if module.partition(".")[0] in packages:
+            said = f"{type(error).__name__}: {error}"
+            return InputError(record.keyword or record.kind, record.key, f"a law that answers; this plug-in raised {said}")
+    return None
 
 
 @cache
@@ -104,10 +142,7 @@ def _inside(folder: str) -> tuple[Record, ...]:
 
 def of_kind(kind: type[_R]) -> dict[str, _R]:
     """Return all records of one kind by key, in alphabetical order."""
-    everybody = (
-        *(record for record, _ in _outside()),
-        *_inside(_package(kind)),
-    )  # the package's own record replaces a plug-in's
+    everybody = (*(record for record, _ in _outside()), *_inside(_package(kind)))
     matches = [record for record in everybody if isinstance(record, kind) and record.kind == kind.kind]
     return {record.key: record for record in sorted(matches, key=lambda record: record.key)}
 

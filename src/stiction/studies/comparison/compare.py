@@ -15,6 +15,7 @@ from stiction.quantities.inputs import floats
 from stiction.quantities.progress import Steps
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import reason_of
+from stiction.records.record import plug_in_error
 from stiction.records.registry import Criterion, of_kind
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solving.accuracy import film_errors, measured_error
@@ -218,8 +219,11 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
     try:
         problem = make_problem(situation.contact, candidate.choice)
         curve = _curve(problem, situation)
-    except InputError as error:
-        answer.why_not = reason_of(error)
+    except Exception as error:
+        refused = error if isinstance(error, InputError) else plug_in_error(error)
+        if refused is None:
+            raise
+        answer.why_not = reason_of(refused)
         return answer
     answer.sources = [source.key for record in problem.records() for source in record.sources]
     if not problem.friction:

@@ -6,6 +6,7 @@ Each chosen number is searched as a share: its position between its low end (0) 
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,10 +14,22 @@ import numpy as np
 
 from stiction.case.read import tables_of
 from stiction.quantities.inputs import require_callable
-from stiction.quantities.sampling import sobol_points
 from stiction.studies.design.designed import dataset_of, designed_case
 from stiction.studies.design.plan import DesignPlan, make_design_plan
 from stiction.studies.design.space import TOLERANCE, Answers, Space
+from stiction.studies.design.work import (
+    FEW,
+    FRONT,
+    REFINED,
+    TOGETHER,
+    WAYS,
+    first_designs,
+    front_generations,
+    front_rounds,
+    most_designs,
+    population,
+    refinements,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -25,21 +38,12 @@ if TYPE_CHECKING:
 
 # Called with the number of evaluated designs, and a text on how many there will be at most and how long they take.
 Tell = Callable[[int, str], None]
-_FRONT = 12  # designs between the two ends of a front that are searched, of a model
-_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
-_TOGETHER, _PER_ROUND = (
-    64,
-    12,
-)  # designs of a round of a front of predictions, which many together cost least; effort of a round
 _FIRST_STEP, _SHRUNK = 0.3, 0.6  # standard deviation of the steps from a front, over the ends; of each round over the last
-_POPULATION, _FEW = 24, 8
-_WAYS = 12  # ways to choose from lists that are searched
 _ALIKE = 1e-10  # range of a population at which a search ends
 _QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search ends, of a model and of a prediction
 _GAIN, _GAIN_OF_DRAWS = 1e-9, 1e-2  # over the cost, of a model and of a prediction
 _MET = 1e-3  # over a target: so near it a prediction, which is known to two digits, is not searched on
 _BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks its limits
-_REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
 @dataclass
@@ -76,12 +80,18 @@ class Designing:
     stopped: bool = False
     started: float = field(default_factory=time.monotonic)
 
+    @cached_property
+    def most(self) -> int:
+        """The largest number of designs that are evaluated."""
+        return most_designs(self)
+
     @property
     def work_left(self) -> str:
         """Return the largest number of designs to evaluate, and the time that those left take, as text."""
-        count, most = self.archive.count, _most_designs(self)
-        seconds = (time.monotonic() - self.started) / count * max(most - count, 0)
-        return f"of at most {most}, at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else f"of at most {most}"
+        count = self.archive.count
+        seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
+        minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
+        return f"of at most {self.most}{minutes}"
 
     def best(self, number: int = 0) -> np.ndarray:
         """Return the archive indices of the best design for each combination of list entries, the best first.
@@ -157,7 +167,7 @@ def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> 
     """
     found = Designing(plan, Space(plan))
     try:
-        _ask(found, _drawn(found), tell)
+        _ask(found, first_designs(found), tell)
         if len(plan.objectives) == 2 and found.space.is_predicted:
             _spread(found, tell)
             return found
@@ -188,59 +198,6 @@ def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
     return answers
 
 
-def _most_designs(search: Designing) -> int:
-    """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
-    drawn, plan = _drawn(search), search.plan
-    if not plan.free:
-        return len(drawn)
-    if len(plan.objectives) == 2 and search.space.is_predicted:
-        return len(drawn) + _TOGETHER * _front_rounds(search)
-    generations = len(plan.objectives) * (plan.effort + 1)
-    if len(plan.objectives) == 2:
-        generations += _FRONT * (_front_generations(search) + 1)
-    ways = len(np.unique(search.space.way(drawn), axis=0))
-    refined = 0 if search.space.is_predicted else len(plan.objectives) * min(ways, _REFINED) * (_refinements(search) + 1)
-    return len(drawn) + min(ways, _WAYS) * _population(search) * generations + refined
-
-
-def _population(search: Designing) -> int:
-    few = search.space.is_predicted
-    return max(_FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
-
-
-def _front_generations(search: Designing) -> int:
-    return max(1, search.plan.effort // 3)
-
-
-def _front_rounds(search: Designing) -> int:
-    return max(1, search.plan.effort // _PER_ROUND)
-
-
-def _refinements(search: Designing) -> int:
-    return 60 * (1 + len(search.plan.free))
-
-
-def _drawn(search: Designing) -> np.ndarray:
-    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
-
-    Without numbers to choose, each combination once.
-    """
-    plan, most = search.plan, _FEW_DRAWN * len(search.plan.objectives) ** 2 if search.space.is_predicted else _DRAWN
-    counts = [len(one.entries) for one in plan.options]
-    if not counts:
-        return sobol_points(len(plan.free), most, plan.seed)
-    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
-        -1, len(counts)
-    )
-    ways = len(centres)
-    if not plan.free:
-        return centres
-    each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, most / ways)))))
-    points = sobol_points(len(plan.free), each, plan.seed)
-    some = centres[:: max(1, ways // 512)]
-    return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
-
-
 def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
     """Search one objective by differential evolution (Storn & Price 1997).
 
@@ -260,7 +217,7 @@ def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell)
             lambda shares: _cost(search, number, ceiling, shares.T, tell),
             ends,
             strategy="randtobest1bin",
-            maxiter=search.plan.effort if ceiling is None else _front_generations(search),
+            maxiter=search.plan.effort if ceiling is None else front_generations(search),
             tol=_ALIKE,
             mutation=(0.4, 0.9),
             recombination=0.8,
@@ -335,10 +292,10 @@ def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random
     """
     shares, objectives, worst, _ = search.archive.table()
     order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
-    size = _population(search)
+    size = population(search)
     _, first, which = np.unique(search.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
-    for way in np.argsort(first)[:_WAYS]:
+    for way in np.argsort(first)[:WAYS]:
         known = shares[order[which.ravel() == way][: size // 2]]
         some = rng.random((size - len(known), search.space.dimension))
         some[:, search.space.named] = known[0, search.space.named]
@@ -354,7 +311,7 @@ def _refined(search: Designing, number: int, tell: Tell) -> None:
     if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
     shares = search.archive.table()[0]
-    for at in search.best(number)[:_REFINED]:
+    for at in search.best(number)[:REFINED]:
         _refine(search, number, shares[at], tell)
 
 
@@ -376,7 +333,7 @@ def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> No
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
         constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
-        options={"maxfev": _refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
+        options={"maxfev": refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
 
 
@@ -390,7 +347,7 @@ def _search_front(search: Designing, tell: Tell) -> None:
         return
     _, objectives, _, _ = search.archive.table()
     low, high = objectives[front, 1].min(), objectives[front, 1].max()
-    count = 2 + _FRONT
+    count = 2 + FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
         _searched(search, 0, float(ceiling), tell)
@@ -406,11 +363,11 @@ def _spread(search: Designing, tell: Tell) -> None:
     step, named = _FIRST_STEP, search.space.named
     if not search.plan.free:
         return  # every design was asked
-    for _ in range(_front_rounds(search)):
+    for _ in range(front_rounds(search)):
         shares, _, worst, _ = search.archive.table()
         front = search.front()
-        parents = shares[front if front.size else np.argsort(worst)[:_FEW]]
-        parents = parents[rng.integers(len(parents), size=_TOGETHER)]
+        parents = shares[front if front.size else np.argsort(worst)[:FEW]]
+        parents = parents[rng.integers(len(parents), size=TOGETHER)]
         children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
         children[:, named] = parents[:, named]
         _ask(search, children, tell)

@@ -1,0 +1,70 @@
+"""How many designs each part of a search evaluates, and which it begins with."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.quantities.sampling import sobol_points
+
+if TYPE_CHECKING:
+    from stiction.studies.design.run import Designing
+
+FRONT = 12  # designs between the two ends of a front that are searched, of a model
+_DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
+TOGETHER, _PER_ROUND = 64, 12  # designs of a round of a front of predictions; effort of a round
+_POPULATION, FEW = 24, 8
+WAYS = 12  # ways to choose from lists that are searched
+REFINED = 3  # ways to choose from lists whose numbers are refined
+
+
+def most_designs(search: "Designing") -> int:
+    """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
+    drawn, plan = first_designs(search), search.plan
+    if not plan.free:
+        return len(drawn)
+    if len(plan.objectives) == 2 and search.space.is_predicted:
+        return len(drawn) + TOGETHER * front_rounds(search)
+    generations = len(plan.objectives) * (plan.effort + 1)
+    if len(plan.objectives) == 2:
+        generations += FRONT * (front_generations(search) + 1)
+    ways = len(np.unique(search.space.way(drawn), axis=0))
+    refined = 0 if search.space.is_predicted else len(plan.objectives) * min(ways, REFINED) * (refinements(search) + 1)
+    return len(drawn) + min(ways, WAYS) * population(search) * generations + refined
+
+
+def population(search: "Designing") -> int:
+    few = search.space.is_predicted
+    return max(FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
+
+
+def front_generations(search: "Designing") -> int:
+    return max(1, search.plan.effort // 3)
+
+
+def front_rounds(search: "Designing") -> int:
+    return max(1, search.plan.effort // _PER_ROUND)
+
+
+def refinements(search: "Designing") -> int:
+    return 60 * (1 + len(search.plan.free))
+
+
+def first_designs(search: "Designing") -> np.ndarray:
+    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
+
+    Without numbers to choose, each combination once.
+    """
+    plan, most = search.plan, _FEW_DRAWN * len(search.plan.objectives) ** 2 if search.space.is_predicted else _DRAWN
+    counts = [len(one.entries) for one in plan.options]
+    if not counts:
+        return sobol_points(len(plan.free), most, plan.seed)
+    centres = np.stack(np.meshgrid(*((np.arange(n) + 0.5) / n for n in counts), indexing="ij"), axis=-1).reshape(
+        -1, len(counts)
+    )
+    ways = len(centres)
+    if not plan.free:
+        return centres
+    each = 2 ** max(2, int(np.ceil(np.log2(max(4.0, most / ways)))))
+    points = sobol_points(len(plan.free), each, plan.seed)
+    some = centres[:: max(1, ways // 512)]
+    return np.column_stack([np.repeat(some, each, axis=0), np.tile(points, (len(some), 1))])
