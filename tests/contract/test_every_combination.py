@@ -20,7 +20,7 @@ from stiction.records.registry import (
     of_kind,
 )
 from stiction.solving.choice import Choice
-from stiction.solving.chosen import look_up
+from stiction.solving.chosen import resolve_laws
 from stiction.solving.problem import problem_of
 from tables import groups
 
@@ -33,7 +33,7 @@ FILM = {"n_E": 0.5, "n_H": 0.5, "tau": 3.0, "film_aspect": 0.5, "film_nu": 0.3, 
 def refusal(choice, coated):
     """What is said against a choice; "" if nothing is."""
     try:
-        look_up(choice, coated)
+        resolve_laws(choice, coated)
     except InputError as error:
         return str(error)
     return ""

@@ -18,7 +18,7 @@ from stiction.contact.indices import Groups
 from stiction.quantities.errors import InputError
 from stiction.records.registry import AsperityLaw, FilmLaw, TangentialLaw, of_kind
 from stiction.solving.choice import Choice
-from stiction.solving.chosen import look_up
+from stiction.solving.chosen import resolve_laws
 from stiction.solving.problem import make_problem
 from stiction.studies.case_results import compare_case, solve_case
 
@@ -48,7 +48,7 @@ def choices(film):
 
 def together(choice):
     try:
-        look_up(choice, choice.film is not None)
+        resolve_laws(choice, choice.film is not None)
     except InputError:
         return False
     return True

@@ -5,7 +5,7 @@ import pytest
 
 import stiction as st
 from stiction.laws.validity import warnings_of
-from stiction.solving.problem import as_asked, lost_in_rounding
+from stiction.solving.problem import lost_in_rounding, with_requested_load
 
 STICKY = st.Indices(theta=1.0, lam=10.0)  # pull-off force of 3.8 in its unit
 
@@ -16,7 +16,7 @@ def lost(data):
 
 def test_the_load_is_the_one_that_is_carried():
     asked, carried = np.array([1.0, 1e-12, 0.0]), np.array([1.0 + 1e-9, 1.5e-12, 3e-17])
-    results = as_asked({"load": carried, "friction_force": np.full(3, 2.0)}, asked)
+    results = with_requested_load({"load": carried, "friction_force": np.full(3, 2.0)}, asked)
     np.testing.assert_array_equal(lost_in_rounding(carried, asked), [False, True, False])
     np.testing.assert_array_equal(results["load"], [1.0, 1.5e-12, 0.0])
     np.testing.assert_array_equal(results["friction_coefficient"], [2.0, 2.0 / 1.5e-12, np.nan])

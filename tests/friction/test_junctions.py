@@ -20,7 +20,7 @@ from stiction.laws.tangential import junction_growth, tabor_1959
 from stiction.laws.tangential.shared.junctions import where_pressure_is
 from stiction.records.registry import YIELDED, AsperityLaw, TangentialLaw, find, incompatibility, of_kind, resolve_options
 from stiction.solving.choice import Choice
-from stiction.solving.chosen import look_up
+from stiction.solving.chosen import resolve_laws
 from stiction.solving.problem import problem_of
 from tables import groups
 
@@ -346,7 +346,7 @@ def test_only_a_law_that_gives_yielded_junctions_nothing_takes_another(law):
 
 @pytest.mark.parametrize("key", TAKEN)
 def test_the_law_that_is_taken_says_what_they_resist(key):
-    chosen = look_up(Choice("kogut_etsion_2004", options={"plastic_junctions": key}), coated=False)
+    chosen = resolve_laws(Choice("kogut_etsion_2004", options={"plastic_junctions": key}), coated=False)
     assert chosen.yielded == find(key, TangentialLaw).yielded
-    assert look_up(Choice("kogut_etsion_2004"), coated=False).yielded == "none"
-    assert look_up(Choice(PLAIN, tangential="none"), coated=False).yielded == ""
+    assert resolve_laws(Choice("kogut_etsion_2004"), coated=False).yielded == "none"
+    assert resolve_laws(Choice(PLAIN, tangential="none"), coated=False).yielded == ""

@@ -15,13 +15,13 @@ from refusals import refusal
 from stiction import cli
 from stiction.laws.validity import read_warnings, warnings_of
 from stiction.records.registry import RoughSurface, of_kind
-from stiction.solvers.boundary_elements import kept
+from stiction.solvers.boundary_elements import cache
 from stiction.solvers.boundary_elements.adhesive import solve_adhesive
 from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.curve import curve_of_map
+from stiction.solvers.boundary_elements.listeners import listening
 from stiction.solvers.boundary_elements.solve import solve_map
-from stiction.solvers.boundary_elements.telling import telling
 from stiction.solving.choice import Choice
 from stiction.surfaces.generate import gaussian_surface
 from stiction.surfaces.heightmap import HeightMap
@@ -43,7 +43,7 @@ MODEL = "boundary_elements"
 @pytest.fixture(autouse=True)
 def own_cache(monkeypatch, tmp_path):
     """Nothing that was solved before is read, and nothing is left behind."""
-    monkeypatch.setattr(kept, "cache_folder", lambda name: tmp_path / "kept")
+    monkeypatch.setattr(cache, "cache_folder", lambda name: tmp_path / "kept")
     with np.errstate(all="ignore"):  # matplotlib divides zero by zero inside
         yield
 
@@ -323,7 +323,7 @@ def test_adhesion_is_solved_if_asked_for(rough):
 
 def test_what_was_solved_is_read_and_what_differs_is_not(contact, rough):
     steps = []
-    with telling(lambda one: steps.append(one.load)):
+    with listening(lambda one: steps.append(one.load)):
         first = st.solve(contact, load=["1 mN", "2 mN"], model=MODEL)
         solved = len(steps)
         again = st.solve(contact, load=["2 mN", "1 mN"], model=MODEL)
@@ -363,13 +363,13 @@ def test_no_changed_byte_of_a_file_changes_a_solution(tmp_path):
     """Every eleventh byte of the file in turn, and the file cut off there: read as it was written, or not read."""
     heights = np.zeros((8, 8))
     heights[4, 4] = 1e-8
-    (solution,) = kept.solve_kept(heights, (1e-6, 1e-6), modulus=1e9, loads=[1e-9], periodic=True)
+    (solution,) = cache.solve_cached(heights, (1e-6, 1e-6), modulus=1e9, loads=[1e-9], periodic=True)
     (path,) = (tmp_path / "kept").iterdir()
     content = path.read_bytes()
     for place in range(0, len(content), 11):
         for spoilt in (content[:place] + bytes([content[place] ^ 0x21]) + content[place + 1 :], content[:place]):
             path.write_bytes(spoilt)
-            contact = kept._read(path, heights.shape)
+            contact = cache._read(path, heights.shape)
             assert contact is None or (contact.area == solution.area and np.array_equal(contact.pressure, solution.pressure)), (
                 place
             )
@@ -377,7 +377,7 @@ def test_no_changed_byte_of_a_file_changes_a_solution(tmp_path):
 
 def test_the_oldest_files_make_room(contact, tmp_path, monkeypatch):
     st.solve(contact, load="1 mN", model=MODEL)
-    monkeypatch.setattr(kept, "_MOST", 1)
+    monkeypatch.setattr(cache, "_MOST", 1)
     st.solve(contact, load="2 mN", model=MODEL)
     assert list((tmp_path / "kept").iterdir()) == []
 
@@ -387,7 +387,7 @@ def test_an_interruption_keeps_the_loads_that_are_done(contact):
         if one.load == 1 and one.step == 2:
             raise KeyboardInterrupt
 
-    with telling(stop):
+    with listening(stop):
         found = st.solve(contact, load=["3 mN", "1 mN", "2 mN"], model=MODEL)
     assert np.isnan(found["contact_area"].values).tolist() == [True, False, True]
     assert "interrupted: 2 of 3 loads were not solved" in found.attrs["outside_validity"]

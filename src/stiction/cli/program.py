@@ -262,11 +262,13 @@ def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
         yield
         return
     from stiction.engine.compiling import telling
-    from stiction.solvers.boundary_elements.telling import telling as telling_steps
+    from stiction.solvers.boundary_elements.listeners import listening as listening_to_solver
 
     with (
         telling(lambda done, name: line.say(f"{text}: compiling {name}, once per installation ({done} kernels done)")),
-        telling_steps(lambda step: line.say(f"{text}: load {step.load + 1} of {step.loads}, residual {step.residual:.1e}")),
+        listening_to_solver(
+            lambda step: line.say(f"{text}: load {step.load + 1} of {step.loads}, residual {step.residual:.1e}")
+        ),
     ):
         yield
 

@@ -26,7 +26,7 @@ from stiction.solving.choice import Choice
 
 
 @dataclass(frozen=True)
-class Chosen:
+class ResolvedLaws:
     """Hold a model with its laws and all their options.
 
     asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only;
@@ -60,11 +60,11 @@ class Chosen:
         taken = [one.yielded for one in self.tangential.parts(self.options) if isinstance(one, TangentialLaw)]
         return (taken or [self.tangential.yielded])[0]
 
-    def with_option(self, name: str, value: str) -> "Chosen":
+    def with_option(self, name: str, value: str) -> "ResolvedLaws":
         """Return the same laws with one option changed."""
         return replace(self, options={**self.options, name: value})
 
-    def without(self, keyword: str, **changes: Any) -> "Chosen":
+    def without(self, keyword: str, **changes: Any) -> "ResolvedLaws":
         """Return the same laws without the addition of this keyword, and with other fields changed."""
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
@@ -75,7 +75,7 @@ class Chosen:
         return [record for one in laws for record in (one, *one.parts(self.options))]
 
 
-def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chosen:
+def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> ResolvedLaws:
     """Return the laws of a choice for a contact with or without a film.
 
     groups: dimensionless groups of the contact; stated ones can require additional laws, such as menisci. Raises
@@ -88,7 +88,7 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
         _refuse_parts(choice, model, tangential, coated and model.of_map is None)
         options, ignored = _options(choice, model, tangential), _ignored(choice, coated)
         additions = _additions(choice, groups, model, tangential, None)
-        return Chosen(model, None, tangential, None, options, ignored, additions, choice.beside.get("meniscus") == "none")
+        return ResolvedLaws(model, None, tangential, None, options, ignored, additions, choice.beside.get("meniscus") == "none")
     asperity = find(choice.asperity or model.asperity, AsperityLaw)
     film = _film(choice, model) if coated else None
     additions = _additions(choice, groups, model, tangential, film)
@@ -103,7 +103,7 @@ def look_up(choice: Choice, coated: bool, groups: Groups | None = None) -> Chose
         raise InputError("tangential", tangential.key, f"another law, because {reason}")
     options = _options(choice, model, asperity, tangential, film)
     _refuse_junctions(film, tangential, options)
-    return Chosen(model, asperity, tangential, film, options, _ignored(choice, coated), additions)
+    return ResolvedLaws(model, asperity, tangential, film, options, _ignored(choice, coated), additions)
 
 
 def _additions(

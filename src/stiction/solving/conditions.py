@@ -19,7 +19,7 @@ from stiction.quantities.dimensions import aligned
 from stiction.records.claims import Validity
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
-from stiction.solving.on_map import OnMap
+from stiction.solving.on_map import MapProblem
 from stiction.solving.problem import Problem, lost_in_rounding
 from stiction.solving.state import state_of
 
@@ -60,7 +60,7 @@ def leaves_out_liquid(problem: Problem) -> bool:
 
 
 def _solves_menisci(problem: Problem) -> bool:
-    return isinstance(problem, OnMap) and problem.menisci
+    return isinstance(problem, MapProblem) and problem.menisci
 
 
 def _shears_the_interface(problem: Problem) -> bool:

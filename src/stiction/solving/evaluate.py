@@ -14,7 +14,7 @@ from stiction.quantities.foreign import has_unit
 from stiction.quantities.inputs import floats
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import Choice
-from stiction.solving.problem import Sum, problem_of
+from stiction.solving.problem import AsperitySum, problem_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -165,7 +165,7 @@ def _regimes(laws: dict[str, np.ndarray], choice: Choice) -> list[Regime]:
     ones = np.ones_like(laws["nu"])
     film = {"n_g": ones, "film_aspect": np.inf * ones} if "tau" in laws else {}
     problem = problem_of(Groups(**laws, **film).resolved(), choice)
-    assert isinstance(problem, Sum)  # the paper's model is one
+    assert isinstance(problem, AsperitySum)  # the paper's model is one
     return problem.regimes
 
 

@@ -13,7 +13,7 @@ from stiction.engine.heights import gaussian_density
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.errors import InputError
 from stiction.solving.laplace import pull_and_bound
-from stiction.solving.problem import LOAD, ClosedForm, Problem, Sum
+from stiction.solving.problem import LOAD, AsperitySum, ClosedFormProblem, Problem
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
 # factors: twelve steps double.
@@ -126,11 +126,11 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
     The fast method is used for all contacts that it suits, and the robust method for the others.
     """
     sums = None
-    if isinstance(problem, ClosedForm):
+    if isinstance(problem, ClosedFormProblem):
         if problem.record.separation_near is None:
             return _robustly(problem, targets, refuse), None
         quick, good = _from_tables(problem, targets)
-    elif isinstance(problem, Sum) and problem.heights.density is gaussian_density:
+    elif isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density:
         quick, good, sums = _quickly(problem, targets)
     else:
         return _robustly(problem, targets, refuse), None
@@ -146,7 +146,7 @@ def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inve
     return quick.with_rows(rest, slow), sums
 
 
-def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
+def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, np.ndarray]:
     """Find separations with the fast method for smooth laws.
 
     Also returns a mask (n,) of the contacts for which it succeeded, and the sums (regimes, n, m, 5) there.
@@ -168,7 +168,7 @@ def _quickly(problem: Sum, targets: np.ndarray) -> tuple[Inversion, np.ndarray, 
     return Inversion(h, _relative(excess, targets, tension), tension, where, evaluations), good, sums
 
 
-def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
+def _is_bounded(problem: AsperitySum, where: np.ndarray) -> np.ndarray:
     """Return a mask (n,) of contacts whose meniscus pull reaches its upper bound at the separations `where`.
 
     `where` holds the separations of largest tension. The fast method ignores the bound, so that its tension is wrong
@@ -182,7 +182,7 @@ def _is_bounded(problem: Sum, where: np.ndarray) -> np.ndarray:
     return bound
 
 
-def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
+def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
     """Refine separations (k,) by Newton's method with a known slope.
 
     Returns separations; errors of the load there, NaN unless small enough; the sums (regimes, k, 5); the number of
@@ -202,7 +202,7 @@ def _polished(problem: Sum, law, h, target, slope, enough) -> tuple[np.ndarray, 
     return h, np.where(np.abs(excess) <= _GOOD * enough, excess, np.nan), sums, times
 
 
-def _from_tables(problem: ClosedForm, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
+def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inversion, np.ndarray]:
     """Find separations with the estimate that a theory without adhesion provides.
 
     The secant method on the logarithm of the load starts from that estimate. Also returns a mask (n,) of success.
@@ -235,7 +235,7 @@ def _log_of(share: np.ndarray) -> np.ndarray:
         return np.log(share)
 
 
-def _load_alone(problem: Sum) -> Sum:
+def _load_alone(problem: AsperitySum) -> AsperitySum:
     """Return the problem without its tangential law, whose kinks would split segments.
 
     A model that needs its tangential law is returned unchanged.

@@ -38,7 +38,7 @@ _MOST_POINTS = 1_100_000
 
 
 @dataclass(frozen=True)
-class OnMap(Problem):
+class MapProblem(Problem):
     """Represent a contact whose roughness is a height map; results are normalised as for all problems."""
 
     @property

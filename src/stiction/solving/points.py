@@ -19,7 +19,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import axis, from_series
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
-from stiction.solving.problem import Problem, as_asked
+from stiction.solving.problem import Problem, with_requested_load
 
 
 @dataclass(frozen=True)
@@ -69,11 +69,11 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"
         )
     name, given = ("load", load) if separation is None else ("mean_separation", separation)
-    return points_at(problem, name, points_asked(problem.subject, name, given))
+    return points_at(problem, name, requested_points(problem.subject, name, given))
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:
-    """Return the points for a value that `points_asked` has validated; name: "load" or "mean_separation"."""
+    """Return the points for a value that `requested_points` has validated; name: "load" or "mean_separation"."""
     factors = problem.subject.scales().factors()
     dims = dimensions([value, *factors.values()], problem.dims)
     narrow = aligned(value, dims) / aligned(factors["N" if name == "load" else "m"], dims)
@@ -85,7 +85,7 @@ def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
     return np.broadcast_to(aligned(value, dims) / aligned(unit, dims), tuple(dims.values()))
 
 
-def points_asked(subject: Subject, name: str, value: Any) -> Any:
+def requested_points(subject: Subject, name: str, value: Any) -> Any:
     """Validate the requested separations or loads; return a number, or an array with named dimensions.
 
     A plain sequence gets a dimension with the name of its quantity.
@@ -138,7 +138,9 @@ def solve_points(points: Points, refuse: bool = True) -> Solved:
         return Solved({name: table.reshape(wanted.shape) for name, table in _at_loads(points).items()})
     found, results = solved_at(problem, points.table, refuse)
     results = {name: table.reshape(wanted.shape) for name, table in results.items()}
-    return Solved({"mean_separation": found.h.reshape(wanted.shape)} | as_asked(results, wanted), found, results["load"])
+    return Solved(
+        {"mean_separation": found.h.reshape(wanted.shape)} | with_requested_load(results, wanted), found, results["load"]
+    )
 
 
 def check_reach(separation: np.ndarray, name: str = "separation") -> None:

@@ -20,9 +20,9 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, TangentialLaw, find, select_options
 from stiction.solving.candidates import with_interface
 from stiction.solving.choice import DEFAULT_MODEL, Choice
-from stiction.solving.chosen import look_up
+from stiction.solving.chosen import resolve_laws
 from stiction.solving.laplace import bounded, most_pull
-from stiction.solving.on_map import OnMap
+from stiction.solving.on_map import MapProblem
 from stiction.solving.parts import of_those, share_beyond, share_without, states_of
 from stiction.solving.problem_base import Problem, with_coefficient
 from stiction.solving.unused import refuse_ignored_strength
@@ -32,7 +32,7 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUA
 
 
 @dataclass(frozen=True)
-class Sum(Problem):
+class AsperitySum(Problem):
     """Represent a sum over asperities: the engine integrates the regimes of the laws over the heights."""
 
     @property
@@ -60,7 +60,7 @@ class Sum(Problem):
             return film.regimes(self.groups, self.law, **select_options(film, self.options))
         return self.law.regimes(self.groups)
 
-    def on_branch(self, branch: str) -> "Sum":
+    def on_branch(self, branch: str) -> "AsperitySum":
         if "branch" not in self.options:
             return self
         other = replace(self, chosen=self.chosen.with_option("branch", branch))
@@ -137,7 +137,7 @@ class Sum(Problem):
         sums = np.moveaxis(on_grid(self.regimes, h, self.heights, self.threads), 2, -1)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[..., None])
 
-    def _as_published(self) -> "Sum | None":
+    def _as_published(self) -> "AsperitySum | None":
         """Return the problem with its tangential law as published; None if it has that law already.
 
         Yielded junctions may take the resistance of another law, see the option `plastic_junctions`.
@@ -193,7 +193,7 @@ class Sum(Problem):
 
 
 @dataclass(frozen=True)
-class ClosedForm(Problem):
+class ClosedFormProblem(Problem):
     """Represent a contact theory in closed form, which is not a sum over asperities.
 
     Friction, if any, is computed by a law of the interface.
@@ -288,7 +288,7 @@ def _others(model: str) -> str:
     return "or name a model that does not need it with --model: `stiction compare CASE.toml` shows them"
 
 
-def as_asked(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
+def with_requested_load(results: dict[str, np.ndarray], load: np.ndarray) -> dict[str, np.ndarray]:
     """Replace the computed load by the requested one, and recompute the friction coefficient.
 
     Where round-off makes the requested load unattainable, the computed load stays. This keeps a residual load at a
@@ -339,9 +339,9 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     groups, dims = Groups.of(subject.unlabelled.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)
-    if isinstance(problem, OnMap) and not own_heights:
+    if isinstance(problem, MapProblem) and not own_heights:
         raise InputError("heights", heights.key, f"no distribution, because {problem.record.key} uses the heights of the map")
-    if isinstance(problem, ClosedForm) and heights.key != "gaussian":
+    if isinstance(problem, ClosedFormProblem) and heights.key != "gaussian":
         raise InputError("heights", heights.key, f"gaussian, because {problem.record.key} supports no other distribution")
     refuse_ignored_strength(problem, choice)
     return problem
@@ -362,7 +362,7 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
 
     subject: the Contact or Indices of the user, or None.
     """
-    chosen = look_up(with_interface(choice, groups), groups.has_film, groups)
+    chosen = resolve_laws(with_interface(choice, groups), groups.has_film, groups)
     for record in chosen.records():
         for name in record.needs:
             if not groups.knows(name):
@@ -370,7 +370,9 @@ def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, s
                 whose = "" if record is chosen.model else f", which {chosen.model.key} uses here,"
                 allowed = f"{_wanted(given)}: {record.key}{whose} needs it"
                 raise InputError(given, getattr(subject, given, None), allowed, _others(choice.model_key))
-    kind: type[Problem] = Sum if chosen.asperity is not None else OnMap if chosen.model.of_map is not None else ClosedForm
+    kind: type[Problem] = (
+        AsperitySum if chosen.asperity is not None else MapProblem if chosen.model.of_map is not None else ClosedFormProblem
+    )
     for law in chosen.additions.values():
         groups = law.changed(groups)
     return kind(chosen, groups, heights or gaussian(), {"contact": len(groups)}, {}, subject)

@@ -12,7 +12,7 @@ from stiction.engine.heights import Heights
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.quotient import quotient
 from stiction.records.registry import Record, RoughSurface
-from stiction.solving.chosen import Chosen
+from stiction.solving.chosen import ResolvedLaws
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Problem(ABC):
     of threads of the sums, which does not change results.
     """
 
-    chosen: Chosen
+    chosen: ResolvedLaws
     groups: Groups
     heights: Heights
     dims: dict[str, int]

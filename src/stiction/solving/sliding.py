@@ -23,9 +23,9 @@ from stiction.quantities.keywords import with_keywords
 from stiction.quantities.quotient import quotient
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import LawKeywords
-from stiction.solving.on_map import OnMap
-from stiction.solving.points import coordinates_of, in_words, normalised, points_asked, points_of, solve_points
-from stiction.solving.problem import SLIP_LIMITED, Problem, Sum, make_problem
+from stiction.solving.on_map import MapProblem
+from stiction.solving.points import coordinates_of, in_words, normalised, points_of, requested_points, solve_points
+from stiction.solving.problem import SLIP_LIMITED, AsperitySum, Problem, make_problem
 from stiction.solving.results import labelled, summary_of
 from stiction.solving.sliding_on_map import Move, slide_on_map, used_by_sliding
 
@@ -119,7 +119,7 @@ def slide(
     subject = as_subject(contact)
     residual = _residual(subject, residual_strength)
     of_maps = {"weakening_slip": weakening_slip, "tangential_force": tangential_force, "spring_stiffness": spring_stiffness}
-    if model is not None and isinstance(on_map := make_problem(contact, choice_of(model, laws, subject), heights), OnMap):
+    if model is not None and isinstance(on_map := make_problem(contact, choice_of(model, laws, subject), heights), MapProblem):
         slip = getattr(subject, "weakening_slip", None) if weakening_slip is None else weakening_slip
         how = Move(displacement, tangential_force, residual, slip, spring_stiffness)
         return slide_on_map(on_map, points_of(on_map, load, separation), how)
@@ -158,13 +158,13 @@ def _residual(subject: Subject, given: Any) -> float:
     return float(value)
 
 
-def _checked(problem: Problem) -> Sum:
+def _checked(problem: Problem) -> AsperitySum:
     """Return the problem if its asperities can slip; else raise InputError with the reason."""
     model = problem.record
     if problem.chosen.tangential is None:
         wanted = f"a tangential law: {model.key} has none, and each asperity needs a shear strength"
         raise InputError("tangential", "none", wanted)
-    assert isinstance(problem, Sum)  # theories in closed form know no presliding
+    assert isinstance(problem, AsperitySum)  # theories in closed form know no presliding
     for name, values in model.own_options.items() if model.regimes is not None else ():
         if problem.options[name] != values[0]:
             raise InputError(name, problem.options[name], f"{values[0]}: slide() supports only this variant of the model")
@@ -181,7 +181,7 @@ def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
         if not farthest > 0.0:
             raise InputError("displacement", None, "one or more values, because a contact without friction has no default")
         given = np.linspace(0.0, 1.5 * farthest, _POINTS)
-    moved = points_asked(subject, "displacement", given)
+    moved = requested_points(subject, "displacement", given)
     if not np.size(moved):
         raise InputError("displacement", "no values", "at least one value")
     if float(np.min(moved)) < 0.0:
@@ -196,7 +196,7 @@ class Sliding:
     residual: fraction of its strength that an asperity retains once it slides.
     """
 
-    problem: Sum
+    problem: AsperitySum
     residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:

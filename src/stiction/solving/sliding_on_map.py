@@ -11,8 +11,8 @@ import numpy as np
 from stiction.laws.rough_surface.boundary_elements import shear_compliance_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
-from stiction.solving.on_map import OnMap
-from stiction.solving.points import Points, coordinates_of, points_asked, solve_points
+from stiction.solving.on_map import MapProblem
+from stiction.solving.points import Points, coordinates_of, requested_points, solve_points
 from stiction.solving.problem_base import Problem
 from stiction.solving.results import labelled, summary_of
 from stiction.solving.unused import as_attributes, unused_inputs
@@ -42,7 +42,7 @@ class Move:
     spring_stiffness: Any
 
 
-def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset":
+def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dataset":
     """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
     from stiction.solvers.shear.path import full_shift
 
@@ -65,7 +65,7 @@ def slide_on_map(problem: OnMap, points: Points, move: Move) -> "xarray.Dataset"
         displacement = _at_forces(problem, operator, strengths, contacts[0].nominal_area, move)
     elif displacement is None:
         displacement = _way(max(full_shift(operator, strength) for strength in strengths), weakening)
-    moved = points_asked(problem.subject, "displacement", displacement)
+    moved = requested_points(problem.subject, "displacement", displacement)
     shifts = np.atleast_1d(np.asarray(moved, dtype=float))
     if shifts.min() < 0.0:
         raise InputError("displacement", contact.show(float(shifts.min()), "displacement"), "0 or more")
@@ -126,7 +126,7 @@ def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
     return np.concatenate([np.linspace(0.0, elastic, _STEPS - _STEPS // 3 + 1), after])
 
 
-def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None":
+def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | None":
     """Return how strength falls with slip; None if it stays constant.
 
     Raises InputError for a residual strength below 1 without a weakening slip, and for a slip without such a strength.
@@ -145,7 +145,7 @@ def _weakening(problem: OnMap, residual: float, slip: Any) -> "Weakening | None"
 
 
 def _at_forces(
-    problem: OnMap, operator: "ShearOperator", strengths: list[np.ndarray], nominal_area: float, move: Move
+    problem: MapProblem, operator: "ShearOperator", strengths: list[np.ndarray], nominal_area: float, move: Move
 ) -> np.ndarray:
     """Return the displacements [m] at forces of the whole contact. Raises InputError."""
     from stiction.solvers.shear.path import at_force
@@ -169,7 +169,7 @@ def _at_forces(
 
 
 def _through_spring(
-    problem: OnMap, paths: "list[SlidingPath]", whole: float, shape: tuple[int, ...], stiffness: Any
+    problem: MapProblem, paths: "list[SlidingPath]", whole: float, shape: tuple[int, ...], stiffness: Any
 ) -> dict[str, np.ndarray]:
     """Return the normalised displacement of the drive, and a mask of the states that are reached."""
     from stiction.solvers.shear.path import through_spring
@@ -182,7 +182,7 @@ def _through_spring(
     }
 
 
-def _operator(problem: OnMap) -> "ShearOperator":
+def _operator(problem: MapProblem) -> "ShearOperator":
     """Return the operator that computes shear displacements of the map.
 
     The map is one period, or a window that its mirror images continue.
@@ -233,7 +233,7 @@ def _nearly(path: "SlidingPath") -> float:
     return float(np.interp(wanted, force[[before, at]], shift[[before, at]]))
 
 
-def _points_in_loss(problem: OnMap, operator, strengths: list[np.ndarray], weakening: "Weakening") -> np.ndarray:
+def _points_in_loss(problem: MapProblem, operator, strengths: list[np.ndarray], weakening: "Weakening") -> np.ndarray:
     """Return the number of points (m,) along the length over which strength is lost.
 
     It is taken where the strength is largest.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.laws.rough_surface.boundary_elements import bodies_of, shear_compliance_of
-from stiction.solving.on_map import OnMap
+from stiction.solving.on_map import MapProblem
 from stiction.surfaces.heightmap import every_point
 
 if TYPE_CHECKING:
@@ -20,12 +20,12 @@ _BEYOND, _STEP, _MOST = 1.5, 1.5, 12  # pressures of a table: beyond those asked
 _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # the last of them over modulus times gradient, at most this share of the hardness
 
 
-def spread_on_map(problem: OnMap, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the standard deviation of the displacement that shear causes in the contact spots of a map.
 
     Parameters
     ----------
-    problem : OnMap
+    problem : MapProblem
         A contact with a map. A large map is solved on only as many of its points as its area needs.
     loads : numpy.ndarray
         Loads [N] near which the spots have to be known.

@@ -37,11 +37,11 @@ from stiction.solving.points import (
     coordinates_of,
     in_words,
     normalised,
-    points_asked,
     points_at,
+    requested_points,
     solve_points,
 )
-from stiction.solving.problem import Sum, as_asked, make_problem
+from stiction.solving.problem import AsperitySum, make_problem, with_requested_load
 from stiction.solving.results import labelled, summary_of
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def unload(
     if is_load:
         asked = np.where(apart == 0.0, normalised(turn.value, factors["N"], dims), results["load"])
         validity_warnings = warnings_of_rounding(results["load"], asked)
-        results = as_asked(results, asked)
+        results = with_requested_load(results, asked)
     tables = {"mean_separation": turned + apart if separation is None else wanted} | results
     data = labelled(subject, tables, factors, dims, way.pressed.coords | coordinates_of(turn.value, point))
     data = data.merge(_ends(way, nearest, factors, turn.dims))
@@ -171,11 +171,11 @@ class _Way:
     of asperities drawn apart by that distance. how: the assumption about the asperities, in words.
     """
 
-    pressed: Sum
+    pressed: AsperitySum
     released: Callable
     how: str
 
-    def apart(self, rows: np.ndarray, distance: np.ndarray) -> Sum:
+    def apart(self, rows: np.ndarray, distance: np.ndarray) -> AsperitySum:
         """Return the problem of contacts (m,), each drawn apart by its own distance (m,)."""
 
         def segments(groups, **options):
@@ -217,7 +217,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
         raise InputError(" or ".join(either), "both" if given else None, "exactly one of the two")
     name, quantity = given[0], "load" if given[0] == "max_load" else "mean_separation"
     with field_named(name):
-        value = points_asked(subject, quantity, either[name])
+        value = requested_points(subject, quantity, either[name])
     if not np.size(value):
         raise InputError(name, "no values", "at least one value")
     renamed = quantity in getattr(value, "dims", ()) and name != "separation"
@@ -246,12 +246,12 @@ def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
         reason = f"the source of {choice.model_key} does not describe unloading"
         raise InputError("model", choice.model_key, f"another sum over asperities: {reason}")
     problem = make_problem(contact, choice, heights)
-    assert isinstance(problem, Sum)  # of a model with an asperity law
+    assert isinstance(problem, AsperitySum)  # of a model with an asperity law
     released, how = _released(problem.law.asperity, problem)
     return _Way(problem, released, how)
 
 
-def _released(law: AsperityLaw, problem: Sum) -> tuple[Callable, str]:
+def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
     """Return a function for the segments of an asperity law during unloading, and the assumption in words."""
     if law.released is not None:
         return law.released, f"by the unloading law of {law.key}"

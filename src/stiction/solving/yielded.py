@@ -6,14 +6,14 @@ from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
 from stiction.solving.parts import of_those
-from stiction.solving.problem import LOAD, Problem, Sum
+from stiction.solving.problem import LOAD, AsperitySum, Problem
 
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
 
-def require_states(problem: Problem, name: str) -> Sum:
+def require_states(problem: Problem, name: str) -> AsperitySum:
     """Return the problem if its model distinguishes the states of asperities that this share needs; else raise InputError."""
-    if not isinstance(problem, Sum):
+    if not isinstance(problem, AsperitySum):
         allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
         raise InputError(name, problem.record.key, allowed)
     film = problem.chosen.film

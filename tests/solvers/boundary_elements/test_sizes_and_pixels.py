@@ -8,6 +8,7 @@ import pytest
 
 from stiction.solvers.boundary_elements import descent
 from stiction.solvers.boundary_elements.adhesive import solve_adhesive
+from stiction.solvers.boundary_elements.adhesive_curve import shortest_range
 from stiction.solvers.boundary_elements.area_estimates import map_slopes
 from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
@@ -17,7 +18,6 @@ from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.minimise import Found
 from stiction.solvers.boundary_elements.operators import FreeBoundary
 from stiction.solvers.boundary_elements.solve import solve_map
-from stiction.solvers.boundary_elements.sticking import shortest_range
 from stiction.surfaces.heightmap import HeightMap
 
 ROUGH = 0.01 * np.random.default_rng(5).normal(size=(32, 32))

@@ -10,7 +10,7 @@ from refusals import refusal
 from stiction.solvers.boundary_elements import adhesive
 from stiction.solvers.boundary_elements.adhesive import solve_adhesive
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
-from stiction.solvers.boundary_elements.descent import Downhill
+from stiction.solvers.boundary_elements.descent import DescentSearch
 from stiction.solvers.boundary_elements.solve import solve_map
 
 
@@ -97,7 +97,7 @@ def test_no_change_of_the_gaps_lowers_the_energy():
     heights = rough(32, points=4.0)
     modulus, work, reach, load = 2.0, 1e-4, 2e-3, 1e-3
     faces = adhesive._faces(heights, UNIT, Compliance(modulus), work, reach)
-    way = Downhill(faces, np.full(heights.shape, 0.5), load * reach / work)
+    way = DescentSearch(faces, np.full(heights.shape, 0.5), load * reach / work)
     way.run(1e-7)
     k = 2.0 * math.pi * np.hypot(*np.meshgrid(*(np.fft.fftfreq(32, 1.0 / 32),) * 2))
 

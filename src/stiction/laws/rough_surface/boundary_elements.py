@@ -119,7 +119,7 @@ def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
     """Solve the contact of a map with adhesion, which decays over a finite range of the gap."""
-    from stiction.solvers.boundary_elements.sticking import shortest_range, sticking_curve
+    from stiction.solvers.boundary_elements.adhesive_curve import adhesive_curve, shortest_range
 
     coating = contact.coating
     work = contact.work_of_adhesion if coating is None or coating.work_of_adhesion is None else coating.work_of_adhesion
@@ -127,7 +127,7 @@ def _sticking(
         raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2 with adhesion = {adhesion}")
     atomic = adhesion == "atomic_range"
     reach = EQUILIBRIUM_DISTANCE if atomic else max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
-    curve = sticking_curve(surface, bodies, pressures, work=work, reach=reach)
+    curve = adhesive_curve(surface, bodies, pressures, work=work, reach=reach)
     return curve if atomic else replace(curve, of_map={**curve.of_map, "range_tabor": float(contact.tabor_parameter(reach))})
 
 

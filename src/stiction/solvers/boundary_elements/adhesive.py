@@ -37,7 +37,7 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 from stiction.quantities.errors import InputError
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
-from stiction.solvers.boundary_elements.descent import FAR, Downhill, Faces
+from stiction.solvers.boundary_elements.descent import FAR, DescentSearch, Faces
 from stiction.solvers.boundary_elements.limits import LEAST_POINTS, MOST_ATTRACTION_LEFT
 from stiction.solvers.boundary_elements.measures import PIXEL_EXCESS, coarsest_pitch, edges, rms_step
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
@@ -114,18 +114,18 @@ def solve_adhesive(
     return contacts
 
 
-def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> Downhill:
+def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> DescentSearch:
     """Return the descent from a starting gap to the next equilibrium under a mean pressure.
 
     gap: divided by the range of attraction. pressure: divided by the largest attraction.
     """
-    descent = Downhill(faces, gap, pressure)
+    descent = DescentSearch(faces, gap, pressure)
     descent.run(min(_LEFT, -_OF_TENSION * pressure) if pressure < 0.0 else _LEFT)
     return descent
 
 
 @dataclass(frozen=True)
-class Adhering:
+class AdhesiveState:
     """Store the adhesive contact of a map at one load, as a start for less adhesion.
 
     faces: heights and stiffness. gap: (rows, columns), divided by the range of attraction. grid: quantities that do not
@@ -153,7 +153,7 @@ class Adhering:
         touching = self.touching
         return self.grid.area(int(np.count_nonzero(touching)), edges(touching, True).count) * self.pixel
 
-    def with_share(self, share: np.ndarray | None) -> "Adhering":
+    def with_share(self, share: np.ndarray | None) -> "AdhesiveState":
         """Return the contact after the work of adhesion is reduced.
 
         share: fraction of the work of adhesion that remains at every point (rows, columns); None for all of it. The energy is
@@ -163,9 +163,9 @@ class Adhering:
         return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
 
 
-def adhering(
+def adhesive_state(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float
-) -> Adhering:
+) -> AdhesiveState:
     """Return the adhesive contact of a periodic map at a load [N], without refining its grid.
 
     heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError for an unusable map.
@@ -178,12 +178,12 @@ def adhering(
     return _before_adhesion(heights, size, Compliance(modulus), load, work, reach).with_share(None)
 
 
-def _before_adhesion(heights, size, compliance, load, work, reach) -> Adhering:
+def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveState:
     """Return the contact at a load [N] with the gap that it has without adhesion."""
     points_at_edge = reach**2 / (compliance.near * work) / coarsest_pitch(heights.shape, size)
     grid = _Grid(size, work / reach, reach, points_at_edge)
     gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal) / reach
-    return Adhering(_faces(heights, size, compliance, work, reach), gap, grid, load / grid.nominal / grid.largest)
+    return AdhesiveState(_faces(heights, size, compliance, work, reach), gap, grid, load / grid.nominal / grid.largest)
 
 
 @dataclass(frozen=True)
@@ -254,7 +254,7 @@ def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
     return np.maximum(minimise(problem, np.full(heights.shape, problem.mean), tolerance=1e-3, most=500).gap, 0.0)
 
 
-def _contact(faces: Faces, descent: Downhill, load: float, grid: _Grid) -> AdhesiveContact:
+def _contact(faces: Faces, descent: DescentSearch, load: float, grid: _Grid) -> AdhesiveContact:
     """Return the AdhesiveContact of one load from the solved gap."""
     gap, apart = descent.gap, descent.apart or (float(descent.gap.min()) > 0.5 * FAR)
     touch = gap <= 0.0

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from stiction.solvers.boundary_elements.bodies import Bodies
-from stiction.solvers.boundary_elements.kept import solve_kept
+from stiction.solvers.boundary_elements.cache import solve_cached
+from stiction.solvers.boundary_elements.listeners import notify_listeners
 from stiction.solvers.boundary_elements.measures import waves
 from stiction.solvers.boundary_elements.sampled import solve_sampled
 from stiction.solvers.boundary_elements.solve import MapContact, MapContacts
-from stiction.solvers.boundary_elements.telling import tell
 from stiction.surfaces.heightmap import HeightMap
 
 
@@ -51,10 +51,12 @@ def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float],
     def at_pressures(heights, size, *, loads, **how) -> MapContacts:
         """Solve at loads given for the whole map, scaled to the area of the sampled points."""
         covered = size[0] * size[1] / nominal
-        return solve_kept(heights, size, loads=[load * covered for load in loads], **how)
+        return solve_cached(heights, size, loads=[load * covered for load in loads], **how)
 
     loads = [float(pressure) * nominal for pressure in pressures]
-    how = {name: getattr(bodies, name) for name in ("film", "counter_film", "hardness", "menisci")} | {"progress": tell}
+    how = {name: getattr(bodies, name) for name in ("film", "counter_film", "hardness", "menisci")} | {
+        "progress": notify_listeners
+    }
     arguments: dict[str, Any] = {"modulus": bodies.modulus, "loads": loads, "periodic": surface.periodic, **how}
     if sampled:
         sampled_contacts = solve_sampled(surface.heights, surface.size, solve=at_pressures, **arguments)

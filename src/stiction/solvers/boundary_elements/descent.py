@@ -74,7 +74,7 @@ class Faces:
         return irfft2(waves, s=self.heights.shape, overwrite_x=True)
 
 
-class Downhill:
+class DescentSearch:
     """Minimise the energy (1) of attracting faces under a mean pressure P.
 
     gap: current gap, divided by the range of attraction. residual: largest remaining gradient at open points, or tension at

@@ -134,7 +134,7 @@ def solve_map(
     A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned.
     Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
     """
-    request = _Asked.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
+    request = _Request.of(heights, size, hardness, loads, periodic, _How.of(**how), menisci)
     compliance = Compliance(modulus, film, counter_film)
     of_map = warnings_of_map(request.heights, request.size, film or counter_film, periodic)
     order = np.argsort(request.pressures, kind="stable")
@@ -156,7 +156,7 @@ def checked(heights: np.ndarray, size: tuple[float, float], loads: Sequence[floa
     how: further keywords of `solve_map`.
     """
     rest = {name: value for name, value in how.items() if name not in ("film", "counter_film", "hardness", "menisci")}
-    _Asked.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
+    _Request.of(heights, size, how.get("hardness"), loads, periodic, _How.of(**rest), how.get("menisci"))
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ class _How:
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _Request:
     """Store the checked arguments of `solve_map`."""
 
     heights: np.ndarray
@@ -199,7 +199,7 @@ class _Asked:
         return self.how.free and not self.periodic
 
     @classmethod
-    def of(cls, heights, size, hardness, loads, periodic, how, menisci) -> "_Asked":
+    def of(cls, heights, size, hardness, loads, periodic, how, menisci) -> "_Request":
         size = size_in_metres(size)
         loads = np.atleast_1d(np.asarray(loads, dtype=float))
         if loads.ndim != 1 or loads.size == 0 or not (np.isfinite(loads) & (loads > 0.0)).all():
@@ -230,7 +230,7 @@ def usable_map(heights) -> np.ndarray:
     return heights
 
 
-def _rising(request: _Asked, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
+def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
     """Yield the contact at each of the increasing mean pressures.
 
     Each solution starts from the one before.
@@ -280,7 +280,7 @@ def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
     return fine
 
 
-def _contact(request: _Asked, problem: Problem, wetted: Condensed) -> MapContact:
+def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapContact:
     """Return the MapContact of one solved load.
 
     The pressure between the solids is the solved pressure minus the suction of the liquid.

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt, gaussian_filter
 
 from stiction.quantities.errors import InputError, nearest
-from stiction.solvers.boundary_elements.adhesive import Adhering, adhering
+from stiction.solvers.boundary_elements.adhesive import AdhesiveState, adhesive_state
 from stiction.solvers.shear.compliance import ShearCompliance
 from stiction.solvers.shear.minimise import shear
 from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
@@ -69,7 +69,7 @@ def peel_map(
         raise InputError("zeta", zeta, "0 to 1")
     if (np.diff(forces) < 0.0).any() or min(forces) < 0.0:
         raise InputError("forces", list(forces), "0 N or more, in rising order")
-    state = adhering(heights, size, modulus=modulus, load=load, work=work, reach=reach)
+    state = adhesive_state(heights, size, modulus=modulus, load=load, work=work, reach=reach)
     operator = PeriodicShear(compliance, state.gap.shape, state.grid.size)
     found = []
     for force in forces:
@@ -81,8 +81,8 @@ def peel_map(
 
 
 def _at_force(
-    state: Adhering, operator: ShearOperator, force: float, work: float, mode_mixity: str | None, zeta: float
-) -> tuple[Adhering, Peeled]:
+    state: AdhesiveState, operator: ShearOperator, force: float, work: float, mode_mixity: str | None, zeta: float
+) -> tuple[AdhesiveState, Peeled]:
     """Return the contact under a force, starting from the contact under a smaller one."""
     released, left = np.zeros(state.gap.shape), np.ones(state.gap.shape)
     converged, turn = mode_mixity is None or force == 0.0, 0

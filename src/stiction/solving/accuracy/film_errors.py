@@ -15,7 +15,7 @@ import numpy as np
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
-from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, OnMaps, on_a_sphere, on_maps
+from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
 from stiction.solving.accuracy.solved_near import FILM_SCALES, Place
 from stiction.solving.problem import Problem
 
@@ -73,7 +73,7 @@ def _row(head: dict, ranges: Mapping, given: Mapping[str, np.ndarray], ratio: np
     return row | {"error": _ends(ratio - 1.0)} | ({"outside": outside} if outside else {})
 
 
-def _on_maps(problem: Problem, law: str) -> tuple[OnMaps | None, dict[str, np.ndarray]]:
+def _on_maps(problem: Problem, law: str) -> tuple[MapFilmErrors | None, dict[str, np.ndarray]]:
     """Return the errors on solved maps, and the parameters by which they were looked up."""
     groups = problem.groups.resolved()
     if groups.roughness_parameter is None or groups.film_aspect is None:

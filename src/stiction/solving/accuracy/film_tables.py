@@ -27,7 +27,7 @@ MEASURED_ON_MAPS = {"n_E": (0.1, 10.0), "thickness_over_shortest_wave": (0.15, 5
 _MARGIN = 1.001  # of a table's ends, for rounding
 
 
-class OnSphere(NamedTuple):
+class SphereFilmErrors(NamedTuple):
     """Hold the errors of a film law on a sphere, as arrays of one shape.
 
     area: area over the exact area at the same load; load: load over the exact load at the same approach; NaN outside
@@ -38,7 +38,7 @@ class OnSphere(NamedTuple):
     load: np.ndarray
 
 
-class OnMaps(NamedTuple):
+class MapFilmErrors(NamedTuple):
     """Hold the errors of a film law on solved maps, as arrays of one shape.
 
     The ratio is the area over the solved area at the same load: its geometric mean over the maps, and the root mean
@@ -51,7 +51,7 @@ class OnMaps(NamedTuple):
 
 def on_a_sphere(
     law: str, options: Mapping[str, str], n_E: np.ndarray, a_over_t: np.ndarray, thickness_over_radius: np.ndarray
-) -> OnSphere | None:
+) -> SphereFilmErrors | None:
     """Return the errors on a sphere of a film law with its options; None if the law was not measured.
 
     n_E, a_over_t, thickness_over_radius: arrays of one shape.
@@ -64,10 +64,10 @@ def on_a_sphere(
     inside = np.clip(given, *np.transpose([(axis[0], axis[-1]) for axis in table.grid]))
     near = np.abs(given - inside)[..., :2] <= math.log(_MARGIN)  # of thicknesses over radius the nearest is taken
     ratios = np.exp(table(inside)).reshape(*near.shape[:-1], 2)  # of one place too
-    return OnSphere(*np.moveaxis(np.where(near.all(axis=-1)[..., None], ratios, np.nan), -1, 0))
+    return SphereFilmErrors(*np.moveaxis(np.where(near.all(axis=-1)[..., None], ratios, np.nan), -1, 0))
 
 
-def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> OnMaps | None:
+def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np.ndarray) -> MapFilmErrors | None:
     """Return the errors on rough surfaces of a film law with its options; None if the law was not measured.
 
     n_E, thickness: arrays of one shape; thickness: over the shortest wavelength.
@@ -79,7 +79,7 @@ def on_maps(law: str, options: Mapping[str, str], n_E: np.ndarray, thickness: np
     for low, high, thin, thick, mean, rms, _ in rows:
         here = (n_E >= low / _MARGIN) & (n_E <= high * _MARGIN) & (thickness >= thin / _MARGIN) & (thickness <= thick * _MARGIN)
         out[:, here] = [[mean], [rms]]
-    return OnMaps(*out)
+    return MapFilmErrors(*out)
 
 
 def summary(law: str) -> list[dict[str, Any]]:

@@ -30,8 +30,8 @@ from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsN
 from stiction.solving.accuracy.film_errors import on_solved_maps, shares_on_film
 from stiction.solving.accuracy.solved_near import Place
 from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
-from stiction.solving.on_map import OnMap
-from stiction.solving.problem import ClosedForm
+from stiction.solving.on_map import MapProblem
+from stiction.solving.problem import ClosedFormProblem
 from stiction.solving.problem_base import Problem
 from stiction.solving.state import state_of
 
@@ -173,7 +173,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
-    if isinstance(problem, OnMap):
+    if isinstance(problem, MapProblem):
         return _of_solution(problem, load, area, most_points)
     near_none, why = _adhesion(problem, results)
     why = _why_not(problem, column, load.size, most_points) or why
@@ -190,7 +190,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     told = np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
     trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * told, found.levels * told[:, None]
     own = sample = np.zeros(load.size)
-    if isinstance(problem, ClosedForm) and problem.map is not None:
+    if isinstance(problem, ClosedFormProblem) and problem.map is not None:
         own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place, most_points)
     return MeasuredErrors(
         column, error, _widened(found.middle * told, levels, own), np.hypot(relative, own),
@@ -199,7 +199,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     )  # fmt: skip
 
 
-def _of_solution(problem: OnMap, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
+def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
     """Return the errors of a solution on the map itself: the discretisation error and the error of the sample."""
     surface = problem.surface()
     place = Place.of(problem, load, surface)
@@ -271,7 +271,12 @@ def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
-    if found is not None and isinstance(problem, ClosedForm) and problem.map is not None and _map_area(problem.map).solvable:
+    if (
+        found is not None
+        and isinstance(problem, ClosedFormProblem)
+        and problem.map is not None
+        and _map_area(problem.map).solvable
+    ):
         return _none_but_own(found)
     if found is None or place.shape is not None:
         return found

@@ -6,7 +6,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.solving.choice import Choice
-from stiction.solving.on_map import OnMap
+from stiction.solving.on_map import MapProblem
 from stiction.solving.problem import make_problem
 from stiction.solving.sliding_efficiency import (
     LAW_ERROR,
@@ -132,7 +132,7 @@ def _spots_of(sampled: SampledCase) -> MapSpots | None:
     first = sampled.ends()[0]
     try:
         problem = make_problem(first.nominal(_MAP), Choice(_MAP, tangential="none"))
-        assert isinstance(problem, OnMap)
+        assert isinstance(problem, MapProblem)
         share, spread = spread_on_map(problem, sampled.loads)
     except InputError:
         return None

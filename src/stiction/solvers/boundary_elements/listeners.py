@@ -12,7 +12,7 @@ _listeners: list[Callable[[Progress], None]] = []
 
 
 @contextmanager
-def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
+def listening(listener: Callable[[Progress], None]) -> Iterator[None]:
     """Register a progress listener for all map solutions inside a `with` block.
 
     listener: called with each reported Progress.
@@ -24,7 +24,7 @@ def telling(listener: Callable[[Progress], None]) -> Iterator[None]:
         _listeners.remove(listener)
 
 
-def tell(progress: Progress) -> None:
+def notify_listeners(progress: Progress) -> None:
     """Pass the progress of a solver to all registered listeners."""
     for listener in _listeners:
         listener(progress)

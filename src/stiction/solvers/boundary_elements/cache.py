@@ -26,7 +26,7 @@ _TOO_LARGE = 200_000_000  # bytes of one pressure map that is not worth a file
 _OF_FILE = ("pressure", "validity_warnings")  # fields of a contact that are no numbers
 
 
-def solve_kept(
+def solve_cached(
     heights: np.ndarray, size: tuple[float, float], *, modulus: float, loads: Sequence[float], periodic: bool, **how
 ) -> MapContacts:
     """Solve a map as `solve_map` does, but read loads solved before from the cache.

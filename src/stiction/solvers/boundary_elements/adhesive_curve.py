@@ -32,7 +32,7 @@ def shortest_range(surface: "HeightMap", bodies: Bodies, work: float) -> float:
     return math.sqrt(LEAST_POINTS * max(surface.pitch) * near * work)
 
 
-def sticking_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
+def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[float], *, work: float, reach: float) -> MapCurve:
     """Solve an adhesive map at nominal pressures [Pa], in the given order.
 
     Negative pressures pull. Each solution starts from the one before. work: work of adhesion [J/m2]. reach: range of
