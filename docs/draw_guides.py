@@ -11,6 +11,7 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
+from measured_tables import measured_series
 
 import stiction as st
 from stiction.report.prediction_pictures import prediction_figure, validation_panel
@@ -186,10 +187,10 @@ def sphere_shares(loads: np.ndarray, slip: float, residual: float) -> list[float
 
 def measured() -> Figure:
     """Return the prediction beside every measured series of validation/."""
-    entries = [HERE.parent / "validation" / f"{name}.toml" for name in ("dunkin_kim_1996", "silicone_on_pla_2024")]
-    figure, panels = plt.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
-    for axes, entry in zip(panels, entries, strict=True):
-        validation_panel(axes, st.validate(entry))
+    series = measured_series()
+    figure, panels = plt.subplots(1, len(series), figsize=(4.8 * len(series), 4.2), layout="constrained")
+    for axes, data in zip(panels, series, strict=True):
+        validation_panel(axes, data)
     return figure
 
 

@@ -6,6 +6,7 @@
 - combining-laws.md: how asperities that have yielded unload, from the docstring of that module;
 - materials.md: the presets, from their files;
 - calibration.md: how often the interval of a prediction holds, from scores in validation/ (calibration_tables.py);
+- compared-with-measurements.md: the prediction beside measured series (measured_tables.py);
 - interfaces.md: states of an interface and finish classes, from their files (interface_tables.py);
 - truth.md: how far models are from solved surfaces, from the set of these (truth_tables.py);
 - what-mu-rests-on.md: friction of one contact with each assumption switched (what_mu_rests_on.py);
@@ -40,6 +41,7 @@ HERE = Path(__file__).parent
 sys.path.append(str(HERE))
 import calibration_tables  # noqa: E402 - beside this file
 import interface_tables  # noqa: E402 - beside this file
+import measured_tables  # noqa: E402 - beside this file
 import truth_tables  # noqa: E402 - beside this file
 import what_mu_rests_on  # noqa: E402
 from markdown_table import table  # noqa: E402
@@ -344,6 +346,7 @@ TABLES = {
     "explanation/trust.md": {"conditions": conditions, "kinds of warning": kinds_of_warning},
     "explanation/truth.md": truth_tables.TABLES | {"by numbers": calibration_tables.by_numbers},
     "explanation/calibration.md": calibration_tables.TABLES,
+    "explanation/compared-with-measurements.md": measured_tables.TABLES,
     "explanation/what-mu-rests-on.md": {"assumptions switched": what_mu_rests_on.table},
     "reference/materials.md": {"materials": materials, "sources of materials": material_sources},
     "reference/interfaces.md": interface_tables.TABLES,
