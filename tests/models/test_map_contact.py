@@ -402,7 +402,7 @@ def test_a_comparison_has_it_as_one_more_row(contact):
     assert solved.sum() == 5 and solved[:5].all() and (row["range_status"].values[~solved] == 1).all()
     assert (np.diff(row["contact_area"].values[:5]) > 0.0).all()
     numbers = st.compare(contact.as_numbers(), load="2 mN")
-    assert MODEL not in numbers["model"] and "boundary_elements: roughness is not given" in numbers.attrs["not_applicable"]
+    assert MODEL not in numbers["model"] and "boundary_elements: height map is not given" in numbers.attrs["not_applicable"]
 
 
 def test_of_many_points_a_comparison_takes_some(contact, monkeypatch):

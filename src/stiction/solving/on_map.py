@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.contact.contact import Contact
 from stiction.laws.joining import resistances
-from stiction.quantities.errors import InputError, InWords
+from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.records.registry import select_options
 from stiction.solving.point_shear import POINT_SHEARS, points_of
@@ -67,7 +67,7 @@ class MapProblem(Problem):
         """
         if not isinstance(self.subject, Contact) or self.subject.measured is None:
             raise InputError(
-                "roughness", InWords("no height map"), f"a HeightMap, or a scan in a case file: {self.record.key} solves a map"
+                "height map", None, f"roughness = a HeightMap, or a scan in a case file, because {self.record.key} solves it"
             )
         self.subject.require_single(f"one number, where {self.record.key} solves a map")
         return self.subject if self.menisci else self.subject.replace(liquid=None)
