@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from stiction.studies.fit.answer import fitted
-from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.model import forward_model
 from stiction.studies.fit.plan import make_fit_plan
 
 CASE = {
@@ -51,7 +51,7 @@ def coverage(sets: int, seed: int, unknown: bool = False, say=lambda done, held:
         for at in range(sets):
             noise = NOISE * (np.full(len(exact), exact.mean()) if unknown else exact)
             values = exact + noise * rng.standard_normal(len(exact))
-            one = fitted("", forward_of(_plan(Path(folder), values, None if unknown else noise)))
+            one = fitted("", forward_model(_plan(Path(folder), values, None if unknown else noise)))
             for parameter, profile in zip(one.parameters, one.profiles, strict=True):
                 low, high = (float(parameter.at(end)) for end in (profile.low, profile.high))
                 ends[parameter.name].append((low, high))
@@ -61,7 +61,7 @@ def coverage(sets: int, seed: int, unknown: bool = False, say=lambda done, held:
 
 
 def _exact(folder: Path) -> np.ndarray:
-    forward = forward_of(_plan(folder, np.full(len(LOADS), 0.3), np.full(len(LOADS), 0.01)))
+    forward = forward_model(_plan(folder, np.full(len(LOADS), 0.3), np.full(len(LOADS), 0.01)))
     shares = [float(one.share(TRUTH[one.name])) for one in forward.parameters]
     return forward.values(np.array(shares))[0]
 

@@ -69,9 +69,9 @@ PARTS = (
                     "studies/sweep/quantile_counts.py", "case/several.py"),
          (*_tests("several", "quantile_counts", "several", "sweep"),), False),
     Part("uncertainty", ("case/distribution.py", "studies/sensitivity/indices_of_variance.py",
-                         "studies/sensitivity/elasticities.py", "studies/uncertainty/bands.py"),
+                         "studies/sensitivity/log_sensitivities.py", "studies/uncertainty/bands.py"),
          _tests("uncertain", "indices", "uncertain_numbers", "bands", "sensitivity"), False),
-    Part("fits", ("studies/fit/model.py", "studies/fit/answer.py", "studies/fit/bands.py", "studies/fit/evidence.py",
+    Part("fits", ("studies/fit/model.py", "studies/fit/answer.py", "studies/fit/bands.py", "studies/fit/model_comparison.py",
                   "studies/fit/search.py", "case/measurements.py"),
          _tests("fit", "measurements", "fit"), False),
 )  # fmt: skip

@@ -24,8 +24,8 @@ from stiction.studies.case_results import solve_case
 from stiction.studies.fit import run as fit_module
 from stiction.studies.fit.answer import Fitted, _over, _scaled, fitted
 from stiction.studies.fit.bands import draws_of
-from stiction.studies.fit.evidence import Rival, aicc_of, rank
-from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.model import forward_model
+from stiction.studies.fit.model_comparison import ComparedModel, aicc_of, rank
 from stiction.studies.fit.run import _standard_errors, fit, plan_of_fit, run_fit
 from stiction.studies.fit.search import Best, profiles, search
 
@@ -177,7 +177,7 @@ def test_the_profile_is_that_of_other_searches(series):
     error = 0.01 * exact()
     values = exact() + error * np.random.default_rng(8).standard_normal(LOADS.size)
     plan = plan_of_fit(case(free=BOTH), series(values, error))
-    one = fitted("", forward_of(plan))
+    one = fitted("", forward_model(plan))
     least = (one.residuals()(one.best.shares[None, :]) ** 2).sum()
 
     for at, profile in enumerate(one.profiles):
@@ -258,7 +258,7 @@ def test_rows_of_several_samples_are_each_asked_for_as_they_are(tmp_path):
         "contact_area_error [m^2]": [1e-9] * n,
     }  # fmt: skip
     free = {STRENGTH: {"low": "10 MPa", "high": "2 GPa", "each_sample": True}, ADHESION: BOTH[ADHESION]}
-    forward = forward_of(plan_of_fit(case(free=free), written(tmp_path / "measured.csv", rows)))
+    forward = forward_model(plan_of_fit(case(free=free), written(tmp_path / "measured.csv", rows)))
     shares = rng.uniform(0.2, 0.8, (2, len(forward.parameters)))
     found = forward.values(shares)
     rough = parse_case({key: table for key, table in case().items() if key != "fit"}).subject.roughness
@@ -373,7 +373,7 @@ def test_models_are_ranked_by_evidence(series):
 
 def test_akaikes_criterion_where_errors_are_not_given(series):
     values = exact() + 0.01 * np.random.default_rng(6).standard_normal(LOADS.size)
-    one = fitted("", forward_of(plan_of_fit(case(), series(values))))
+    one = fitted("", forward_model(plan_of_fit(case(), series(values))))
     said = one.forward.values(one.best.shares)[0]
     scale = (0.05 * values.max()) ** 2  # of the residuals: the same for all models
     by_hand = 8 * np.log(((values - said) ** 2).sum() / scale / 8) + 4 + 12 / 5
@@ -404,7 +404,7 @@ def test_values_left_out_are_predicted_from_all_others(series):
 
 
 def test_weights_of_akaike():
-    ranked = rank([Rival("b", object(), 12.0), Rival("none", None), Rival("a", object(), 10.0)])
+    ranked = rank([ComparedModel("b", object(), 12.0), ComparedModel("none", None), ComparedModel("a", object(), 10.0)])
     assert [one.name for one, _ in ranked] == ["a", "b", "none"]
     np.testing.assert_allclose([weight for _, weight in ranked], [1 / (1 + np.exp(-1)), np.exp(-1) / (1 + np.exp(-1)), 0.0])
 

@@ -13,7 +13,7 @@ from stiction.case.read import parse_case
 from stiction.case.text import as_toml
 from stiction.contact.interfaces import Interface, interface
 from stiction.quantities.errors import InputError
-from stiction.studies.sensitivity.elasticities import elasticities
+from stiction.studies.sensitivity.log_sensitivities import log_sensitivities
 
 ROUGHNESS = {"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"}
 STEEL = {"youngs_modulus": "210 GPa", "poissons_ratio": 0.3, "hardness": "3 GPa", "material_class": "metal"}
@@ -175,7 +175,7 @@ def test_mu_is_proportional_to_the_median_of_a_state_by_its_elasticities():
     """An elastic area knows no hardness, and an oxide's strength is a share of it."""
     elastic = CASE.format(state='"oxidised metal"').replace('"0.2 um"', '"5 nm"').replace('"1 N"', '"0.01 N"')
     case = parse_case(tomllib.loads(elastic))
-    found = elasticities(case, case.choice)
+    found = log_sensitivities(case, case.choice)
     slopes = dict(zip(found.names, found.tables["friction_coefficient"].ravel(), strict=True))
     assert slopes["first.hardness"] + slopes["second.hardness"] == pytest.approx(1.0, abs=1e-6)
 

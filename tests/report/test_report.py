@@ -22,7 +22,7 @@ from stiction.report import html_report
 from stiction.report.html_report import as_html, case_as_html, write_report
 from stiction.report.html_words import letters
 from stiction.report.prediction_pictures import prediction_figure
-from stiction.studies.findings import find_out
+from stiction.studies.report_data import collect_report_data
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 # Without a working load nothing is compared: the quickest report there is.
@@ -226,7 +226,7 @@ def test_a_scan_is_told_with_what_was_done_to_it(tmp_path):
     text += '[contact.roughness]\nfirst = { file = "ground.npy", size = "20 um", unit = "m" }\nlongest = "15 um"\n'
     case = small(tmp_path, text + '[solve]\nseparation = [3.5]\nmodel = "greenwood_williamson_1966"\ntangential = "none"\n')
     read = st.read_case(case)
-    html = as_html(replace_without_comparison(find_out(read, case.read_text())), "case.toml", "stiction report")
+    html = as_html(replace_without_comparison(collect_report_data(read, case.read_text())), "case.toml", "stiction report")
     page = Page(html)
     check_form(html, page)
     for words in ("ground.npy", "levelled: least-squares plane removed", "15 µm", "Measured surfaces", read.measured.method):

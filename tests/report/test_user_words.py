@@ -16,7 +16,7 @@ from stiction.report.views.comparison import run_command
 from stiction.report.views.run import uncertain_notes
 from stiction.report.views.sensitivity import sensitivity_notes
 from stiction.studies.case_results import film_of_case
-from stiction.studies.findings import find_out
+from stiction.studies.report_data import collect_report_data
 from stiction.web.fields import example_cases
 
 
@@ -85,5 +85,5 @@ def test_uncertain_inputs_that_a_model_does_not_take_do_not_change_its_answer():
     case = _case(model="soft_coating_2015")
     case["contact"] = case["contact"] | strength
     case["uncertainty"] = {"count": 64}
-    said = answer_in_words(find_out(parse_case(case)))
+    said = answer_in_words(collect_report_data(parse_case(case)))
     assert "the uncertain inputs give 0.065" in said

@@ -11,7 +11,7 @@ from refusals import refusal
 from stiction.case.case_tables import json_schema
 from stiction.case.read import parse_case
 from stiction.case.text import as_toml
-from stiction.studies.sensitivity.elasticities import elasticities
+from stiction.studies.sensitivity.log_sensitivities import log_sensitivities
 
 ENDS = 2 * stats.norm.ppf(0.95)
 
@@ -171,7 +171,7 @@ def test_a_case_states_it(rough):
     assert numbers(again.subject.roughness) == numbers(case.subject.roughness)
     assert again.subject.roughness.unknowns == case.subject.roughness.unknowns != ()
     assert any("as of a ground surface: h' 0.11 (90 % within 0.05 to 0.25, grade C)" in line for line in case.subject.remarks())
-    assert np.isfinite(elasticities(case, case.choice).tables["friction_coefficient"]).any()
+    assert np.isfinite(log_sensitivities(case, case.choice).tables["friction_coefficient"]).any()
 
 
 def test_heights_of_a_case_that_are_several_or_lack_a_unit():

@@ -211,7 +211,7 @@ def test_the_command_writes_its_files_and_json(tmp_path):
 
 def test_the_error_of_an_elasticity_is_what_the_extrapolation_changes():
     """ln y = 2 s + 7 s^3, s = ln x: the narrower difference is off by 7 (width/2)^2, the extrapolated one by nothing."""
-    from stiction.studies.sensitivity.elasticities import _STENCIL, _WIDTH, _slopes
+    from stiction.studies.sensitivity.log_sensitivities import _STENCIL, _WIDTH, _slopes
 
     y = np.exp(2.0 * _STENCIL + 7.0 * _STENCIL**3)
     slope, error = _slopes(y, 1)
@@ -220,7 +220,7 @@ def test_the_error_of_an_elasticity_is_what_the_extrapolation_changes():
 
 def test_numbers_are_those_that_were_given():
     from stiction.case.read import parse_case
-    from stiction.studies.sensitivity.elasticities import numbers_of
+    from stiction.studies.sensitivity.log_sensitivities import numbers_of
 
     assert set(numbers_of(parse_case({"indices": {"theta": 40, "lam": 10}, "solve": {"load": [0.01]}}))) == {"theta", "lam"}
     of_presets = numbers_of(parse_case({"contact": {**ADHESIVE, "first": "silver", "second": "gold"}, "solve": SOLVE}))

@@ -17,7 +17,7 @@ import stiction.web
 from cases import of_one_model
 from stiction.quantities.errors import InputError
 from stiction.report.html_report import report_record
-from stiction.studies.findings import find_out
+from stiction.studies.report_data import collect_report_data
 from stiction.web.background import Progress
 from stiction.web.chart_layout import fitted
 from stiction.web.charts import chart, curve_chart, line
@@ -154,7 +154,7 @@ def test_the_report_is_stopped(answer):
 def test_mu_has_the_same_digits_on_the_page_and_in_the_report(answer):
     at = answer.middle()
     load = float(answer.curve["load"].values[at])
-    found = find_out(answer.case, load=load)
+    found = collect_report_data(answer.case, load=load)
     said = report_record(found)
     number, where = headline(answer, at)
     assert number == f"mu ≈ {said['friction_coefficient_rounded']}"

@@ -47,9 +47,9 @@ def _add_command(folder: str, study: Study) -> None:
         arguments["options"] = context.meta.get(OPTIONS, {})
         with busy("Reading the case"):
             plan = study.plan(**{name: arguments[name] for name in own})
-        if "tell" in inspect.signature(study.run).parameters:
-            with progress_text() as tell:
-                result = study.run(plan, tell)
+        if "callback" in inspect.signature(study.run).parameters:
+            with progress_text() as callback:
+                result = study.run(plan, callback)
         else:
             result = study.run(plan, bar)
         place = f"stiction.report.views.{folder}"

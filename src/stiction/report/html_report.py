@@ -28,7 +28,7 @@ from stiction.report.report_answer import answer_in_words, headline, interval_of
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
-from stiction.studies.findings import ReportData, find_out, text_of_file
+from stiction.studies.report_data import ReportData, collect_report_data, text_of_file
 
 if TYPE_CHECKING:
     from stiction.case.arguments import CaseLike
@@ -120,7 +120,7 @@ def write_report(
         text, name = text_of_file(Path(case)), Path(case).name
     elif not isinstance(case, Case):
         text = as_toml(case)
-    findings = find_out(read, text, load=load, progress=progress)
+    findings = collect_report_data(read, text, load=load, progress=progress)
     write_html(Path(path), as_html(findings, name, say.command(name, load, ranges), progress))
     return report_record(findings)
 
@@ -130,7 +130,7 @@ def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progr
 
     text: content of the case file. Raises InputError if the case is invalid.
     """
-    return as_html(find_out(case, text, progress=progress), name, say.command(name, None, None), progress)
+    return as_html(collect_report_data(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:

@@ -13,7 +13,7 @@ from stiction.report.honest_digits import rounded
 from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.findings import ReportData
+from stiction.studies.report_data import ReportData
 
 if TYPE_CHECKING:
     import xarray

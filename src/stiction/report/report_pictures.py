@@ -22,7 +22,7 @@ from stiction.report.several_pictures import several_figure
 from stiction.report.several_tables import shown_quantity
 from stiction.report.share_pictures import part_in_words, share_figure, shares_of, stacks
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
-from stiction.studies.findings import ReportData
+from stiction.studies.report_data import ReportData
 
 if TYPE_CHECKING:
     import xarray

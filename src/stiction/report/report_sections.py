@@ -27,7 +27,7 @@ from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
 from stiction.report.views.run import draws_in_words, in_draws, with_meaning
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.findings import ReportData, places_in
+from stiction.studies.report_data import ReportData, places_in
 
 if TYPE_CHECKING:
     from stiction.case.uncertain import Uncertain

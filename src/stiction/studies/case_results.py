@@ -76,7 +76,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     choice = choice_of_case(case, choice)
     data = solve(case.subject, separation=case.separation, load=case.load, **choice.arguments())
     data = with_bands(data, case, choice, progress("Sampling uncertain inputs"))
-    return with_groups(_said(data, case), case.with_surface_moments(choice.model_key).subject)
+    return with_groups(_with_notes(data, case), case.with_surface_moments(choice.model_key).subject)
 
 
 def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
@@ -89,7 +89,7 @@ def film_of_case(case: Case, choice: Choice) -> "xarray.Dataset":
     require_film(case.subject)
     case.subject.require_single("a single value; film stresses are computed for one contact per case")
     subject = case.with_surface_moments(choice.model_key).subject
-    return _said(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
+    return _with_notes(film_stresses(subject, separation=case.separation, load=case.load, **choice.arguments()), case)
 
 
 def slide_case(
@@ -146,7 +146,7 @@ def slide_case(
         subject, **points, residual_strength=residual_strength, weakening_slip=weakening_slip,
         spring_stiffness=spring_stiffness, tangential_force=tangential_force, **arguments,
     )  # fmt: skip
-    return _said(data, case).assign_attrs(case.subject.groups())
+    return _with_notes(data, case).assign_attrs(case.subject.groups())
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
@@ -208,10 +208,10 @@ def compare_case(case: "CaseLike", load: "QuantityLike | None" = None, progress:
     False
     """
     case = as_case(case)
-    return _said(compare(case.subject, load=load, progress=progress("Comparing the models")), case)
+    return _with_notes(compare(case.subject, load=load, progress=progress("Comparing the models")), case)
 
 
-def _said(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
+def _with_notes(data: "xarray.Dataset", case: Case) -> "xarray.Dataset":
     """Return the dataset with the title of the case and the version of the program as attributes."""
     title = {"case": case.title} if case.title else {}
     return data.assign_attrs(title, program=f"stiction {__version__}")

@@ -21,7 +21,7 @@ class Study:
       the command. Shared ones need no description: load, ranges, model, ..., `out` (folder for results, or None) and
       `options` (those of models and laws).
     - run(plan, progress): computes the results and returns the arguments of the view, a function FOLDER_view in
-      report/views/FOLDER.py, or a single dataset. If it has a parameter `tell` instead of `progress`, it receives a
+      report/views/FOLDER.py, or a single dataset. If it has a parameter `callback` instead of `progress`, it receives a
       function that shows a text as progress.
     """
 

@@ -17,7 +17,7 @@ from stiction.studies.design.plan import quantity_of
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.design.run import Designing
+    from stiction.studies.design.run import DesignSearch
 
 
 _ROWS = 12
@@ -91,7 +91,7 @@ def _which(data: "xarray.Dataset", row: int) -> str:
     return f" ({', '.join(map(str, taken)) or f'design {row + 1}'})" if data.sizes["design"] > 1 else ""
 
 
-def design_view(design: "Designing", folder: Path | None = None) -> View:
+def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
     """Return the view of a design study.
 
     folder: output folder, to which paths in the designed case file are relative; None writes no case file.

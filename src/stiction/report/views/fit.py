@@ -18,7 +18,7 @@ from stiction.studies.fit.predicted import fitted_case
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.fit.run import Fitting
+    from stiction.studies.fit.run import FitResult
 
 
 def parameter_table(data: "xarray.Dataset") -> Table:
@@ -84,7 +84,7 @@ def prediction_names(data: "xarray.Dataset") -> list[str]:
 _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
-def fit_view(fit: "Fitting | tuple[Any, ...]", folder: Path | None = None) -> View:
+def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> View:
     """Return the view of a fit.
 
     fit: a fit, or (path of the case, case, prediction with measured friction, whether to show details). folder: output

@@ -41,7 +41,7 @@ class ErrorsNear(NamedTuple):
 
     levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces. relative: root mean square of A/solved A - 1. middle:
     mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
-    stated. distance: distance of the nearest surface. told: fraction of the total weight on surfaces where the model has a
+    stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model has a
     result. surfaces: number of surfaces with a noticeable weight. nearest: the feature in which the nearest surface differs
     most.
     """
@@ -50,7 +50,7 @@ class ErrorsNear(NamedTuple):
     relative: np.ndarray
     middle: np.ndarray
     distance: np.ndarray
-    told: np.ndarray
+    coverage: np.ndarray
     surfaces: np.ndarray
     nearest: np.ndarray
 
@@ -170,7 +170,7 @@ def _averaged(
     ranked = mine & presumed
     answered = np.atleast_1d(ranked.any(axis=1))
     weights, ranks = _weights(squared, np.ones_like(mine)), _weights(squared, ranked)
-    told = np.divide((weights * there).sum(axis=1), (weights * asked).sum(axis=1), out=np.zeros(len(known)), where=answered)
+    coverage = np.divide((weights * there).sum(axis=1), (weights * asked).sum(axis=1), out=np.zeros(len(known)), where=answered)
     count = np.where(answered, np.count_nonzero(mine & (weights > _COUNTED), axis=1), 0)
     weights, ranks = np.where(mine, weights * there, 0.0), ranks * there
     values = np.where(mine, found, 0.0)
@@ -184,7 +184,7 @@ def _averaged(
     words = np.full(len(known), "", dtype=object)
     for point in np.flatnonzero((least > 1.0) & np.isfinite(least)).tolist():
         words[point] = nearest_in_words(apart, point, int(nearest[point]))
-    return ErrorsNear(levels, relative, middle, np.sqrt(least), told, count, words.astype(str))
+    return ErrorsNear(levels, relative, middle, np.sqrt(least), coverage, count, words.astype(str))
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:

@@ -184,16 +184,16 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     if found is None:
         kind = "" if place.kind is None else f" on {place.kind} surfaces"
         return _unknown(column, load.size, f"this model was not compared with solved surfaces{kind}")
-    far = ~(found.distance <= FAR) | ~(found.told > _LEAST_TOLD)
+    far = ~(found.distance <= FAR) | ~(found.coverage > _LEAST_TOLD)
     relative, error = (np.where(far, np.nan, one) for one in (found.relative, found.middle))
     why = _far(found.distance[far], found.nearest[far]) if far.any() else ""
-    told = np.clip((found.told - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
-    trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * told, found.levels * told[:, None]
+    coverage = np.clip((found.coverage - _LEAST_TOLD) / (0.5 * _LEAST_TOLD), 0.0, 1.0)
+    trust, levels = np.clip(FAR - found.distance, 0.0, 1.0) * coverage, found.levels * coverage[:, None]
     own = sample = np.zeros(load.size)
     if isinstance(problem, ClosedFormProblem) and problem.map is not None:
         own, sample = _own_error(problem.map, _share(problem, area)), _sample_error(problem.map, place, most_points)
     return MeasuredErrors(
-        column, error, _widened(found.middle * told, levels, own), np.hypot(relative, own),
+        column, error, _widened(found.middle * coverage, levels, own), np.hypot(relative, own),
         _of_friction(problem, results, error), found.distance, found.surfaces, trust * near_none,
         sample, why, found.nearest, place.kind_known, place.kind,
     )  # fmt: skip
@@ -306,7 +306,7 @@ def _none_but_own(found: ErrorsNear) -> ErrorsNear:
     """Return errors of zero at distance zero, for a solution whose only errors are its own."""
     nothing = np.zeros_like(found.distance)
     each = {name: nothing for name in ("relative", "middle", "distance")}
-    return found._replace(**each, levels=np.zeros_like(found.levels), told=nothing + 1.0)
+    return found._replace(**each, levels=np.zeros_like(found.levels), coverage=nothing + 1.0)
 
 
 def _unknown(column: str, points: int, why: str) -> MeasuredErrors:

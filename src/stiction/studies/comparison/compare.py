@@ -106,11 +106,11 @@ def compare(
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
     """Return the comparison without the range over asperity methods."""
     h = SEPARATIONS if separations is None else _separations(separations)
-    target = None if load is None else _pressing(contact, load, "load")
+    target = None if load is None else _compressive_load(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # which never pull
-    situation = _Situation(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
-    answers = [_ask(situation, candidate) for candidate in progress(candidates(contact))]
+    situation = _Comparison(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
+    answers = [_solve_candidate(situation, candidate) for candidate in progress(candidates(contact))]
     return _dataset(contact, answers, target)
 
 
@@ -144,7 +144,7 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 
 
 @dataclass(frozen=True)
-class _Situation:
+class _Comparison:
     """The points at which all models are evaluated, in the units of the contact.
 
     h: separations over the height deviation sigma that each model uses, (points,); loads: (1, points), for theories without
@@ -183,7 +183,7 @@ class _Answer:
     - curve: results (points,) by name; range_status: WITHIN, OUTSIDE or IMPOSSIBLE for each point
     - at_load: results at the working load, None if the model cannot carry it
     - outside: validity warnings at the working load, or of the curve without one
-    - told: values for the names in _TEXTS and _NUMBERS
+    - attributes: values for the names in _TEXTS and _NUMBERS
     - dry: whether the model ignores the liquid of the contact
     - why_not: the reason for missing results, or for missing friction
     """
@@ -193,7 +193,7 @@ class _Answer:
     range_status: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     at_load: dict[str, float] | None = None
     outside: list[ValidityWarning] = field(default_factory=list)
-    told: dict[str, Any] = field(default_factory=dict)
+    attributes: dict[str, Any] = field(default_factory=dict)
     dry: bool = False
     sources: list[str] = field(default_factory=list)
     why_not: str = ""
@@ -213,7 +213,7 @@ class _Answer:
         return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(texts[:2])}{more}{dry}"
 
 
-def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
+def _solve_candidate(situation: _Comparison, candidate: Candidate) -> _Answer:
     """Return the results of one model, or the reason why it has none."""
     answer = _Answer(candidate)
     try:
@@ -230,15 +230,15 @@ def _ask(situation: _Situation, candidate: Candidate) -> _Answer:
         answer.why_not = "it computes contact only; state an interfacial_shear_strength for friction"
     rows = {name: table[None, :] for name, table in curve.items()}
     at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
-    answer.told = _of_laws(problem)
+    answer.attributes = _of_laws(problem)
     if at_load or situation.target is None:  # of a load that is not carried there is no validity warning
         answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
-        answer.told |= film_errors.as_attributes(problem, at_load or rows)
+        answer.attributes |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
     answer.curve = _in_units(problem, curve)
     answer.range_status = points_outside(problem, rows)
     if at_load:
-        answer.told |= _measured(measured_error.measured_errors(problem, at_load))
+        answer.attributes |= _measured(measured_error.measured_errors(problem, at_load))
         answer.at_load = {name: float(table[0, 0]) for name, table in _in_units(problem, at_load).items()}
     return answer
 
@@ -271,7 +271,7 @@ def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.
     return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
 
 
-def _curve(problem: Problem, situation: _Situation) -> dict[str, np.ndarray]:
+def _curve(problem: Problem, situation: _Comparison) -> dict[str, np.ndarray]:
     """Return normalised results (points,) along the separations, or along the loads for theories without separations."""
     if problem.needs_load:
         loads = problem.few_of(situation.loads / problem.subject.scales().factors()["N"])
@@ -327,8 +327,8 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
         single = {name: np.array([(answer.at_load or {}).get(name, np.nan) for answer in shown]) for name in RESULTS}
         at_load = labelled(contact, single, as_it_is, {"model": len(shown)}, {"model": data["model"]})
         data = data.merge(at_load.rename({name: f"{name}_at_load" for name in RESULTS}))
-    numbers = {name: np.array([answer.told.get(name, np.nan) for answer in shown]) for name in _NUMBERS}
-    texts = {name: [answer.told.get(name, nothing) for answer in shown] for name, nothing in _TEXTS.items()} | {
+    numbers = {name: np.array([answer.attributes.get(name, np.nan) for answer in shown]) for name in _NUMBERS}
+    texts = {name: [answer.attributes.get(name, nothing) for answer in shown] for name, nothing in _TEXTS.items()} | {
         "outside_validity": ["; ".join(warning.short for warning in answer.outside) for answer in shown],
         "validity_warnings": [as_attributes(answer.outside)["validity_warnings"] for answer in shown],
         "status": [answer.status for answer in shown],
@@ -375,12 +375,12 @@ def working_load(case: "Case", given: str | None) -> float | None:
     """
     case.subject.require_single(_ONE)
     if given is not None:
-        return _pressing(case.subject, given, "--load")
+        return _compressive_load(case.subject, given, "--load")
     loads, index = pressing_loads(case)
     return float(loads[index]) if loads.size else None
 
 
-def _pressing(subject: Subject, given: Any, field: str) -> float:
+def _compressive_load(subject: Subject, given: Any, field: str) -> float:
     """Return the given load, in N for a Contact, dimensionless for Indices.
 
     Raises InputError unless it is a single load above 0.

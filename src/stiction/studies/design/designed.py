@@ -19,12 +19,12 @@ from stiction.studies.design.space import TOLERANCE
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.studies.design.run import Designing
+    from stiction.studies.design.run import DesignSearch
 
 _SHOWN = 200  # designs of a front at most
 
 
-def dataset_of(search: "Designing") -> "xarray.Dataset":
+def dataset_of(search: "DesignSearch") -> "xarray.Dataset":
     import xarray
 
     best = search.best()
@@ -39,7 +39,7 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
         chosen = front[spread_rows(len(front), _SHOWN)]
         more = {f"pareto_{name}": column for name, column in _columns(search, chosen, "pareto").items()}
         data = data.merge(xarray.Dataset(more, coords={"pareto": np.arange(len(chosen))}))
-    _, objectives, worst, _ = search.archive.table()
+    _, objectives, worst, _ = search.evaluations.table()
     good = np.where(worst <= TOLERANCE, objectives[:, 0], np.inf)
     every = _columns(search, np.arange(len(worst)), "evaluated")
     data = data.merge(xarray.Dataset({f"evaluated_{name}": column for name, column in every.items()}))
@@ -51,12 +51,12 @@ def dataset_of(search: "Designing") -> "xarray.Dataset":
     return data.assign_attrs(_attributes(search, best))
 
 
-def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tuple]:
+def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, tuple]:
     """Return choices, results and constraint violations of some evaluated designs as dataset variables.
 
-    rows: indices of the designs in the archive; along: name of the dimension.
+    rows: indices of the designs among all evaluated ones; along: name of the dimension.
     """
-    shares, _, worst, known = search.archive.table()
+    shares, _, worst, known = search.evaluations.table()
     shares, worst = shares[rows], worst[rows]
     columns: dict[str, tuple] = {}
     for at, one in enumerate(search.plan.unknowns):
@@ -80,17 +80,17 @@ def _columns(search: "Designing", rows: np.ndarray, along: str) -> dict[str, tup
     return columns
 
 
-def _violated(search: "Designing", rows: np.ndarray) -> np.ndarray:
+def _violated(search: "DesignSearch", rows: np.ndarray) -> np.ndarray:
     """Return for each of these designs the constraints that it violates, one a line; "" if it meets all.
 
-    rows: indices of the designs in the archive.
+    rows: indices of the designs among all evaluated ones.
     """
-    shares, _, worst, _ = search.archive.table()
+    shares, _, worst, _ = search.evaluations.table()
     return np.array(["\n".join(search.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
 
 
-def _attributes(search: "Designing", best: np.ndarray) -> dict[str, Any]:
-    _, _, worst, known = search.archive.table()
+def _attributes(search: "DesignSearch", best: np.ndarray) -> dict[str, Any]:
+    _, _, worst, known = search.evaluations.table()
     plan = search.plan
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
     return {
@@ -101,7 +101,7 @@ def _attributes(search: "Designing", best: np.ndarray) -> dict[str, Any]:
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
-        "evaluated": search.archive.count,
+        "evaluated": search.evaluations.count,
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
         "verdict": "" if worst[best[0]] <= TOLERANCE else "no design meets all limits; the nearest one is shown",
@@ -117,10 +117,10 @@ def _uncertain(plan: DesignPlan) -> str:
     return ", ".join([*own, *ranges])
 
 
-def designed_case(search: "Designing", out: Path) -> str:
+def designed_case(search: "DesignSearch", out: Path) -> str:
     plan = search.plan
     best = int(search.best()[0])
-    shares, _, worst, known = search.archive.table()
+    shares, _, worst, known = search.evaluations.table()
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:

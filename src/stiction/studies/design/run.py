@@ -16,7 +16,7 @@ from stiction.case.read import tables_of
 from stiction.quantities.inputs import require_callable
 from stiction.studies.design.designed import dataset_of, designed_case
 from stiction.studies.design.plan import DesignPlan, make_design_plan
-from stiction.studies.design.space import TOLERANCE, Answers, Space
+from stiction.studies.design.space import TOLERANCE, DesignSpace, Evaluated
 from stiction.studies.design.work import (
     FEW,
     FRONT,
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from stiction.case.arguments import CaseFile
 
 # Called with the number of evaluated designs, and a text on how many there will be at most and how long they take.
-Tell = Callable[[int, str], None]
+Callback = Callable[[int, str], None]
 _FIRST_STEP, _SHRUNK = 0.3, 0.6  # standard deviation of the steps from a front, over the ends; of each round over the last
 _ALIKE = 1e-10  # range of a population at which a search ends
 _QUIET, _QUIET_OF_DRAWS = 8, 4  # generations without gain at which a search ends, of a model and of a prediction
@@ -47,7 +47,7 @@ _BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks
 
 
 @dataclass
-class Archive:
+class EvaluationLog:
     """Record every evaluated design; each list has one entry for each batch of n designs.
 
     shares (n, d): position of each of d choices between its ends or along its list, 0 to 1. objectives (n, 1 or 2), lower is
@@ -68,15 +68,15 @@ class Archive:
 
 
 @dataclass
-class Designing:
+class DesignSearch:
     """Hold the state of a design search: its plan, its evaluator of designs, and all designs so far.
 
     stopped: whether the search was interrupted. started: clock time at its begin, in seconds.
     """
 
     plan: DesignPlan
-    space: Space
-    archive: Archive = field(default_factory=Archive)
+    space: DesignSpace
+    evaluations: EvaluationLog = field(default_factory=EvaluationLog)
     stopped: bool = False
     started: float = field(default_factory=time.monotonic)
 
@@ -88,24 +88,24 @@ class Designing:
     @property
     def work_left(self) -> str:
         """Return the largest number of designs to evaluate, and the time that those left take, as text."""
-        count = self.archive.count
+        count = self.evaluations.count
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
         return f"of at most {self.most}{minutes}"
 
     def best(self, number: int = 0) -> np.ndarray:
-        """Return the archive indices of the best design for each combination of list entries, the best first.
+        """Return the index of the best design for each combination of list entries, the best first.
 
-        number: index of the objective. Where no design meets the constraints, those with the least violation come first.
+        Indices count all evaluated designs. number: index of the objective. Where no design meets the constraints, those with the least violation come first.
         """
-        shares, objectives, worst, _ = self.archive.table()
+        shares, objectives, worst, _ = self.evaluations.table()
         order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
-        _, first = np.unique(self.space.way(shares[order]), axis=0, return_index=True)
+        _, first = np.unique(self.space.combination(shares[order]), axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
-        """Return the archive indices of the Pareto front of the designs that meet the constraints."""
-        _, objectives, worst, _ = self.archive.table()
+        """Return the indices, among all evaluated designs, of the Pareto front of the designs that meet the constraints."""
+        _, objectives, worst, _ = self.evaluations.table()
         return _front(objectives, worst)
 
     def data(self) -> "xarray.Dataset":
@@ -116,14 +116,14 @@ class Designing:
         return designed_case(self, out)
 
 
-def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarray.Dataset":
+def design(case: "CaseFile", *, callback: Callback = lambda count, text: None) -> "xarray.Dataset":
     """Search the design that best meets an objective and satisfies all constraints.
 
     Parameters
     ----------
     case : path, or dict like a case file
         Case with a table [design].
-    tell : callable
+    callback : callable
         Called with the number of evaluated designs, and a text: their largest number, and the time left if it exceeds 90 s.
 
     Returns
@@ -151,8 +151,8 @@ def design(case: "CaseFile", *, tell: Tell = lambda count, text: None) -> "xarra
     >>> best.sizes["design"]
     1
     """
-    require_callable(tell, "tell")
-    return run_design(plan_of_design(case), tell, keep_on_interrupt=False).data()
+    require_callable(callback, "callback")
+    return run_design(plan_of_design(case), callback, keep_on_interrupt=False).data()
 
 
 def plan_of_design(case: Any) -> DesignPlan:
@@ -160,61 +160,61 @@ def plan_of_design(case: Any) -> DesignPlan:
     return make_design_plan(*tables_of(case))
 
 
-def run_design(plan: DesignPlan, tell: Tell, keep_on_interrupt: bool = True) -> Designing:
+def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = True) -> DesignSearch:
     """Run the design search of a plan and return its final state.
 
     An interruption (Ctrl-C) after the first designs returns the state so far, unless keep_on_interrupt is False.
     """
-    found = Designing(plan, Space(plan))
+    found = DesignSearch(plan, DesignSpace(plan))
     try:
-        _ask(found, first_designs(found), tell)
+        _evaluate(found, first_designs(found), callback)
         if len(plan.objectives) == 2 and found.space.is_predicted:
-            _spread(found, tell)
+            _spread(found, callback)
             return found
         for number in range(len(plan.objectives)):
-            _searched(found, number, None, tell)
-            _refined(found, number, tell)
+            _searched(found, number, None, callback)
+            _refined(found, number, callback)
         if len(plan.objectives) == 2:
-            _search_front(found, tell)
+            _search_front(found, callback)
     except KeyboardInterrupt:
-        if not keep_on_interrupt or not found.archive.count:
+        if not keep_on_interrupt or not found.evaluations.count:
             raise
         found.stopped = True
     return found
 
 
-def _ask(search: Designing, shares: np.ndarray, tell: Tell) -> Answers:
-    """Evaluate designs and add them to the archive.
+def _evaluate(search: DesignSearch, shares: np.ndarray, callback: Callback) -> Evaluated:
+    """Evaluate designs and add them to the log.
 
     shares (n, d): position of each of d choices between its ends or along its list, 0 to 1.
     """
-    answers, archive = search.space.answers(shares), search.archive
-    archive.shares.append(shares.copy())
-    archive.objectives.append(answers.objectives)
-    archive.worst.append(answers.worst)
-    archive.known.append(answers.known)
-    archive.count += len(shares)
-    tell(archive.count, search.work_left)
+    answers, evaluations = search.space.answers(shares), search.evaluations
+    evaluations.shares.append(shares.copy())
+    evaluations.objectives.append(answers.objectives)
+    evaluations.worst.append(answers.worst)
+    evaluations.known.append(answers.known)
+    evaluations.count += len(shares)
+    callback(evaluations.count, search.work_left)
     return answers
 
 
-def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell) -> None:
+def _searched(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
     """Search one objective by differential evolution (Storn & Price 1997).
 
     number: index of the objective. ceiling: upper bound of the other objective. Designs that meet all constraints rank before
     all others (Deb 2000). The search continues from the best known designs, once for each of the best combinations of list
     entries.
     """
-    if not search.plan.free and search.archive.count:
+    if not search.plan.free and search.evaluations.count:
         return  # every design was asked
     from scipy.optimize import differential_evolution
 
-    rng = np.random.default_rng([search.plan.seed, search.archive.count])
+    rng = np.random.default_rng([search.plan.seed, search.evaluations.count])
     for members in _seeds(search, number, ceiling, rng):
         ends = np.tile([0.0, 1.0], (members.shape[1], 1))
         ends[search.space.named] = members[0, search.space.named, None]
         differential_evolution(
-            lambda shares: _cost(search, number, ceiling, shares.T, tell),
+            lambda shares: _cost(search, number, ceiling, shares.T, callback),
             ends,
             strategy="randtobest1bin",
             maxiter=search.plan.effort if ceiling is None else front_generations(search),
@@ -230,16 +230,16 @@ def _searched(search: Designing, number: int, ceiling: float | None, tell: Tell)
         )
 
 
-def _ends(search: Designing, number: int) -> "_Quiet":
+def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
     """Return the stopping rule for the search of one objective."""
     if not search.space.is_predicted:
-        return _Quiet(_GAIN, _QUIET)
+        return _StopWithoutGain(_GAIN, _QUIET)
     met = _MET * abs(search.plan.targets[number]) if search.plan.objectives[number].target else -np.inf
-    return _Quiet(_GAIN_OF_DRAWS, _QUIET_OF_DRAWS, met)
+    return _StopWithoutGain(_GAIN_OF_DRAWS, _QUIET_OF_DRAWS, met)
 
 
 @dataclass
-class _Quiet:
+class _StopWithoutGain:
     """Stopping rule of differential evolution, called after each generation; True stops the search.
 
     It stops if no member of the population improved for more than `most` generations, or if the lowest cost is at most `met`.
@@ -259,13 +259,13 @@ class _Quiet:
         return bool(self.generations > self.most or now[0] <= self.met)
 
 
-def _cost(search: Designing, number: int, ceiling: float | None, shares: np.ndarray, tell: Tell) -> np.ndarray:
+def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.ndarray, callback: Callback) -> np.ndarray:
     """Return the cost (n,) of designs for one objective; designs that violate a constraint cost more than all others.
 
     number: index of the objective; ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
     1.
     """
-    answers = _ask(search, shares, tell)
+    answers = _evaluate(search, shares, callback)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
@@ -285,45 +285,45 @@ def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: flo
     return np.where(total <= 0.5 * TOLERANCE, 0.0, total)
 
 
-def _seeds(search: Designing, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
+def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.random.Generator) -> list[np.ndarray]:
     """Return a starting population (size, d) for each of the best combinations of list entries.
 
     It holds the best known designs of this combination and random ones.
     """
-    shares, objectives, worst, _ = search.archive.table()
+    shares, objectives, worst, _ = search.evaluations.table()
     order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
     size = population(search)
-    _, first, which = np.unique(search.space.way(shares[order]), axis=0, return_index=True, return_inverse=True)
+    _, first, which = np.unique(search.space.combination(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
-    for way in np.argsort(first)[:WAYS]:
-        known = shares[order[which.ravel() == way][: size // 2]]
+    for combination in np.argsort(first)[:WAYS]:
+        known = shares[order[which.ravel() == combination][: size // 2]]
         some = rng.random((size - len(known), search.space.dimension))
         some[:, search.space.named] = known[0, search.space.named]
         members.append(np.concatenate([known, some]))
     return members
 
 
-def _refined(search: Designing, number: int, tell: Tell) -> None:
+def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
     """Refine the numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
     Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it.
     """
     if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
-    shares = search.archive.table()[0]
+    shares = search.evaluations.table()[0]
     for at in search.best(number)[:REFINED]:
-        _refine(search, number, shares[at], tell)
+        _refine(search, number, shares[at], callback)
 
 
-def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> None:
+def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Callback) -> None:
     from scipy.optimize import NonlinearConstraint, minimize
 
-    first, known = len(search.plan.options), dict[bytes, Answers]()
+    first, known = len(search.plan.options), dict[bytes, Evaluated]()
 
-    def at(x: np.ndarray) -> Answers:
+    def at(x: np.ndarray) -> Evaluated:
         whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
         if whole.tobytes() not in known:  # the objective and the limits are asked for one after the other
-            known[whole.tobytes()] = _ask(search, whole[None, :], tell)
+            known[whole.tobytes()] = _evaluate(search, whole[None, :], callback)
         return known[whole.tobytes()]
 
     size = abs(float(at(start[first:]).objectives[0, number])) or 1.0
@@ -332,12 +332,12 @@ def _refine(search: Designing, number: int, start: np.ndarray, tell: Tell) -> No
         start[first:],
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
-        constraints=NonlinearConstraint(lambda x: np.clip(at(x).broken[0], -1e3, 1e3), -np.inf, 0.0),
+        constraints=NonlinearConstraint(lambda x: np.clip(at(x).excess[0], -1e3, 1e3), -np.inf, 0.0),
         options={"maxfev": refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
 
 
-def _search_front(search: Designing, tell: Tell) -> None:
+def _search_front(search: DesignSearch, callback: Callback) -> None:
     """Search designs between the two that are best for one objective each.
 
     The first objective is minimised with the other below a ceiling, for several ceilings (Haimes, Lasdon & Wismer 1971).
@@ -345,15 +345,15 @@ def _search_front(search: Designing, tell: Tell) -> None:
     front = search.front()
     if not front.size or not search.plan.free:
         return
-    _, objectives, _, _ = search.archive.table()
+    _, objectives, _, _ = search.evaluations.table()
     low, high = objectives[front, 1].min(), objectives[front, 1].max()
     count = 2 + FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
-        _searched(search, 0, float(ceiling), tell)
+        _searched(search, 0, float(ceiling), callback)
 
 
-def _spread(search: Designing, tell: Tell) -> None:
+def _spread(search: DesignSearch, callback: Callback) -> None:
     """Search the Pareto front of two objectives of a prediction by an evolution strategy (Rechenberg 1973).
 
     Each round takes normally distributed steps from designs on the front, shorter than in the last round. As long as no design
@@ -364,13 +364,13 @@ def _spread(search: Designing, tell: Tell) -> None:
     if not search.plan.free:
         return  # every design was asked
     for _ in range(front_rounds(search)):
-        shares, _, worst, _ = search.archive.table()
+        shares, _, worst, _ = search.evaluations.table()
         front = search.front()
         parents = shares[front if front.size else np.argsort(worst)[:FEW]]
         parents = parents[rng.integers(len(parents), size=TOGETHER)]
         children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
         children[:, named] = parents[:, named]
-        _ask(search, children, tell)
+        _evaluate(search, children, callback)
         step *= _SHRUNK
 
 

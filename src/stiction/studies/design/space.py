@@ -36,25 +36,25 @@ _SAMPLES = 32
 
 
 @dataclass(frozen=True)
-class Answers:
+class Evaluated:
     """Hold objectives, constraint violations and results of n designs.
 
-    objectives (n, 1 or 2), to be minimised. broken (n, limits + 1): relative excess over each limit, 0 or below if it is met;
+    objectives (n, 1 or 2), to be minimised. excess (n, limits + 1): relative excess over each limit, 0 or below if it is met;
     the last column counts validity ranges that are left. known: name -> displayed value (n,).
     """
 
     objectives: np.ndarray
-    broken: np.ndarray
+    excess: np.ndarray
     known: dict[str, np.ndarray]
 
     @property
     def worst(self) -> np.ndarray:
         """Largest constraint violation of each design (n,); 0 if it meets all."""
-        return np.maximum(self.broken, 0.0).max(axis=1, initial=0.0)
+        return np.maximum(self.excess, 0.0).max(axis=1, initial=0.0)
 
 
 @dataclass
-class Space:
+class DesignSpace:
     """Evaluate the designs of a plan, given as shares (n, d).
 
     A share is the position of a choice, 0 to 1: along its list, or between its low and high end. Lists come first.
@@ -142,7 +142,7 @@ class Space:
         """Indices of the choices from lists of entries that are not numbers, as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
-    def way(self, shares: np.ndarray) -> np.ndarray:
+    def combination(self, shares: np.ndarray) -> np.ndarray:
         """Return the combination of list entries of each design, as indices (n, lists).
 
         Lists of numbers are used only if there are no other lists.
@@ -151,11 +151,11 @@ class Space:
         columns = [self.plan.options[at].index(shares[:, at]) for at in some]
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
-    def answers(self, shares: np.ndarray) -> Answers:
+    def answers(self, shares: np.ndarray) -> Evaluated:
         """Evaluate designs, shares (n, d); refused designs get a large constraint violation."""
         shares = np.atleast_2d(shares)
         count, limits = len(shares), len(self.plan.limits) + 1
-        objectives, broken = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
+        objectives, excess = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)
         known = {name: np.full(count, np.nan) for name in self.names}
         for some in self._alike(shares):
             try:
@@ -167,10 +167,10 @@ class Space:
                     continue
                 rows = some[region.get(_DESIGN, slice(None))]
                 part = self._judged(case.subject, solved, len(rows), points["load"].sizes.get("load", 1))
-                objectives[rows], broken[rows] = part.objectives, part.broken
+                objectives[rows], excess[rows] = part.objectives, part.excess
                 for name, values in part.known.items():
                     known[name][rows] = values
-        return Answers(objectives, broken, known)
+        return Evaluated(objectives, excess, known)
 
     def _taken(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Yield (region, case, results) of designs as `_evaluated` does, but nothing if all designs are refused."""
@@ -215,7 +215,7 @@ class Space:
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
             return [order]
-        _, group = np.unique(self.way(shares[order]), axis=0, return_inverse=True)
+        _, group = np.unique(self.combination(shares[order]), axis=0, return_inverse=True)
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
     def _summits(self, shares: np.ndarray) -> np.ndarray:
@@ -264,19 +264,19 @@ class Space:
         shares = sobol_points(len(together), _SAMPLES, self.plan.seed)
         return {one.path: one.at(shares[:, together.index(one.dimension)]) for one in kept}
 
-    def _judged(self, subject: Any, solved: BatchResult, designs: int, loads: int) -> Answers:
+    def _judged(self, subject: Any, solved: BatchResult, designs: int, loads: int) -> Evaluated:
         shape = _shape(subject, designs, loads)
         tables = self._tables(subject, solved, shape)
         objectives = [
             _cost_of(objective, tables[objective.quantity], target)
             for objective, target in zip(self.plan.objectives, self.plan.targets, strict=True)
         ]
-        broken = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
-        broken.append(_as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape))
-        return Answers(
+        excess = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
+        excess.append(_as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape))
+        return Evaluated(
             np.column_stack([_worst(one) for one in objectives]),
-            np.column_stack([_worst(one) for one in broken]),
-            self._shown(tables, objectives, broken),
+            np.column_stack([_worst(one) for one in excess]),
+            self._shown(tables, objectives, excess),
         )
 
     def _tables(self, subject: Any, solved: BatchResult, shape: tuple[int, int, int]) -> dict[str, np.ndarray]:
@@ -284,14 +284,14 @@ class Space:
         groups = subject.all_groups()
         return {name: self._table(name, solved, groups, shape, subject) for name in self.names}
 
-    def _shown(self, tables: Mapping, objectives: list[np.ndarray], broken: list[np.ndarray]) -> dict[str, np.ndarray]:
+    def _shown(self, tables: Mapping, objectives: list[np.ndarray], excess: list[np.ndarray]) -> dict[str, np.ndarray]:
         """Return the displayed value of each result (designs,), by name.
 
         It is the result at the worst sample and load where a limit or an objective concerns it, and the median elsewhere.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
-        for name, worst in zip(names, [*broken[: len(self.plan.limits)], *objectives], strict=True):
+        for name, worst in zip(names, [*excess[: len(self.plan.limits)], *objectives], strict=True):
             rows, sample, load = _place_of_worst(worst)
             found[name] = tables[name][rows, sample, load]
         return found

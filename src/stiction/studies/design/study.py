@@ -18,11 +18,11 @@ def _plan(case: Path, out: Path | None = None) -> tuple[Any, ...]:
     return plan_of_design(case), out
 
 
-def _run(plan: tuple[Any, ...], tell: Callable[[str], None]) -> tuple[Any, ...]:
+def _run(plan: tuple[Any, ...], callback: Callable[[str], None]) -> tuple[Any, ...]:
     from stiction.studies.design.run import run_design
 
-    tell("Designing")
-    return run_design(plan[0], lambda count, text: tell(f"Designing: {count} designs {text}")), plan[1]
+    callback("DesignSearch")
+    return run_design(plan[0], lambda count, text: callback(f"Designing: {count} designs {text}")), plan[1]
 
 
 STUDY = Study("design", __doc__, "Case file with a table [design]: choices, objectives, limits.", _plan, _run)

@@ -7,7 +7,7 @@ import numpy as np
 from stiction.quantities.sampling import sobol_points
 
 if TYPE_CHECKING:
-    from stiction.studies.design.run import Designing
+    from stiction.studies.design.run import DesignSearch
 
 FRONT = 12  # designs between the two ends of a front that are searched, of a model
 _DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
@@ -17,7 +17,7 @@ WAYS = 12  # ways to choose from lists that are searched
 REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
-def most_designs(search: "Designing") -> int:
+def most_designs(search: "DesignSearch") -> int:
     """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
     drawn, plan = first_designs(search), search.plan
     if not plan.free:
@@ -27,29 +27,29 @@ def most_designs(search: "Designing") -> int:
     generations = len(plan.objectives) * (plan.effort + 1)
     if len(plan.objectives) == 2:
         generations += FRONT * (front_generations(search) + 1)
-    ways = len(np.unique(search.space.way(drawn), axis=0))
+    ways = len(np.unique(search.space.combination(drawn), axis=0))
     refined = 0 if search.space.is_predicted else len(plan.objectives) * min(ways, REFINED) * (refinements(search) + 1)
     return len(drawn) + min(ways, WAYS) * population(search) * generations + refined
 
 
-def population(search: "Designing") -> int:
+def population(search: "DesignSearch") -> int:
     few = search.space.is_predicted
     return max(FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
 
 
-def front_generations(search: "Designing") -> int:
+def front_generations(search: "DesignSearch") -> int:
     return max(1, search.plan.effort // 3)
 
 
-def front_rounds(search: "Designing") -> int:
+def front_rounds(search: "DesignSearch") -> int:
     return max(1, search.plan.effort // _PER_ROUND)
 
 
-def refinements(search: "Designing") -> int:
+def refinements(search: "DesignSearch") -> int:
     return 60 * (1 + len(search.plan.free))
 
 
-def first_designs(search: "Designing") -> np.ndarray:
+def first_designs(search: "DesignSearch") -> np.ndarray:
     """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
 
     Without numbers to choose, each combination once.

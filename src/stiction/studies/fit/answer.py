@@ -13,7 +13,7 @@ from stiction.case.free import Free
 from stiction.case.measurements import Measurements
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import show
-from stiction.studies.fit.model import Forward
+from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
 _BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
@@ -36,7 +36,7 @@ class Fitted:
     """
 
     name: str
-    forward: Forward
+    forward: ForwardModel
     best: Best
     errors: np.ndarray
     stated: bool
@@ -77,11 +77,11 @@ class Fitted:
         return _residuals(self.forward, self.errors)
 
 
-def _residuals(forward: Forward, errors: np.ndarray) -> Residuals:
+def _residuals(forward: ForwardModel, errors: np.ndarray) -> Residuals:
     return lambda shares: (forward.values(shares) - forward.data.value) / errors
 
 
-def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
+def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitted:
     """Fit a model to its measured values by least squares, with or without likelihood profiles.
 
     Raises InputError if the model cannot compute a measured point with the best numbers.
@@ -96,7 +96,7 @@ def fitted(name: str, forward: Forward, with_profiles: bool = True) -> Fitted:
     return _scaled(name, forward, best, (errors, stated), with_profiles)
 
 
-def _searched(forward: Forward, errors: np.ndarray, start: np.ndarray) -> Best:
+def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> Best:
     """Return the best fit, searched from `start` (k,), the positions of the free numbers between their ends.
 
     Errors far smaller than the measured values are enlarged for the search, all by one factor, which leaves the minimum in
@@ -120,7 +120,7 @@ def _over(best: Best, factor: float) -> Best:
     return replace(best, residuals=best.residuals / factor, jacobian=best.jacobian / factor)
 
 
-def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
+def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
     """Return the fit with standard errors estimated from the scatter, if none were stated or the scatter exceeds them.
 
     given: standard errors (n,), and whether they were stated. Stated errors are enlarged only where chi square is above its
@@ -140,7 +140,7 @@ def _scaled(name: str, forward: Forward, best: Best, given: tuple[np.ndarray, bo
     return replace(one, profiles=tuple(profiles(one.residuals(), best, threshold))) if with_profiles else one
 
 
-def refitted(fit: Fitted, forward: Forward) -> Fitted:
+def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
     """Fit the model of an earlier fit to other values, starting from the earlier best numbers."""
     errors, stated = _errors(forward.data)
     best = _searched(forward, errors, fit.best.shares)
@@ -164,7 +164,7 @@ def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
     return np.full(len(data), 0.05 * size if size > 0.0 else 1.0), False
 
 
-def _start(forward: Forward) -> np.ndarray:
+def _start(forward: ForwardModel) -> np.ndarray:
     """Return the starting point of the search: each free number's position between its ends, 0 to 1.
 
     A number starts at its value in the case, or halfway if the case has no value between the ends.
@@ -190,7 +190,7 @@ def _given(content, path):
     return float(found) if isinstance(found, int | float) else None
 
 
-def verdicts(fit: Fitted) -> list[str]:
+def diagnostics(fit: Fitted) -> list[str]:
     """Return sentences on the free numbers that these data determine badly or not at all."""
     found = []
     groups = _indistinguishable(fit)

@@ -37,7 +37,7 @@ class _Group:
 
 
 @dataclass(frozen=True)
-class Forward:
+class ForwardModel:
     """Hold a model with its free numbers and the measured values that it is to reproduce."""
 
     plan: FitPlan
@@ -115,7 +115,7 @@ def solved_sets(
     return found
 
 
-def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> Forward:
+def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> ForwardModel:
     """Return the model of a fit plan with its free numbers and data.
 
     model: name of another model to use; data: a subset of the measured values. Raises InputError if the model does not
@@ -126,7 +126,7 @@ def forward_of(plan: FitPlan, model: str | None = None, data: Measurements | Non
     case = case_between_the_ends(plan, data)
     given = {name: value for name, value in case.choice.arguments().items() if name != "model"} if model is None else {}
     choice = choice_of(model or case.choice.model, given, case.subject)
-    forward = Forward(plan, choice, parameters, data, _groups(data, parameters))
+    forward = ForwardModel(plan, choice, parameters, data, _groups(data, parameters))
     _check_answers(forward, case.subject)
     return forward
 
@@ -177,7 +177,7 @@ def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...
     )
 
 
-def _check_answers(forward: Forward, subject: Any) -> None:
+def _check_answers(forward: ForwardModel, subject: Any) -> None:
     """Raise InputError if the model does not compute one of the measured quantities."""
     load = forward.data.load[np.isfinite(forward.data.load)]
     point: dict[str, Any] = {"load": float(load[0])} if load.size else {"separation": 0.0}

@@ -14,10 +14,10 @@ from stiction.quantities.inputs import require_callable
 from stiction.quantities.progress import Progress, silent
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
-from stiction.studies.fit.answer import Fitted, fitted, verdicts
+from stiction.studies.fit.answer import Fitted, diagnostics, fitted
 from stiction.studies.fit.bands import Bands, check_predicted, predicted
-from stiction.studies.fit.evidence import Rival, rank, rival
-from stiction.studies.fit.model import check_models, forward_of
+from stiction.studies.fit.model import check_models, forward_model
+from stiction.studies.fit.model_comparison import ComparedModel, compared_model, rank
 from stiction.studies.fit.plan import RESISTANCE, FitPlan, make_fit_plan
 from stiction.studies.fit.predicted import fit_prediction
 from stiction.studies.fit.search import CONFIDENCE
@@ -33,17 +33,17 @@ _FEW = 100  # independent sets, below which a 95 % band is rough
 
 
 @dataclass
-class Fitting:
+class FitResult:
     """Hold the results of a fit, complete or interrupted.
 
-    best: fit of the case's model; bands: its predictions; rivals: fits of alternative models; stopped: whether the fit was
-    interrupted.
+    best: fit of the case's model; bands: its predictions; compared_models: fits of alternative models; stopped: whether the
+    fit was interrupted.
     """
 
     plan: FitPlan
     best: Fitted
     bands: Bands | None = None
-    rivals: list[Rival] = field(default_factory=list)
+    compared_models: list[ComparedModel] = field(default_factory=list)
     stopped: bool = False
 
     def data(self) -> "xarray.Dataset":
@@ -56,8 +56,8 @@ class Fitting:
         data = data.assign_coords(row=np.arange(len(self.plan.data)), other_parameter=names)
         if self.bands is not None:
             data = data.merge(_predictions(self.bands))
-        if self.rivals:
-            data = data.merge(_evidence(self.rivals))
+        if self.compared_models:
+            data = data.merge(_evidence(self.compared_models))
         return data.assign_attrs(_attributes(self))
 
     def case_text(self, out: Path) -> str:
@@ -122,22 +122,22 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
     return plan
 
 
-def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> Fitting:
+def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> FitResult:
     """Fit, predict and compare models as a plan says.
 
     An interruption (Ctrl-C) after the case's own model is fitted returns the results so far, unless keep_on_interrupt is
     False.
     """
-    name = forward_of(plan).choice.model_key
-    for _ in progress("Fitting")([name]):
-        found = Fitting(plan, fitted("", forward_of(plan)))
+    name = forward_model(plan).choice.model_key
+    for _ in progress("FitResult")([name]):
+        found = FitResult(plan, fitted("", forward_model(plan)))
     try:
         for _ in progress("Predicting")([name]):
             found.bands = predicted(plan, found.best)
         others = [one for one in dict.fromkeys(plan.models) if one != name]
         if others:
-            for one in progress("Fitting other models")([name, *others]):
-                found.rivals.append(rival(plan, one, found.best if one == name else None))
+            for one in progress("FitResult other models")([name, *others]):
+                found.compared_models.append(compared_model(plan, one, found.best if one == name else None))
     except KeyboardInterrupt:
         if not keep_on_interrupt:
             raise
@@ -203,12 +203,12 @@ def _predictions(bands: Bands) -> "xarray.Dataset":
     return xarray.Dataset(variables, coords=bands.coords)
 
 
-def _evidence(rivals: list[Rival]) -> "xarray.Dataset":
+def _evidence(compared_models: list[ComparedModel]) -> "xarray.Dataset":
     import xarray
 
-    ranked = rank(rivals)
+    ranked = rank(compared_models)
     along = "model"
-    stated = any(one.fit is not None and one.fit.stated for one in rivals)
+    stated = any(one.fit is not None and one.fit.stated for one in compared_models)
     over = "their standard errors" if stated else "the largest of all values"
     return xarray.Dataset(
         {
@@ -235,7 +235,7 @@ def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
     return {"scatter": ("model", scatter, {"long_name": "standard deviation of values about the fit, in SI units"})}
 
 
-def _attributes(fitting: Fitting) -> dict[str, Any]:
+def _attributes(fitting: FitResult) -> dict[str, Any]:
     one, plan = fitting.best, fitting.plan
     bands = {} if fitting.bands is None else {"band_draws": fitting.bands.effective, "band_sample": fitting.bands.sample or ""}
     return {
@@ -249,13 +249,13 @@ def _attributes(fitting: Fitting) -> dict[str, Any]:
         "confidence": CONFIDENCE,
         "errors": _errors_said(one),
         "errors_stated": int(one.stated),
-        "verdict": "\n".join([*verdicts(one), *_unsure(fitting)]),
+        "verdict": "\n".join([*diagnostics(one), *_unsure(fitting)]),
         "stopped": int(fitting.stopped),
         **bands,
     }
 
 
-def _unsure(fitting: Fitting) -> list[str]:
+def _unsure(fitting: FitResult) -> list[str]:
     """Return warnings of an unconverged search, or of bands from too few independent samples."""
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
@@ -278,7 +278,7 @@ def _errors_said(fit: Fitted) -> str:
     return "as given; the scatter about the fit agrees with them"
 
 
-def _fitted_case(fitting: Fitting, out: Path) -> str:
+def _fitted_case(fitting: FitResult, out: Path) -> str:
     one, plan = fitting.best, fitting.plan
     numbers, comments = {}, [f"Fitted by stiction {__version__} to {len(plan.data)} measured values. 95 % intervals:"]
     for x, value, p in zip(one.parameters, one.values, one.profiles, strict=True):
@@ -289,5 +289,5 @@ def _fitted_case(fitting: Fitting, out: Path) -> str:
             numbers[x.path] = float(value)
     if any(x.sample is not None for x in one.parameters):
         comments.append(f"Numbers that differ between samples have the values of sample {plan.data.samples[0]}.")
-    comments += [f"Note: {text}" for text in verdicts(one)]
+    comments += [f"Note: {text}" for text in diagnostics(one)]
     return case_text(with_written(without_studies(plan.given), numbers), comments, plan.folder, out)

@@ -19,9 +19,9 @@ from stiction.solving.solve import solve
 from stiction.studies.case_results import choice_of_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict
-from stiction.studies.sensitivity.elasticities import Elasticities, elasticities, elasticities_of_prediction
 from stiction.studies.sensitivity.indices_of_variance import effects, points_of_indices, sobol_indices, trajectories
-from stiction.studies.uncertainty.bands import drawing_said, warning_shares
+from stiction.studies.sensitivity.log_sensitivities import LogSensitivities, log_sensitivities, log_sensitivities_of_prediction
+from stiction.studies.uncertainty.bands import sampling_attributes, warning_shares
 from stiction.studies.uncertainty.drawing import OUTPUTS, Draws, Variant, draw
 
 if TYPE_CHECKING:
@@ -100,13 +100,13 @@ def sensitivity(
     case = _at_few_loads(case, at)
     choice = choice_of_case(case, case.choice)
     variation = _variation(case, choice, models)
-    slopes = elasticities(case, choice, progress=progress("Elasticities"))
+    slopes = log_sensitivities(case, choice, progress=progress("LogSensitivities"))
     said = solve(case.subject.as_numbers(), separation=case.separation, load=case.load, **choice.arguments())
-    found = _with_elasticities(said, slopes)
+    found = _with_log_sensitivities(said, slopes)
     if variation.inputs:
         found = _with_indices(found, case, variation, progress)
     attributes = {} if at is None else {"working_load": at}
-    return found.assign_attrs(said.attrs | attributes, case=case.title).assign_attrs(_told(case, variation))
+    return found.assign_attrs(said.attrs | attributes, case=case.title).assign_attrs(_attributes(case, variation))
 
 
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
@@ -116,7 +116,7 @@ def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     """
     import xarray
 
-    answer, slopes = predict(case, load=load), elasticities_of_prediction(case, load)
+    answer, slopes = predict(case, load=load), log_sensitivities_of_prediction(case, load)
     shares = answer.attrs["shares"]
     said = {"units": "1", "long_name": "share of the variance of ln mu"}
     slope = {"units": "1", "long_name": "elasticity of the friction coefficient, d ln mu/d ln x"}
@@ -183,12 +183,12 @@ def _variation(case: Case, choice: Any, models: Sequence[str] | None) -> _Variat
     return _Variation(list(case.unknowns), list(by_method), names, variants)
 
 
-def _told(case: Case, variation: _Variation) -> dict[str, Any]:
+def _attributes(case: Case, variation: _Variation) -> dict[str, Any]:
     drawn = dict.fromkeys(variation.models, 1.0 / len(variation.models))
-    return drawing_said(case) | {"models": json.dumps(drawn), "methods": " ".join(variation.methods)}
+    return sampling_attributes(case) | {"models": json.dumps(drawn), "methods": " ".join(variation.methods)}
 
 
-def _with_elasticities(said: "xarray.Dataset", slopes: Elasticities) -> "xarray.Dataset":
+def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) -> "xarray.Dataset":
     import xarray
 
     variables: dict[str, Any] = {}

@@ -74,7 +74,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
     for name in draws.tables:
         variables |= _as_variables(name, draws, levels(wanted.coverage))
     data = data.assign_coords(quantile=("quantile", levels(wanted.coverage), {"long_name": "quantile level"}))
-    return _with_stated_values_beyond(_said(data.assign(variables), case, draws))
+    return _with_stated_values_beyond(_with_notes(data.assign(variables), case, draws))
 
 
 def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
@@ -102,7 +102,7 @@ def _as_variables(name: str, draws: Draws, shares: np.ndarray) -> dict[str, tupl
     }
 
 
-def _said(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
+def _with_notes(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
     """Return the dataset with attributes on the uncertain inputs and warnings of missing or impossible samples."""
     lost = sum(draws.shares().get(why, 0.0) for why in WHY_NOT[:2])
     impossible = draws.impossible_share
@@ -114,14 +114,14 @@ def _said(data: "xarray.Dataset", case: Case, draws: Draws) -> "xarray.Dataset":
         left = "no interval is given" if impossible > 1.0 - _LEAST_KNOWN else "the interval of mu covers the others"
         data = with_warnings(data, [ValidityWarning(f"{why}: {left}")])
     return data.assign_attrs(
-        drawing_said(case),
+        sampling_attributes(case),
         validity_warnings_of_points=warning_shares(draws),
         impossible_draws=impossible,
         coverage=case.uncertainty.coverage,
     )
 
 
-def drawing_said(case: Case) -> dict[str, str]:
+def sampling_attributes(case: Case) -> dict[str, str]:
     """Return the uncertain inputs of a case and their sampling as text attributes of a result."""
     words = (f"{name}: {together[0].distribution.words}" for name, together in case.unknowns.items())
     drawn = f"{case.uncertainty.count} points, seed {case.uncertainty.seed}"

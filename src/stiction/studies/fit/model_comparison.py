@@ -7,14 +7,14 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import reason_of
 from stiction.studies.fit.answer import Fitted, fitted, refitted
-from stiction.studies.fit.model import forward_of
+from stiction.studies.fit.model import forward_model
 from stiction.studies.fit.plan import FitPlan
 
 _FOLDS = 5
 
 
 @dataclass(frozen=True)
-class Rival:
+class ComparedModel:
     """Hold an alternative model with its fit, or the reason why it could not be fitted.
 
     aicc: Akaike's criterion, lower is better. left_out: cross-validation error, the root mean square error of left-out values,
@@ -28,13 +28,13 @@ class Rival:
     why_not: str = ""
 
 
-def rival(plan: FitPlan, name: str, fit: Fitted | None = None) -> Rival:
+def compared_model(plan: FitPlan, name: str, fit: Fitted | None = None) -> ComparedModel:
     """Fit and cross-validate the model of this name; an existing fit of it is used if given."""
     try:
-        one = fit or fitted(name, forward_of(plan, name), with_profiles=False)
-        return Rival(name, one, aicc_of(one), _left_out(plan, one))
+        one = fit or fitted(name, forward_model(plan, name), with_profiles=False)
+        return ComparedModel(name, one, aicc_of(one), _cross_validation_error(plan, one))
     except InputError as error:
-        return Rival(name, None, why_not=reason_of(error))
+        return ComparedModel(name, None, why_not=reason_of(error))
 
 
 def aicc_of(fit: Fitted) -> float:
@@ -53,7 +53,7 @@ def aicc_of(fit: Fitted) -> float:
     return float(value + 2 * k * (k + 1) / (n - k - 1)) if n > k + 1 else float("inf")
 
 
-def _left_out(plan: FitPlan, fit: Fitted) -> float:
+def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
     """Return the cross-validation error: predict each fold of the data from a fit to all other folds.
 
     NaN if there are too few values for two folds; infinite if a fit fails.
@@ -67,8 +67,8 @@ def _left_out(plan: FitPlan, fit: Fitted) -> float:
     for fold in folds:
         rest = np.setdiff1d(np.arange(len(data)), fold)
         try:
-            other = refitted(fit, forward_of(plan, name, data.some(rest)))
-            said = forward_of(plan, name, data.some(fold)).values(other.best.shares)[0]
+            other = refitted(fit, forward_model(plan, name, data.some(rest)))
+            said = forward_model(plan, name, data.some(fold)).values(other.best.shares)[0]
         except InputError:
             return float("inf")
         total[fold] = said - data.value[fold]
@@ -103,12 +103,12 @@ def _is_enough(plan: FitPlan, rest: np.ndarray) -> bool:
     return len(rest) > count and (not each or len(samples) == len(plan.data.samples))
 
 
-def rank(rivals: list[Rival]) -> list[tuple[Rival, float]]:
+def rank(compared_models: list[ComparedModel]) -> list[tuple[ComparedModel, float]]:
     """Return the models with their Akaike weights, best first; models without a fit come last.
 
     Source: Burnham & Anderson 2002, eq. 2.9.
     """
-    ordered = sorted(rivals, key=lambda one: (one.fit is None, one.aicc))
+    ordered = sorted(compared_models, key=lambda one: (one.fit is None, one.aicc))
     values = np.array([one.aicc for one in ordered])
     if not np.isfinite(values).any():
         return [(one, float("nan")) for one in ordered]

@@ -60,7 +60,7 @@ class ReportData:
         return self.data if self.working_results is None else self.working_results
 
 
-def find_out(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
+def collect_report_data(case: Case, text: str = "", *, load: Any = None, progress: Progress = silent) -> ReportData:
     """Compute the results that a report of a case shows.
 
     text: the case file as written. load: working load [N], by default the middle load of the case. A case with swept

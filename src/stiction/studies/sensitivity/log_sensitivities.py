@@ -31,7 +31,7 @@ _LEFT_OUT = ("surface_energy",)
 
 
 @dataclass(frozen=True)
-class Elasticities:
+class LogSensitivities:
     """Hold logarithmic sensitivities of results y to k input numbers x.
 
     names: names of the inputs (k,). tables: result -> d ln y/d ln x (k, *shape), NaN unless y > 0. errors: result -> error
@@ -88,7 +88,7 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
             yield (*path, name), value
 
 
-def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> Elasticities:
+def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
     """Return the logarithmic sensitivities of results to every number of the contact. Raises InputError.
 
     names: the results.
@@ -97,10 +97,10 @@ def elasticities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, pro
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
     each = {name: _slopes(found.tables[name], len(inputs)) for name in found.tables}
     tables, errors = ({name: pair[at] for name, pair in each.items()} for at in (0, 1))
-    return Elasticities(inputs, tables, errors, found.dims)
+    return LogSensitivities(inputs, tables, errors, found.dims)
 
 
-def elasticities_of_prediction(case: Case, load: float) -> dict[str, float]:
+def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]:
     """Return d ln mu/d ln x for the median mu of a prediction at a load [N], by name of the number x.
 
     x is stepped by -20 % and +20 %, in its logarithm.
