@@ -96,8 +96,8 @@ class DesignSearch:
     def best(self, number: int = 0) -> np.ndarray:
         """Return the index of the best design for each combination of list entries, the best first.
 
-        Indices count all evaluated designs. number: index of the objective. Where no design meets the constraints, those with the
-        least violation come first.
+        The index counts all evaluated designs. number: index of the objective. If no design meets the constraints, those with
+        the least violation come first.
         """
         shares, objectives, worst, _ = self.evaluations.table()
         order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
