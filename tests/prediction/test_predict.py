@@ -120,6 +120,9 @@ def test_where_neither_is_stated_it_is_a_mixture_and_says_so():
         st.Contact(first="copper", second="copper", roughness=ROUGH, nominal_area=1e-4, interface="oxidised metal"), load="10 N"
     )
     assert "not stated" in found.warnings[0] and found.next_step.startswith("state the interface")
+    low, high = map(float, re.search(r"([\d.]+) to ([\d.]+) with oxidised metal", found.warnings[0]).groups())
+    assert low == pytest.approx(stated.friction_coefficient_low.item(), rel=0.2)
+    assert high == pytest.approx(stated.friction_coefficient_high.item(), rel=0.2)
     assert found.friction_coefficient_low < stated.friction_coefficient_low
     assert not any("not stated" in one for one in stated.warnings)
 

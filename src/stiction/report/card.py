@@ -118,7 +118,7 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 def briefly(warning: str) -> str:
     """Shorten a warning to at most twelve words: cut it at a colon, then at a comma.
 
-    >>> briefly("The interface is not stated: the interval of mu covers ceramic, boundary lubricant, oxidised metal.")
+    >>> briefly("The interface is not stated: mu is 0.06 to 0.3 with boundary lubricant, 0.2 to 1.1 with oxidised metal.")
     'The interface is not stated'
     """
     for mark in (": ", ", "):

@@ -287,7 +287,7 @@ def _attributes(
         "regime": regime_of(mixture, samples, working_index),
         "shares": dict(shares),
         "strength": strength.tolist(),
-        "warnings": warnings_of(mixture, samples, working_index, shares),
+        "warnings": warnings_of(mixture, samples, working_index, shares, level),
         "inputs_not_used": not_used(mixture.sampled, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: float(law.weight[working_index]) for law in mixture.laws if law.weight[working_index] > 0.0},

@@ -74,18 +74,18 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
     )
 
 
-def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float]) -> list[str]:
+def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float], level: float = 0.9) -> list[str]:
     """Return the warnings about a prediction, the most serious first.
 
-    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown.
+    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown; level: probability of
+    intervals.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     warnings = []
     if impossible > _MANY:
         warnings.append(f"{impossible:.0%} of the draws are physically impossible and are excluded.")
     if len(mixture.strength.states) > 1:
-        names = ", ".join(state.name for state, _ in mixture.strength.states)
-        warnings.append(f"The interface is not stated: the interval of mu covers {names}.")
+        warnings.append(f"The interface is not stated: mu is {', '.join(_by_state(mixture, samples, index, level))}.")
     if (times := mixture.strength.over_body) > 1.0:
         warnings.append(f"The stated interface is {times:.3g} times as strong as the weaker body, which limits mu.")
     elif times > _STEEP and mixture.sampled.metallic:
@@ -107,6 +107,17 @@ def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[
     if area < _ATOM:
         warnings.insert(0, "The contact area is smaller than an atom: models of solids do not hold at this load.")
     return warnings
+
+
+def _by_state(mixture: Mixture, samples: Samples, index: int, level: float) -> list[str]:
+    """Return the interval of mu for each possible state of the interface in words, the weakest first."""
+    mu = samples.force[:, index] / mixture.loads[index]
+    intervals = []
+    for place, (state, _) in enumerate(mixture.strength.states):
+        known = mu[(samples.state[:, 0] == place) & np.isfinite(mu)]
+        if known.size:
+            intervals.append((*np.quantile(known, [0.5 - 0.5 * level, 0.5 + 0.5 * level]), state.name))
+    return [f"{low:.2g} to {high:.2g} with {name}" for low, high, name in sorted(intervals)]
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:

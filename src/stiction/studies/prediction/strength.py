@@ -56,6 +56,11 @@ class Strength:
         """
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
+    def states_drawn(self, level: np.ndarray) -> np.ndarray:
+        """Return the index of the state of the interface of each sample (n,) at these quantile levels; 0 if tau_0 is stated."""
+        ends = np.cumsum([weight for _, weight in self.states] or [1.0])
+        return np.minimum(np.searchsorted(ends, level * ends[-1]), len(ends) - 1)
+
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
         """Return how far the interface hardens with a metal body, 0 to 1: not at a stated strength well below the body's."""
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
@@ -76,8 +81,7 @@ class Strength:
         else:
             tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape))
             alpha = np.broadcast_to(alpha, (len(rows), alpha.shape[1])).copy()
-            ends = np.cumsum([weight for _, weight in self.states])
-            which = np.minimum(np.searchsorted(ends, state * ends[-1]), len(ends) - 1)
+            which = self.states_drawn(state)
             for index, (table, _) in enumerate(self.states):
                 mine = which == index
                 tau[mine] = table.strength_at(strength[mine, None], hardness[mine], modulus[mine])
