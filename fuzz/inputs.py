@@ -20,7 +20,7 @@ from generate import case_of
 
 import stiction as st
 from stiction.case.measurements import read_measurements
-from stiction.engine.tiers import VARIABLE
+from stiction.engine.tiers import VARIABLE, tier
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import candidates
 from stiction.web.address import packed, unpacked
@@ -166,6 +166,7 @@ def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
     try:
         for loops, threads in (("interpreted", 1), ("shared", 1), ("shared", 8)):
             os.environ[VARIABLE] = loops
+            tier.cache_clear()
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 found.append(st.solve(subject, load=loads, model=model, threads=threads))
@@ -174,6 +175,7 @@ def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
         return
     finally:
         os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
+        tier.cache_clear()
     for means, other in zip(("compiled", "with eight threads"), found[1:], strict=True):
         yield from (f"{model} at {loads}: {fault} {means}" for fault in _differences(found[0], other, _AGREES))
 

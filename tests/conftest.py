@@ -10,7 +10,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 import pytest
 
-from stiction.engine import summation
+from stiction.engine import summation, tiers
 
 # What is imported stays, and compiling makes small objects without end: looking for rubbish among them took a seventh of it.
 gc.freeze()
@@ -35,6 +35,21 @@ def no_silent_nan():
     """Arithmetic that makes NaN or infinity is an error in every test; underflow to zero is meant."""
     with np.errstate(all="raise", under="ignore"):
         yield
+
+
+@pytest.fixture
+def force_loops(monkeypatch):
+    """A function that sets or, with None, removes STICTION_LOOPS for the rest of the test."""
+
+    def force(tier):
+        monkeypatch.delenv(tiers.VARIABLE, raising=False)
+        if tier is not None:
+            monkeypatch.setenv(tiers.VARIABLE, tier)
+        tiers.tier.cache_clear()
+
+    yield force
+    monkeypatch.undo()
+    tiers.tier.cache_clear()
 
 
 @pytest.fixture

@@ -232,7 +232,7 @@ def test_far_from_the_set_nothing_is_stated(change, pressure, why):
     one = contact(**{"roughness": by_numbers(gaussian(9004))} | change)
     load = pressure * MODULUS * SLOPE * SIDE**2
     data = st.solve(one, load=load, model="soft_coating_2015")
-    assert measured(data)["area"] == [None]
+    assert measured(data)["area"] in ([], [None])
     assert why in data.attrs["measured_error_in_words"]
     assert data.attrs["measured_error_in_words"].startswith("not known here")
 
@@ -256,7 +256,7 @@ def test_film_like_those_of_the_set_and_another():
         data = st.solve(contact(rough, coating=coating), load=load, model="greenwood_williamson_1966", film="layered")
         said.append(measured(data))
     assert said[0]["area"][0] is not None and said[0]["surfaces"][0] > 0
-    assert said[1]["area"] == [None] and "film" in said[1]["why_not"]
+    assert said[1]["area"] == [] and "film" in said[1]["why_not"]
 
 
 @pytest.mark.parametrize(

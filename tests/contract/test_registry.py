@@ -510,9 +510,9 @@ DECIDED = [(record, kind) for kind in CHOSEN for record in of_kind(kind).values(
 
 
 @pytest.mark.parametrize(("record", "kind"), [pytest.param(*one, id=f"{one[1].kind}-{one[0].key}") for one in DECIDED])
-def test_a_law_depends_on_what_it_says(record, kind, monkeypatch):
+def test_a_law_depends_on_what_it_says(record, kind, force_loops):
     """Groups that `needs` of the laws at work do not name change nothing; each that the record names changes something."""
-    monkeypatch.setenv("STICTION_LOOPS", "shared")  # answers are compared bit by bit: one tier for all
+    force_loops("shared")  # answers are compared bit by bit: one tier for all
     given = draw(50, kind is FilmLaw or getattr(record, "on_film", False), 71)
     choice = choice_of(record, kind)
     if kind is FilmLaw and not record.interchangeable:

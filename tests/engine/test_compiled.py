@@ -290,8 +290,8 @@ def halves():
     return halve
 
 
-def test_a_lazy_kernel_is_compiled_when_its_work_pays(monkeypatch):
-    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+def test_a_lazy_kernel_is_compiled_when_its_work_pays(force_loops):
+    force_loops(None)
     halve, values, out = halves(), np.array([2.0, 4.0, 8.0]), np.empty(3)
     for compiled in (0, 0, 1):
         halve(values, out)
@@ -299,16 +299,16 @@ def test_a_lazy_kernel_is_compiled_when_its_work_pays(monkeypatch):
         assert out.tolist() == [0.5, 0.25, 0.125]
 
 
-def test_what_the_interpreter_refuses_is_compiled(monkeypatch):
-    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+def test_what_the_interpreter_refuses_is_compiled(force_loops):
+    force_loops(None)
     halve, out = halves(), np.empty(2)
     halve(np.array([0.0, -4.0]), out)
     assert halve.compiled.signatures and out.tolist() == [np.inf, -0.25]
 
 
-def test_a_lazy_kernel_can_be_forced_either_way(monkeypatch):
+def test_a_lazy_kernel_can_be_forced_either_way(force_loops):
     for tier, compiled in (("interpreted", 0), ("shared", 1), ("specialised", 1)):
-        monkeypatch.setenv("STICTION_LOOPS", tier)
+        force_loops(tier)
         halve, out = halves(), np.empty(20)
         halve(np.full(20, 2.0), out)
         assert len(halve.compiled.signatures) == compiled and (out == 0.5).all()

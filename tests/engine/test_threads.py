@@ -27,9 +27,9 @@ def small_parts(monkeypatch):
 
 
 @pytest.fixture(autouse=True)
-def compiled(monkeypatch):
+def compiled(force_loops):
     """What Python runs at first and compiled code later agrees to 1e-13, not in every bit."""
-    monkeypatch.setenv("STICTION_LOOPS", "shared")
+    force_loops("shared")
 
 
 @pytest.mark.parametrize("film", ({}, FILM))

@@ -37,10 +37,10 @@ def regimes(model, count=60):
     return problem_of(groups, Choice(model)).regimes
 
 
-def by_both(monkeypatch, compute, tiers=("shared", "specialised")):
+def by_both(force_loops, compute, tiers=("shared", "specialised")):
     found = []
     for tier in tiers:
-        monkeypatch.setenv(VARIABLE, tier)
+        force_loops(tier)
         found.append(compute())
     return found
 
@@ -54,20 +54,20 @@ def assert_same(one, other, axis):
 
 @pytest.mark.parametrize("heights", HEIGHTS)
 @pytest.mark.parametrize("model", MODELS)
-def test_single_pairs_are_the_same(monkeypatch, model, heights):
+def test_single_pairs_are_the_same(force_loops, model, heights):
     parts, h = regimes(model), RNG.uniform(-4.0, 5.0, 240)
     law = RNG.integers(0, 60, 240)
-    shared, alone = by_both(monkeypatch, lambda: scattered(parts, h, HEIGHTS[heights], law))
+    shared, alone = by_both(force_loops, lambda: scattered(parts, h, HEIGHTS[heights], law))
     assert_same(shared, alone, (0, 1))
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_python_gives_what_compiled_loops_give(monkeypatch, model):
+def test_python_gives_what_compiled_loops_give(force_loops, model):
     parts, h = regimes(model, 3), RNG.uniform(-4.0, 5.0, 6)
     law = RNG.integers(0, 3, 6)
-    plain, compiled = by_both(monkeypatch, lambda: scattered(parts, h, gaussian(), law), ("interpreted", "shared"))
+    plain, compiled = by_both(force_loops, lambda: scattered(parts, h, gaussian(), law), ("interpreted", "shared"))
     assert_same(plain, compiled, (0, 1))
-    plain, compiled = by_both(monkeypatch, lambda: starts(parts, np.full((3, 2), [0.01, 0.1])).h, ("interpreted", "shared"))
+    plain, compiled = by_both(force_loops, lambda: starts(parts, np.full((3, 2), [0.01, 0.1])).h, ("interpreted", "shared"))
     np.testing.assert_allclose(plain, compiled, rtol=1e-9, atol=1e-12)
 
 
@@ -92,38 +92,38 @@ def test_much_work_ends_the_allowance_of_python():
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_grids_are_the_same(monkeypatch, model):
+def test_grids_are_the_same(force_loops, model):
     parts, h = regimes(model), np.linspace(-3.0, 5.0, 100)
     for summed in (on_grid, totals_on_grid):
-        shared, alone = by_both(monkeypatch, lambda summed=summed: summed(parts, h, gaussian()))
+        shared, alone = by_both(force_loops, lambda summed=summed: summed(parts, h, gaussian()))
         assert_same(shared, alone, tuple(range(alone.ndim - 2)))
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_starts_are_the_same(monkeypatch, model):
+def test_starts_are_the_same(force_loops, model):
     parts, targets = regimes(model), np.tile(np.geomspace(1e-4, 1.0, 5), (60, 1))
-    shared, alone = by_both(monkeypatch, lambda: starts(parts, targets))
+    shared, alone = by_both(force_loops, lambda: starts(parts, targets))
     for name in ("tension", "where", "h", "slope", "size"):
         one, other = getattr(shared, name), getattr(alone, name)
         assert np.array_equal(np.isnan(one), np.isnan(other))
         np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-12)
 
 
-def test_much_work_is_worth_compiling(monkeypatch):
-    monkeypatch.delenv(VARIABLE, raising=False)
+def test_much_work_is_worth_compiling(force_loops):
+    force_loops(None)
     assert not specialised(512, 512 * 21)
     assert specialised(12_500) and specialised(1, 100_000)
-    monkeypatch.setenv(VARIABLE, "shared")
+    force_loops("shared")
     assert not specialised(10**9)
-    monkeypatch.setenv(VARIABLE, "specialised")
+    force_loops("specialised")
     assert specialised(1)
-    monkeypatch.setenv(VARIABLE, "fast")
+    force_loops("fast")
     with refusal("STICTION_LOOPS", "fast", "auto", "interpreted", "shared", "specialised"):
         specialised(1)
 
 
-def test_within_all_compiled_python_runs_nothing(monkeypatch):
-    monkeypatch.delenv("STICTION_LOOPS", raising=False)
+def test_within_all_compiled_python_runs_nothing(force_loops):
+    force_loops(None)
     assert interpreted(little=True)
     with all_compiled():
         assert not interpreted(little=True)
@@ -131,8 +131,8 @@ def test_within_all_compiled_python_runs_nothing(monkeypatch):
 
 
 @pytest.mark.parametrize("tier", ["auto", "interpreted", "shared", "specialised"])
-def test_the_tier_is_shown(monkeypatch, tmp_path, tier):
-    monkeypatch.setenv(VARIABLE, tier)
+def test_the_tier_is_shown(force_loops, monkeypatch, tmp_path, tier):
+    force_loops(tier)
     monkeypatch.setenv("STICTION_CACHE_DIR", str(tmp_path))
     shown = st.show_config()
     assert shown["loops"] == tier and shown["cache"].startswith(str(tmp_path)) and shown["compiler"] in ("on", "off")

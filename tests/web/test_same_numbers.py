@@ -21,9 +21,9 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
 
 
 @pytest.fixture(autouse=True)
-def one_tier(monkeypatch):
+def one_tier(force_loops):
     """Answers are compared to the last digit: Python and compiled code may differ in it."""
-    monkeypatch.setenv("STICTION_LOOPS", "shared")
+    force_loops("shared")
 
 
 def _rows(text: str) -> list[str]:

@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
@@ -59,6 +60,11 @@ class Subject(Input):
     @abstractmethod
     def has_film(self) -> bool:
         """Return whether the contact has a film."""
+
+    @cached_property
+    def prepared(self) -> list[Any]:
+        """Return the problems that `solving.problem.make_problem` prepared for this contact and keeps, with what was asked."""
+        return []
 
     def require_single(self, allowed: str) -> None:
         """Raise InputError if a number of the contact is an array; allowed: the text of what is allowed."""

@@ -10,8 +10,9 @@ separation.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -291,33 +292,73 @@ class Starts:
     plain: np.ndarray
 
 
-def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
-    """Return the largest tensions of n laws and the separations at the loads `targets` (n, m).
+class Approach:
+    """Find separations at loads, from nodes placed once for n laws; heights are Gaussian.
 
-    Heights are Gaussian. Separations are accurate to about 1e-9 (over sigma).
+    regimes: of the n laws. The loads on the grid of separations do not depend on the loads that are asked for; those of a
+    few laws are kept.
     """
-    targets = np.ascontiguousarray(targets)
-    w_low = max(min(regime.lowest for regime in regimes), _LOWEST)
-    ENGINE.take(_PAIRS * len(regimes) * len(targets))
-    alone = specialised(len(targets))
-    placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in regimes]
-    room, shape = sum(one.room for one in placing), np.zeros(1)
-    place, held = np.empty((_BLOCK, room)), np.empty((_BLOCK, 1, room))
-    loads, slopes = np.empty((2, _BLOCK, WAY.size))
-    tension, where = np.empty((2, len(targets)))
-    roots, plain = np.empty((*targets.shape, 3)), np.empty(len(targets), dtype=np.bool_)
-    append = [one.on(_BLOCK, (_RULES, _COUNTS)) for one in placing]
-    for start in range(0, len(targets), _BLOCK):
-        some = slice(start, min(start + _BLOCK, len(targets)))
-        used, nearer = np.zeros((2, some.stop - start), dtype=np.int64)
-        nodes, way, lowest = (place, held[:, 0], used), (WAY, loads, slopes), (tension[some], where[some], nearer)
-        for one in append:
-            one((w_low, _TOP, WAY[-1]), shape, some, (place, held, used))
-        _sample(way, _TOP, nodes)
-        _find_lowest(way, lowest, nodes)
-        _find_roots(way, lowest, targets[some], nodes, roots[some])
-        plain[some] = _plain(loads[: used.size], tension[some])
-    return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
+
+    def __init__(self, regimes: Sequence[Regime]):
+        self._regimes, self._laws = regimes, len(regimes[0].edges)
+        self._lowest: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
+
+    @property
+    def lowest(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return largest tension, its separation and `plain` of each law, as in `Starts`."""
+        if self._lowest is None:
+            self.starts(np.empty((self._laws, 0)))
+        assert self._lowest is not None
+        return self._lowest
+
+    def starts(self, targets: np.ndarray) -> Starts:
+        """Return the largest tensions of the laws and the separations at the loads `targets` (n, m).
+
+        Separations are accurate to about 1e-9 (over sigma).
+        """
+        targets = np.ascontiguousarray(targets)
+        tension, where = np.empty((2, self._laws))
+        roots, plain = np.empty((*targets.shape, 3)), np.empty(self._laws, dtype=np.bool_)
+        for some, nodes, way, lowest in [self._only_block] if self._laws <= _BLOCK else self._blocks():
+            tension[some], where[some], plain[some] = *lowest[:2], _plain(way[1], lowest[0])
+            _find_roots(way, lowest, targets[some], nodes, roots[some])
+        self._lowest = tension, where, plain
+        return Starts(tension, where, roots[:, :, 0], roots[:, :, 1], roots[:, :, 2], plain)
+
+    @cached_property
+    def _only_block(self) -> tuple:
+        (block,) = self._blocks()
+        return block
+
+    def _blocks(self) -> Iterator[tuple]:
+        """Yield each block of laws, a slice, with its nodes, loads on the way and largest tensions, as the kernels take them.
+
+        The next block overwrites the arrays.
+        """
+        w_low = max(min(regime.lowest for regime in self._regimes), _LOWEST)
+        ENGINE.take(_PAIRS * len(self._regimes) * self._laws)
+        alone, most = specialised(self._laws), min(_BLOCK, max(self._laws, 1))
+        placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in self._regimes]
+        room, shape = sum(one.room for one in placing), np.zeros(1)
+        place, held = np.empty((most, room)), np.empty((most, 1, room))
+        loads, slopes = np.empty((2, most, WAY.size))
+        append = [one.on(most, (_RULES, _COUNTS)) for one in placing]
+        for start in range(0, max(self._laws, 1), most):
+            some = slice(start, min(start + most, self._laws))
+            count = some.stop - some.start
+            used, nearer = np.zeros((2, count), dtype=np.int64)
+            nodes, way = (place, held[:, 0], used), (WAY, loads[:count], slopes[:count])
+            lowest = (*np.empty((2, count)), nearer)
+            for one in append:
+                one((w_low, _TOP, WAY[-1]), shape, some, (place, held, used))
+            _sample(way, _TOP, nodes)
+            _find_lowest(way, lowest, nodes)
+            yield some, nodes, way, lowest
+
+
+def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
+    """Return what `Approach.starts` returns for the laws of these regimes."""
+    return Approach(regimes).starts(targets)
 
 
 def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:

@@ -14,11 +14,13 @@ sums every law at a few separations, with nodes placed once, and extends these s
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
-from stiction.engine.heights import Heights
+from stiction.engine.expansions import TERMS, expand, read_series, series_for
+from stiction.engine.heights import Heights, gaussian_density
 from stiction.engine.nodes import Laws, Parts, Rows, adding, cutting, displacements, evaluate_parts
 from stiction.engine.placing import Placing
 from stiction.engine.regime import Regime
@@ -91,24 +93,59 @@ def scattered(
     regimes: each describes n laws. h: array (m,) in units of sigma. law: array (m,) of indices of laws; by default h[i]
     belongs to law i, and m = n. Returns an array (regimes, m, 5) of averages over all asperities, in the order of QUANTITIES.
     """
-    h = np.ascontiguousarray(h, dtype=float)
-    law = np.arange(h.size) if law is None else np.ascontiguousarray(law)
-    out = np.empty((len(regimes), h.size, len(QUANTITIES)))
-    ENGINE.take(len(regimes) * h.size)
-    for regime, sums in zip(regimes, out, strict=True):
-        fill = _way_of_summing(heights, len(regime.edges), h.size)(regime, heights)
-
-        def fill_share(part: slice, fill=fill, sums=sums) -> None:
-            fill(h[part], law[part], sums[part])
-
-        in_threads(fill_share, _shares(h.size, threads), threads)
-    return out
+    return Scattered(regimes, heights)(h, np.arange(np.size(h)) if law is None else law, threads)
 
 
-def _way_of_summing(heights: Heights, laws: int, pairs: int) -> Callable:
-    if heights.listed.size:
-        return _summing_listed
-    return _summing_alone if specialised(laws, pairs) else _summing_in_stages
+class Scattered:
+    """Sum regimes at pairs of a law and a separation; what does not depend on the separations is prepared once."""
+
+    def __init__(self, regimes: Sequence[Regime], heights: Heights):
+        self._regimes, self._heights = regimes, heights
+
+    def __call__(self, h: np.ndarray, law: np.ndarray, threads: int = 1) -> np.ndarray:
+        """Return the sums (regimes, m, 5) at the separations h (m,) of the laws law (m,), as `scattered` does."""
+        h, law = np.ascontiguousarray(h, dtype=float), np.ascontiguousarray(law)
+        out = np.empty((len(self._regimes), h.size, len(QUANTITIES)))
+        ENGINE.take(len(self._regimes) * h.size)
+        if self._heights.density is gaussian_density and (series := series_for(h, law)) is not None:
+            self._fill_by_series(h, *series, out)
+            return out
+        for fill, sums in zip(self._fills(h.size), out, strict=True):
+
+            def fill_share(part: slice, fill=fill, sums=sums) -> None:
+                fill(h[part], law[part], sums[part])
+
+            in_threads(fill_share, _shares(h.size, threads), threads)
+        return out
+
+    def _fill_by_series(self, h: np.ndarray, about: np.ndarray, law: np.ndarray, number: np.ndarray, out: np.ndarray) -> None:
+        """Fill out (regimes, m, 5) from series about few separations; arguments as `expansions.series_for` returns them."""
+        for fill, sums in zip(self._expanded, out, strict=True):
+            coefficients = np.empty((about.size, TERMS, len(QUANTITIES)))
+            fill(about, law, coefficients)
+            read_series(h - about[number], number, coefficients, sums)
+
+    @cached_property
+    def _expanded(self) -> list[Callable]:
+        return [_summing_in_stages(regime, self._heights, expand) for regime in self._regimes]
+
+    def _fills(self, pairs: int) -> list[Callable]:
+        if self._heights.listed.size:
+            return self._listed
+        return self._alone if self._regimes and specialised(len(self._regimes[0].edges), pairs) else self._in_stages
+
+    @cached_property
+    def _listed(self) -> list[Callable]:
+        return [_summing_listed(regime, self._heights) for regime in self._regimes]
+
+    @cached_property
+    def _alone(self) -> list[Callable]:
+        return [_summing_alone(regime, self._heights) for regime in self._regimes]
+
+    @cached_property
+    def _in_stages(self) -> list[Callable]:
+        add = adding(self._heights.density)
+        return [_summing_in_stages(regime, self._heights, add) for regime in self._regimes]
 
 
 def _summing_listed(regime: Regime, heights: Heights) -> Callable:
@@ -127,14 +164,15 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
     return lambda h, law, sums: compiled(h, law, *given, sums)
 
 
-def _summing_in_stages(regime: Regime, heights: Heights) -> Callable:
+def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Callable:
     """Return a function fill(h, law, sums) that sums one regime over heights, mostly in loops that all regimes share.
 
-    Only two short loops are compiled for the regime. Arguments: as in `_summing_alone`.
+    Only two short loops are compiled for the regime. add: the last of the stages, which fills `sums`. Other arguments: as in
+    `_summing_alone`.
     """
     laws = Laws.of(regime)
     at_edges = laws.edges, displacements(regime, laws)
-    cut, add, of_heights = cutting(heights.window), adding(heights.density), (heights.shape, heights.knots)
+    cut, of_heights = cutting(heights.window), (heights.shape, heights.knots)
     most = (laws.edges.shape[1] - 1) * (1 + heights.knots.size)
     block = max(1, _PARTS // most)
 

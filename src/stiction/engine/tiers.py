@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import cache
 from importlib.metadata import version
 
 from stiction.quantities.cache import cache_folder
@@ -50,10 +51,11 @@ def all_compiled() -> Iterator[None]:
         _compiled.reset(before)
 
 
+@cache
 def tier() -> str:
     """Return the value of the environment variable STICTION_LOOPS, by default "auto".
 
-    Raises an InputError for a value that is not in TIERS.
+    It is read once, because every call of a kernel needs it. Raises an InputError for a value that is not in TIERS.
     """
     wanted = os.environ.get(VARIABLE, TIERS[0])
     if wanted not in TIERS:

@@ -108,6 +108,12 @@ class Input(BaseModel):
         fields = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**fields | changes)
 
+    def __getstate__(self) -> dict[Any, Any]:
+        """Return what is pickled and copied: the fields, without cached values, some of which cannot be pickled."""
+        state = super().__getstate__()
+        fields = type(self).model_fields
+        return state | {"__dict__": {name: value for name, value in state["__dict__"].items() if name in fields}}
+
     def part(self, name: str) -> Any:
         """Return the field of this name, or None if the record has no such field."""
         return getattr(self, name) if name in type(self).model_fields else None

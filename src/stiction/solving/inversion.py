@@ -7,12 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from stiction.engine.at_loads import NO_TENSION, NOTHING, starts
+from stiction.engine.at_loads import NO_TENSION, NOTHING
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import gaussian_density
 from stiction.engine.summation import FARTHEST
-from stiction.quantities.errors import InputError
-from stiction.solving.laplace import pull_and_bound
 from stiction.solving.problem import LOAD, AsperitySum, ClosedFormProblem, Problem
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
@@ -151,12 +149,9 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 
     Also returns a mask (n,) of the contacts for which it succeeded, and the sums (regimes, n, m, 5) there.
     """
-    start = starts(_load_alone(problem).regimes, targets)
-    tension, where = np.zeros_like(start.tension), start.where
-    adheres = np.flatnonzero(start.tension > 0.0)
-    tension[adheres] = -problem.loads(where[adheres], adheres)
+    start, (tension, where, holds) = problem.approach.starts(targets), problem.largest_tension
     carried = np.where((tension > 0.0)[:, None], targets >= -tension[:, None], targets > 0.0)
-    known = carried & np.isfinite(start.h) & (start.plain & (tension >= 0.0))[:, None]
+    known = carried & np.isfinite(start.h) & holds[:, None]
     h, excess, law = start.h, np.full(targets.shape, np.nan), np.nonzero(known)[0]
     target, slope = targets[known], start.slope[known]
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
@@ -164,22 +159,8 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
     h[known], excess[known] = x, left
     sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
     sums[:, known] = of_each
-    good = start.plain & (tension >= 0.0) & ~np.isnan(excess).any(axis=1) & ~_is_bounded(problem, where)
-    return Inversion(h, _relative(excess, targets, tension), tension, where, evaluations), good, sums
-
-
-def _is_bounded(problem: AsperitySum, where: np.ndarray) -> np.ndarray:
-    """Return a mask (n,) of contacts whose meniscus pull reaches its upper bound at the separations `where`.
-
-    `where` holds the separations of largest tension. The fast method ignores the bound, so that its tension is wrong
-    there.
-    """
-    bound = np.zeros(where.size, dtype=bool)
-    pulled = np.flatnonzero(np.isfinite(where))
-    if problem.most_pull is not None and pulled.size:
-        pull, most = pull_and_bound(problem.sums(where[pulled], pulled), problem.regimes, problem.most_pull[:, pulled])
-        bound[pulled] = pull >= most * (1.0 - _LEFT)
-    return bound
+    good = holds & ~np.isnan(excess).any(axis=1)
+    return Inversion(h, _relative(excess, targets, tension), tension.copy(), where.copy(), evaluations), good, sums
 
 
 def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
@@ -233,20 +214,6 @@ def _log_of(share: np.ndarray) -> np.ndarray:
     """Return the natural logarithm of an array; minus infinity where the value is 0."""
     with np.errstate(divide="ignore"):
         return np.log(share)
-
-
-def _load_alone(problem: AsperitySum) -> AsperitySum:
-    """Return the problem without its tangential law, whose kinks would split segments.
-
-    A model that needs its tangential law is returned unchanged.
-    """
-    if problem.chosen.tangential is None:
-        return problem
-    alone = replace(problem, chosen=replace(problem.chosen, tangential=None))
-    try:
-        return alone if alone.regimes else problem
-    except InputError:
-        return problem
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:

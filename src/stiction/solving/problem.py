@@ -8,10 +8,11 @@ import numpy as np
 
 from stiction.contact.indices import Groups
 from stiction.contact.subject import Subject, as_subject
+from stiction.engine.at_loads import Approach
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import MENISCUS, Regime
-from stiction.engine.summation import check_threads, on_grid, scattered, totals_on_grid
+from stiction.engine.summation import Scattered, check_threads, on_grid, totals_on_grid
 from stiction.laws.joining import Law, resistances
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
@@ -21,13 +22,15 @@ from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, Tan
 from stiction.solving.candidates import with_interface
 from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import resolve_laws
-from stiction.solving.laplace import bounded, most_pull
+from stiction.solving.laplace import bounded, most_pull, pull_and_bound
 from stiction.solving.on_map import MapProblem
 from stiction.solving.parts import of_those, share_beyond, share_without, states_of
 from stiction.solving.problem_base import Problem, with_coefficient
 from stiction.solving.unused import refuse_ignored_strength
 
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
+_ROUNDING = 1e-14  # of the pull of menisci
+_KEPT = 8  # problems of a contact: a few models at a time
 _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
@@ -61,13 +64,50 @@ class AsperitySum(Problem):
         return self.law.regimes(self.groups)
 
     def on_branch(self, branch: str) -> "AsperitySum":
-        if "branch" not in self.options:
+        if "branch" not in self.options or self.options["branch"] == branch:
             return self
+        return self._on_other_branch
+
+    @cached_property
+    def _on_other_branch(self) -> "AsperitySum":
+        branch = "unloading" if self.options["branch"] == "loading" else "loading"
         other = replace(self, chosen=self.chosen.with_option("branch", branch))
         try:
             return other if other.regimes else self
         except InputError:
             return self
+
+    @cached_property
+    def load_alone(self) -> "AsperitySum":
+        """Return the problem without its tangential law, whose kinks would split pieces; itself if its model needs that law."""
+        if self.chosen.tangential is None:
+            return self
+        alone = replace(self, chosen=replace(self.chosen, tangential=None))
+        try:
+            return alone if alone.regimes else self
+        except InputError:
+            return self
+
+    @cached_property
+    def approach(self) -> Approach:
+        """Return the loads along the approach, for Gaussian heights."""
+        return Approach(self.load_alone.regimes)
+
+    @cached_property
+    def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the largest tension (n,) on the approach, its separation (n,), and a mask (n,) of contacts where they hold.
+
+        Heights are Gaussian. They do not hold where the pull of menisci reaches its upper bound, which the approach ignores.
+        """
+        estimate, where, plain = self.approach.lowest
+        tension, holds, adheres = np.zeros_like(estimate), plain.copy(), np.flatnonzero(estimate > 0.0)
+        if adheres.size:
+            sums = self.sums(where[adheres], adheres)
+            tension[adheres] = -sums[..., LOAD].sum(axis=0)
+            if self.most_pull is not None:
+                pull, most = pull_and_bound(sums, self.regimes, self.most_pull[:, adheres])
+                holds[adheres] &= pull < most * (1.0 - _ROUNDING)
+        return tension, where, holds & (tension >= 0.0)
 
     def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         return np.concatenate([self.sums(h[some], law[some])[..., LOAD].sum(axis=0) for some in blocks(h.size)])
@@ -129,8 +169,12 @@ class AsperitySum(Problem):
 
     def sums(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
         """Return the sums of the engine (regimes, k, 5) at pairs (k,) of separation and law."""
-        sums = scattered(self.regimes, h, self.heights, law, self.threads)
+        sums = self._scattered(h, law, self.threads)
         return sums if self.most_pull is None else bounded(sums, self.regimes, self.most_pull[:, law])
+
+    @cached_property
+    def _scattered(self) -> Scattered:
+        return Scattered(self.regimes, self.heights)
 
     def _on_grid(self, h: np.ndarray) -> np.ndarray:
         """Return the sums of the engine (regimes, n, H, 5) at separations h (H,)."""
@@ -324,18 +368,32 @@ def takes_surface_moments(model: str) -> bool:
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """Return the problem of a contact under a model.
 
-    Raises InputError for what the model does not support or refuses.
+    The last sums over asperities of a contact of numbers are kept, because preparing one takes longer than solving it. Raises
+    InputError for what the model does not support or refuses.
     """
     check_threads(threads)
-    subject = with_surface_moments(as_subject(subject), choice.model_key)
+    if not (heights is None or isinstance(heights, str | Heights)):
+        raise InputError("heights", type(heights).__name__, "a height distribution or its name, e.g. gaussian")
+    subject, asked = as_subject(subject), (choice, heights, threads)
+    for earlier, problem in tuple(subject.prepared):
+        if earlier == asked:
+            return problem
+    problem = _prepared(subject, *asked)
+    if isinstance(problem, AsperitySum) and not problem.dims and subject.measured is None:
+        subject.prepared.append((asked, problem))
+        del subject.prepared[:-_KEPT]
+    return problem
+
+
+def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, threads: int) -> Problem:
+    """Return a new problem, see `make_problem`."""
+    subject = with_surface_moments(subject, choice.model_key)
     own_heights = heights is None
     if heights is None:
         name, parameters = subject.heights
         heights = height_distribution(name, **parameters)
     elif isinstance(heights, str):
         heights = height_distribution(heights)
-    elif not isinstance(heights, Heights):
-        raise InputError("heights", type(heights).__name__, "a height distribution or its name, e.g. gaussian")
     groups, dims = Groups.of(subject.unlabelled.indices())
     problem = problem_of(groups, choice, heights, subject)
     problem = replace(problem, dims=dims, coords=coordinates(subject.arrays()), threads=threads)

@@ -7,6 +7,7 @@ side of the pressure or hardness, or where the model has no result on one side, 
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -31,7 +32,7 @@ NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at
 _SLOPE, _FARTHEST = 5.0, 16.0
 _STEEP = 0.3  # change of ln of area over load with ln of the pressure, on plateaus without roughness of their own
 _FLOWS = 0.1  # hardness over E* h' at which spots flow as much as not
-_TABLES = 20  # numbers of a point and a surface that are held together: bounds the memory
+_TABLES = 40  # numbers of a point and a surface that are held together: bounds the memory
 _WINDOW = 0.03  # around a level, over which quantiles are averaged
 _COUNTED = 0.1  # of the weight of the nearest, from which on a surface counts as near
 
@@ -41,9 +42,9 @@ class ErrorsNear(NamedTuple):
 
     levels: quantiles (k, 5) at LEVELS over the nearby solved surfaces. relative: root mean square of A/solved A - 1. middle:
     mean of the logarithm over nearby surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is
-    stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model has a
-    result. surfaces: number of surfaces with a noticeable weight. nearest: the feature in which the nearest surface differs
-    most.
+    stated. distance: distance of the nearest surface. coverage: fraction of the total weight on surfaces where the model
+    has a result. surfaces: number of surfaces with a noticeable weight. nearest: a function of each point
+    that returns in words how the nearest surface differs, "" if it hardly does.
     """
 
     levels: np.ndarray
@@ -120,16 +121,23 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: Place, like: np.nd
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles at LEVELS of weighted values, each as the mean of all quantiles within _WINDOW of its level.
+    """Return the quantiles (k, 5) at LEVELS of weighted values (k, s), each the mean of all within _WINDOW of its level.
 
-    A quantile of few values leaps from one value to the next when a weight changes a little. This mean does not.
+    A quantile of few values leaps from one value to the next when a weight changes a little. This mean does not. Values of
+    weight 0 do not count; each row has a value of more weight.
     """
-    order = np.argsort(values)
-    shares = np.concatenate([[0.0], np.cumsum(weights[order])])
-    integrals = np.concatenate([[0.0], np.cumsum(weights[order] * values[order])])
-    ends = np.add.outer((-_WINDOW, _WINDOW), LEVELS) * shares[-1]
-    below, above = np.interp(ends, shares, integrals)
-    return (above - below) / (2.0 * _WINDOW * shares[-1])
+    order = np.argsort(values, axis=1)
+    values, weights = (np.take_along_axis(table, order, axis=1) for table in (values, weights))
+    shares, integrals, rows = np.cumsum(weights, axis=1), np.cumsum(weights * values, axis=1), np.arange(len(values))
+
+    def integral(level: float) -> np.ndarray:
+        """Return the integral (k,) of the values over their weights, up to this share of the weights."""
+        end = level * shares[:, -1]
+        at = np.count_nonzero(shares < end[:, None], axis=1)
+        return integrals[rows, at] - (shares[rows, at] - end) * values[rows, at]
+
+    over = [integral(level + _WINDOW) - integral(level - _WINDOW) for level in LEVELS]
+    return np.stack(over, axis=1) / (2.0 * _WINDOW * shares[:, -1:])
 
 
 def _at_lighter_load(
@@ -179,12 +187,16 @@ def _averaged(
     middle[answered] = np.average(values[answered], axis=1, weights=ranks[answered])
     nearest = np.where(answered[:, None] & ~mine, np.inf, squared).argmin(axis=1)
     least = np.take_along_axis(squared, nearest[:, None], axis=1)[:, 0]
-    for point in np.flatnonzero(answered).tolist():
-        levels[point] = quantiles(values[point][mine[point]], weights[point][mine[point]])
-    words = np.full(len(known), "", dtype=object)
+    levels[answered] = quantiles(values[answered], weights[answered])
+    words = np.full(len(known), no_words, dtype=object)
     for point in np.flatnonzero((least > 1.0) & np.isfinite(least)).tolist():
-        words[point] = nearest_in_words(apart, point, int(nearest[point]))
-    return ErrorsNear(levels, relative, middle, np.sqrt(least), coverage, count, words.astype(str))
+        words[point] = partial(nearest_in_words, apart, point, int(nearest[point]))
+    return ErrorsNear(levels, relative, middle, np.sqrt(least), coverage, count, words)
+
+
+def no_words() -> str:
+    """Return no words: nothing near differs much."""
+    return ""
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ import numpy as np
 
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
-from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear
+from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, no_words
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
 from stiction.solving.accuracy.solved_near import FILM_SCALES, Place
 from stiction.solving.problem import Problem
@@ -126,7 +126,7 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
         return None
     middle, distance = np.log(found.mean), np.abs(np.log(groups.n_E / modulus)) / FILM_SCALES[0]
     levels = middle[:, None] + np.array(NORMAL_SCORES) * found.rms[:, None]
-    nearest = np.full(distance.shape, "")  # they are looked up by film alone
+    nearest = np.full(distance.shape, no_words)  # they are looked up by film alone
     count = np.full(distance.shape, _MAPS)
     each = levels, np.expm1(found.rms), middle, distance + 0.0 * middle, np.ones_like(middle), count, nearest
     return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))

@@ -65,8 +65,8 @@ class MeasuredErrors:
     number of surfaces that count. trust: 1 for a near surface, 0 where nothing was measured, continuous between.
     sample: standard error of ln of the area because the map is one window of a larger surface, for models that solve
     the map. column: model and asperity method. why_not: why no error is known at some points, "" if all are known.
-    nearest: how the nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the
-    kind of surface; kind: the stated kind, for a contact without a map.
+    nearest: a function of each point that returns how the nearest surface differs, "" if it hardly does. kind_known:
+    whether the map or the user gives the kind of surface; kind: the stated kind, for a contact without a map.
     """
 
     column: str
@@ -79,7 +79,7 @@ class MeasuredErrors:
     trust: np.ndarray
     sample: np.ndarray
     why_not: str = ""
-    nearest: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=str))
+    nearest: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=object))
     kind_known: bool = True
     kind: str | None = None
 
@@ -102,18 +102,20 @@ class MeasuredErrors:
         """Return the relative errors as data for JSON.
 
         Holds the mean error of area and of mu, the ends of the middle 90 % and the root mean square of the area error, the
-        standard error of the sample, and the distance. Each is a list over the points, null where nothing was measured.
+        standard error of the sample, and the distance. Each is a list over the points, null where nothing was measured; all are
+        empty if no surface was compared with any point.
         """
+        some = slice(None) if np.isfinite(self.distance).any() else slice(0)
         return {
             "measured_as": self.column,
-            "area": _plain(np.expm1(self.area)),
-            "area_low": _plain(np.expm1(self.low)),
-            "area_high": _plain(np.expm1(self.high)),
-            "area_rms": _plain(self.relative),
-            "friction": _plain(np.expm1(self.friction)),
-            "sample": _plain(self.sample),
-            "distance": _plain(self.distance),
-            "surfaces": self.surfaces.astype(int).tolist(),
+            "area": _plain(np.expm1(self.area[some])),
+            "area_low": _plain(np.expm1(self.low[some])),
+            "area_high": _plain(np.expm1(self.high[some])),
+            "area_rms": _plain(self.relative[some]),
+            "friction": _plain(np.expm1(self.friction[some])),
+            "sample": _plain(self.sample[some]),
+            "distance": _plain(self.distance[some]),
+            "surfaces": self.surfaces[some].astype(int).tolist(),
             "kind_known": self.kind_known,
             "kind": self.kind,
             "why_not": self.why_not,
@@ -130,7 +132,7 @@ class MeasuredErrors:
             return f"the reference solution; its point spacing leaves an error of {most:.1%}{self._of_sample}"
         where = "" if some.all() else f" at {int(some.sum())} of {some.size} points"
         of_mu = ", and so of mu" if np.isfinite(self.friction).any() else ""
-        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]
+        nearest = self.nearest[np.argmin(np.where(some, self.distance, np.inf))]()
         nearest = f"; {nearest}" if nearest else ""
         middle, levels = np.expm1(self.area[some]), np.expm1(self.levels[some])
         mean, ends = (span((one.min(), one.max()), "+.0%") for one in (middle, levels))
@@ -320,7 +322,7 @@ def _far(distance: np.ndarray, nearest: np.ndarray) -> str:
     at = int(np.argmin(distance))
     if math.isinf(distance[at]):
         return "solved surfaces with a film have one elastic film on one body, and a rigid counterbody"
-    return f"no solved surface is like this one: {nearest[at]}" if distance[at] > FAR else "the model carries no such load"
+    return f"no solved surface is like this one: {nearest[at]()}" if distance[at] > FAR else "the model carries no such load"
 
 
 def _why_not(problem: Problem, column: str, points: int, most_points: float) -> str:
