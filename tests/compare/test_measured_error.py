@@ -287,12 +287,12 @@ def test_quantiles_do_not_leap_where_values_change_places():
     weights = np.array([1.0, 0.3, *[1.0] * 18])
     values = np.array([-1.0, -1.0, *np.linspace(0.0, 1.0, 18)])
     signs = np.array([1.0, -1.0, *[0.0] * 18])
-    before, after = (quantiles(values + step * signs, weights) for step in (1e-9, -1e-9))
+    before, after = (quantiles((values + step * signs)[None], weights[None])[0] for step in (1e-9, -1e-9))
     assert after == pytest.approx(before, abs=1e-7)
 
 
 def test_quantiles_of_many_values_are_those_of_the_normal_distribution():
     ranks = (np.arange(4000) + 0.5) / 4000
-    assert quantiles(norm.ppf(ranks), np.ones(4000)) == pytest.approx(norm.ppf(LEVELS), abs=0.04)
+    assert quantiles(norm.ppf(ranks)[None], np.ones((1, 4000)))[0] == pytest.approx(norm.ppf(LEVELS), abs=0.04)
     one_heavy = np.concatenate([norm.ppf(ranks), [0.0]])
     assert quantiles(one_heavy, np.append(np.ones(4000), 1e9)) == pytest.approx(np.zeros(5), abs=1e-6)
