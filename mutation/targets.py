@@ -66,7 +66,7 @@ PARTS = (
          _tests("solvers/boundary_elements", "compliance", "known_contacts", "area_estimates", "map_area",
                 "sizes_and_pixels"), False),
     Part("sweeps", ("studies/sweep/plan.py", "studies/sweep/blocks.py", "studies/sweep/store.py",
-                    "studies/sweep/quantile_counts.py", "case/several.py"),
+                    "studies/sweep/quantile_counts.py", "case/swept.py"),
          (*_tests("several", "quantile_counts", "several", "sweep"),), False),
     Part("uncertainty", ("case/distribution.py", "studies/sensitivity/indices_of_variance.py",
                          "studies/sensitivity/log_sensitivities.py", "studies/uncertainty/bands.py"),

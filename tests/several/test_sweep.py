@@ -69,7 +69,7 @@ def same(one, other):
 def test_a_grid_is_what_solve_gives(tmp_path):
     data = sweep(GRID, tmp_path / "store")
     case = make_plan(GRID)
-    theta, lam = (one.numbers() for one in case.several.values())
+    theta, lam = (one.numbers() for one in case.swept.values())
     whole = solve(_contacts(case, {"theta": slice(None), "lam": slice(None)}), load=[0.001, 0.01])
     assert case.blocks > 3 and data["friction_coefficient"].dims == ("theta", "lam", "load")
     np.testing.assert_array_equal(data["lam"], lam)

@@ -146,7 +146,7 @@ def test_the_plain_value_is_the_nominal_one():
     }
     plain = case({"second.hardness": "7 GPa"})
     found = case(changes)
-    assert found.subject == plain.subject and not found.is_several
+    assert found.subject == plain.subject and not found.is_swept
     assert list(found.unknowns) == ["hardness", "work_of_adhesion", "asperity_radius"]
 
 

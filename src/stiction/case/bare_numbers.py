@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from stiction.case.distribution import Distribution, is_law
+from stiction.case.distribution import Distribution, is_scipy_law
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 
@@ -29,4 +29,4 @@ def _is_text(value: Any, path: str) -> bool:
     """
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
-    return isinstance(value, str | Distribution) or is_law(value)
+    return isinstance(value, str | Distribution) or is_scipy_law(value)

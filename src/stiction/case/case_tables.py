@@ -6,8 +6,8 @@ from typing import Any
 
 from pydantic import Field, create_model, model_validator
 
-from stiction.case.several import Points, numbers_schema
 from stiction.case.study_tables import study_tables
+from stiction.case.swept import Points, numbers_schema
 from stiction.case.uncertain import FORMS, Uncertainty
 from stiction.contact.contact import Body, Contact, Indices
 from stiction.quantities.errors import InputError

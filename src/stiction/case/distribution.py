@@ -175,12 +175,12 @@ def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution
     return Distribution(quantity, float(np.median(values)), "values", tuple(known.tolist()), words)
 
 
-def is_law(value: Any) -> bool:
+def is_scipy_law(value: Any) -> bool:
     """Return whether a value is a distribution object with `ppf` and `cdf`, such as those of scipy.stats."""
     return callable(getattr(value, "ppf", None)) and callable(getattr(value, "cdf", None))
 
 
-def of_law(quantity: str, law: Any, field: str) -> Distribution:
+def from_scipy(quantity: str, law: Any, field: str) -> Distribution:
     """Return a scipy.stats distribution, in SI units, with its median as nominal value.
 
     Raises InputError if its parameters are missing, or if more than 2.5 % of it is outside the bounds of the quantity.

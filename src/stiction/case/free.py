@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from stiction.case.several import Address, read_ends
+from stiction.case.swept import Address, read_ends
 from stiction.quantities.errors import InputError, field_below
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import placed, subject_table
-from stiction.case.several import Address
+from stiction.case.addresses import address_of, subject_table
+from stiction.case.swept import Address
 from stiction.quantities.errors import InputError, field_named, nearest
 from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
@@ -99,7 +99,7 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     if not isinstance(path, str | PathLike):
         raise InputError("--data", path, "the path of a CSV file")
     text = read_text(Path(path), "--data", "a CSV file", _LARGEST_FILE)
-    lines = [(line_number, line) for line_number, line in enumerate(text.splitlines(), start=1) if _says(line)]
+    lines = [(line_number, line) for line_number, line in enumerate(text.splitlines(), start=1) if _is_data_line(line)]
     if not lines:
         raise InputError("--data", str(path), f"{_FORM}; this file is empty")
     between = ";" if ";" in lines[0][1] else ","
@@ -135,7 +135,7 @@ def _cells(line_number: int, line: str, between: str) -> list[str]:
     return [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells]
 
 
-def _says(line: str) -> bool:
+def _is_data_line(line: str) -> bool:
     return bool(line.strip().strip(",;")) and not line.lstrip().startswith("#")
 
 
@@ -154,7 +154,7 @@ def _column(head: str, content: Mapping) -> _Column:
         kind = "value" if name == measured else "error"
         return _Column(kind, measured, _unit(measured, unit, head, plain))
     try:
-        path = placed(name, content, "--data")
+        path = address_of(name, content, "--data")
     except InputError:
         known = [_SAMPLE, "load", *MEASURABLE, *(f"{quantity}{_ERROR}" for quantity in MEASURABLE), "note"]
         raise InputError("--data", head, f"a number of the contact, or one of these columns: {nearest(name, known)}") from None

@@ -5,8 +5,8 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
-from stiction.case.places import BODIES, entry_at, with_numbers
-from stiction.case.several import Address
+from stiction.case.addresses import BODIES, entry_at, with_numbers
+from stiction.case.swept import Address
 from stiction.contact.materials import Material, as_material, material_names, preset_name
 from stiction.quantities.errors import InputError, field_as, field_below
 
@@ -52,7 +52,7 @@ def with_own_materials(content: Mapping) -> Mapping:
         return content
     own = _materials(tables)
     named: dict[Address, Any] = {path: body for path in BODIES if (body := entry_at(content, path)) is not None}
-    materials = {path: _found(body, own, ".".join(path)) for path, body in named.items()}
+    materials = {path: _with_own_material(body, own, ".".join(path)) for path, body in named.items()}
     return with_numbers(content, {**materials, ("materials",): own})
 
 
@@ -77,7 +77,7 @@ def _material(name: str, numbers: Any) -> Material:
         return material if isinstance(material, Material) else Material(**material)
 
 
-def _found(body: Any, own: Mapping[str, Material], where: str) -> Any:
+def _with_own_material(body: Any, own: Mapping[str, Material], where: str) -> Any:
     """Return a body with the user-defined material that it names, plus the changes stated for this body.
 
     A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name; where: address of

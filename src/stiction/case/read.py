@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stiction.case.addresses import roughness_in, with_numbers, with_roughness
 from stiction.case.bare_numbers import refuse_bare_numbers
 from stiction.case.case_tables import case_tables
 from stiction.case.own_materials import naming_materials_file, with_materials_of_file, with_own_materials
-from stiction.case.places import roughness_in, with_numbers, with_roughness
-from stiction.case.several import Address, Several, points_of, several_numbers
 from stiction.case.study_tables import study_tables
+from stiction.case.swept import Address, SweptNumber, points_of, swept_numbers
 from stiction.case.uncertain import (
     SAMPLE,
     Uncertain,
     Uncertainty,
+    at_bodies,
     named,
-    placed,
     uncertain_numbers,
     with_ranges,
 )
@@ -64,7 +64,7 @@ class Case:
     choice: Choice
     uncertain: tuple[Uncertain, ...] = ()
     uncertainty: Uncertainty = field(default_factory=lambda: Uncertainty(**{}))
-    several: Mapping[Address, Any] = field(default_factory=dict, repr=False)
+    swept: Mapping[Address, Any] = field(default_factory=dict, repr=False)
     points: Any = field(default=None, repr=False)
 
     @property
@@ -107,7 +107,7 @@ class Case:
             number.path: number.array(number.at(shares[:, columns.index(number.dimension)]), SAMPLE)
             for number in self.uncertain
         }
-        return {**self.several, **samples}
+        return {**self.swept, **samples}
 
     @property
     def measured(self) -> Measured | None:
@@ -115,7 +115,7 @@ class Case:
         return self.subject.measured
 
     @property
-    def is_several(self) -> bool:
+    def is_swept(self) -> bool:
         """Return whether a number of the contact is swept."""
         return any(True for _ in self.subject.arrays())
 
@@ -253,25 +253,25 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
     Callers pass `case.subject` to `input_warnings` for the warnings. Raises InputError.
     """
     require_names(content)
-    content, several = opened(content, folder)
-    uncertain = named([number for number in several.values() if isinstance(number, Uncertain)])
-    arrays = {path: number.array(number.numbers()) for path, number in several.items() if not isinstance(number, Uncertain)}
-    return replace(case_of(content, arrays), uncertain=tuple(uncertain), several=arrays)
+    content, swept = with_files_read(content, folder)
+    uncertain = named([number for number in swept.values() if isinstance(number, Uncertain)])
+    arrays = {path: number.array(number.numbers()) for path, number in swept.items() if not isinstance(number, Uncertain)}
+    return replace(case_of(content, arrays), uncertain=tuple(uncertain), swept=arrays)
 
 
-def opened(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, Several]]:
+def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, SweptNumber]]:
     """Return the tables with all files read in, and the swept and uncertain numbers by address.
 
     Names of user-defined materials become materials, and scans become roughness. The tables have the first value of a swept
     number and the nominal value of an uncertain one. Raises InputError.
     """
     refuse_bare_numbers(content, "")
-    numbers: dict[Address, Several] = dict(several_numbers(content))
+    numbers: dict[Address, SweptNumber] = dict(swept_numbers(content))
     with naming_materials_file(content):
         file = content.get("materials")
         content = with_materials_of_file(content, folder, _tables)
         uncertain = uncertain_numbers(content, folder, (folder / file).parent if isinstance(file, str) else folder)
-        used = {number.path: number for number in placed(uncertain, content)}
+        used = {number.path: number for number in at_bodies(uncertain, content)}
         nominal = {path: float(number.values[0]) for path, number in (numbers | uncertain).items()}
         content = with_own_materials(with_numbers(content, nominal))
     content = _measured(content, folder)
@@ -292,11 +292,11 @@ def wants_ranges(content: Mapping) -> bool:
     return isinstance(table, Mapping) and table.get("ranges") is True
 
 
-def _refuse_beside_scans(content: Mapping, several: Mapping, uncertain: Mapping[Address, Uncertain]) -> None:
+def _refuse_beside_scans(content: Mapping, swept: Mapping, uncertain: Mapping[Address, Uncertain]) -> None:
     """Raise InputError if a roughness parameter is swept or uncertain while scans define the roughness."""
     if getattr(roughness_in(content), "measured", None) is None:
         return
-    for path, number in {**several, **uncertain}.items():
+    for path, number in {**swept, **uncertain}.items():
         if path[:2] == ("contact", "roughness"):
             raise InputError(number.where, number.words, "a single number, because scans define the roughness")
 

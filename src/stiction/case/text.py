@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import tomli_w
 
-from stiction.case.distribution import Distribution, is_law
-from stiction.case.places import roughness_in, with_numbers, with_roughness
-from stiction.case.several import Address
+from stiction.case.addresses import roughness_in, with_numbers, with_roughness
+from stiction.case.distribution import Distribution, is_scipy_law
+from stiction.case.swept import Address
 from stiction.case.uncertain import read_distribution
 from stiction.quantities.quantity import in_degrees
 from stiction.quantities.table import QUANTITIES
@@ -78,7 +78,7 @@ def _plain(value: Any, name: str) -> Any:
 
     A distribution object of Python, for which TOML has no form, becomes its nominal value. name: quantity of the value.
     """
-    if isinstance(value, Distribution) or is_law(value):
+    if isinstance(value, Distribution) or is_scipy_law(value):
         return show_exactly(read_distribution(value, name, name).nominal, name)
     if isinstance(value, Mapping):
         return {str(key): _plain(entry, str(key)) for key, entry in value.items() if entry is not None}

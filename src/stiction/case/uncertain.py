@@ -9,18 +9,18 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
+from stiction.case.addresses import BODIES, entry_at
 from stiction.case.distribution import (
     Distribution,
     between,
+    from_scipy,
     in_range,
-    is_law,
+    is_scipy_law,
     normal,
-    of_law,
     of_samples,
     within_factor,
 )
-from stiction.case.places import BODIES, entry_at
-from stiction.case.several import Address, Along, Point, Several, number_of, numbers_in, read_ends, with_error
+from stiction.case.swept import Address, Along, Point, SweptNumber, number_of, numbers_in, read_ends, with_error
 from stiction.contact.materials import Material, as_material
 from stiction.quantities.errors import InputError, InWords, field_below, field_named
 from stiction.quantities.inputs import Input, Seed
@@ -98,7 +98,7 @@ FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFac
 
 
 @dataclass(frozen=True)
-class Uncertain(Several):
+class Uncertain(SweptNumber):
     """An uncertain number of a contact: its address and its distribution.
 
     Numbers of the same `dimension` are sampled together. `values` holds the nominal value only. `at` returns the quantiles
@@ -164,8 +164,8 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
     """
     if isinstance(entry, Distribution):
         return entry
-    if is_law(entry):
-        return of_law(quantity, entry, where)
+    if is_scipy_law(entry):
+        return from_scipy(quantity, entry, where)
     if isinstance(entry, str):
         return _with_error(entry, quantity, where)
     forms = [form for _, form in FORMS]
@@ -261,7 +261,7 @@ def _is_number(text: str) -> bool:
         return False
 
 
-def placed(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
+def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
     """Yield the uncertain numbers at the addresses of the bodies.
 
     A number of a user-defined material is repeated for every body of that material, unless the body states its own value.

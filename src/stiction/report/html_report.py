@@ -222,7 +222,7 @@ def report_record(findings: ReportData) -> ReportAnswer:
 def _answer(findings: ReportData) -> PredictionAnswer | ModelAnswer | None:
     if findings.prediction is not None:
         return answer_record(findings.prediction)
-    return None if findings.case.is_several else model_record(findings.data)
+    return None if findings.case.is_swept else model_record(findings.data)
 
 
 def check_place(path: Path, case: Any = None) -> None:

@@ -120,7 +120,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
     if findings.prediction is not None:
         return  # it is on the first page
-    if findings.case.is_several:
+    if findings.case.is_swept:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
         yield _picture(
             lambda: several_figure(data), "several", f"{name.capitalize()} against the varied parameters.", wide=True
@@ -161,9 +161,9 @@ def all_of_one(findings: ReportData) -> list[str]:
     data, lines = findings.data, []
     if findings.prediction is not None:
         return []
-    if not findings.case.is_several and not (np.asarray(data["load"].values) > 0.0).any():
+    if not findings.case.is_swept and not (np.asarray(data["load"].values) > 0.0).any():
         return ["The case has no compressive load, so no curve is drawn against load."]
-    for what, (total, parts) in stacks(data).items() if not findings.case.is_several else ():
+    for what, (total, parts) in stacks(data).items() if not findings.case.is_swept else ():
         if name := _the_one(data, parts):
             lines.append(
                 f"Shares of the {what}: {part_in_words(name, total)} makes up more than {_NEARLY_ALL:.1%} at every load."
@@ -194,7 +194,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
     """Yield friction by the named model with its band over uncertain inputs, and with its range over asperity methods."""
     data = findings.data
-    if "friction_coefficient_quantile" in data and not findings.case.is_several:
+    if "friction_coefficient_quantile" in data and not findings.case.is_swept:
         caption = "The friction coefficient with its band over the uncertain inputs."
         yield _picture(lambda: uncertainty_figure(data), "band", caption)
     if "friction_coefficient_by_method" in data:

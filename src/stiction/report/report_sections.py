@@ -256,7 +256,7 @@ def curve_rows(findings: ReportData) -> Table:
     data = findings.data
     if findings.prediction is not None:
         return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
-    if findings.case.is_several:
+    if findings.case.is_swept:
         from stiction.report.several_tables import several_table
 
         return on_page(several_table(data), "Some of the combinations")

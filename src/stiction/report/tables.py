@@ -132,7 +132,7 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
     warnings = [str(warning) for warning in warnings_of(data)]
     more = f"; and {len(warnings) - 1} more" if len(warnings) > 1 else ""
     rows = [("model", f"{model_line(data.attrs)}; grade {data.attrs['grade']}")]
-    if not case.is_several:
+    if not case.is_swept:
         answer = model_record(data)
         mu, ends = answer["friction_coefficient"], answer["interval"]
         band = (

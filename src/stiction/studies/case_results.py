@@ -135,7 +135,7 @@ def slide_case(
     2
     """
     case = as_case(case)
-    if case.is_several:
+    if case.is_swept:
         raise InputError("contact", "array parameters", "a single contact; st.slide accepts arrays")
     choice = choice_of_case(case, case.choice if choice is None else choice)
     arguments = {name: value for name, value in choice.arguments().items() if name != "presliding"}
@@ -154,12 +154,12 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
     A single number becomes an attribute. An array becomes a variable, unless it is a coordinate already.
     """
-    several = {
+    swept = {
         name: (value.dims, value.values, subject.attributes(name))
         for name, value in subject.all_groups().items()
         if hasattr(value, "dims") and name not in data.variables
     }
-    return data.assign(several).assign_attrs(subject.groups())
+    return data.assign(swept).assign_attrs(subject.groups())
 
 
 def _check_choice(choice: Any) -> None:

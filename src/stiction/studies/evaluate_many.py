@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.quantities.dimensions import dimensions
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import BatchResult, Region, bisected, solve_batch

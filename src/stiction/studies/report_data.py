@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
@@ -67,13 +67,13 @@ def collect_report_data(case: Case, text: str = "", *, load: Any = None, progres
     numbers has no working load, and its models are not compared. progress: callable(label) that returns an iterator
     wrapper. Raises InputError.
     """
-    if case.is_several and load is not None:
+    if case.is_swept and load is not None:
         raise InputError("--load", load, "not supported with array parameters; the case is solved at its own loads")
-    at_load = None if case.is_several else working_load(case, load)
-    why = "the case has array parameters, and models are compared for a single contact" if case.is_several else ""
+    at_load = None if case.is_swept else working_load(case, load)
+    why = "the case has array parameters, and models are compared for a single contact" if case.is_swept else ""
     why = why or ("" if at_load is not None else "no load of the case is above 0, and models are compared at a load above 0")
     at_working_load = None
-    if is_predicted(case) and (at_load is not None or case.is_several):
+    if is_predicted(case) and (at_load is not None or case.is_swept):
         data = predict(case) if load is None or at_load is None else predict(case, load=[at_load])
     else:
         data = solve_case(case, progress=progress)
@@ -81,7 +81,7 @@ def collect_report_data(case: Case, text: str = "", *, load: Any = None, progres
             at_working_load = solve_case(replace(case, separation=None, load=np.array([at_load])), progress=progress).squeeze(
                 "load"
             )
-    predicted = data if "shares" in data.attrs else None if case.is_several else prediction_of(case, at_load)
+    predicted = data if "shares" in data.attrs else None if case.is_swept else prediction_of(case, at_load)
     comparison = None if at_load is None else compare_case(case, at_load, progress)
     warnings = tuple(str(warning) for warning in input_warnings(case.subject))
     return ReportData(

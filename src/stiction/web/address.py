@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from stiction.case.places import roughness_in
+from stiction.case.addresses import roughness_in
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 

@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 
-from stiction.case.several import with_error
+from stiction.case.swept import with_error
 from stiction.case.text import inline
 from stiction.case.uncertain import read_distribution
 from stiction.contact.contact import Contact, Indices

@@ -5,7 +5,7 @@ from typing import Any
 
 from nicegui import ui
 
-from stiction.case.several import with_error
+from stiction.case.swept import with_error
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si

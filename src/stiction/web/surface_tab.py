@@ -187,6 +187,6 @@ class SurfaceTab:
         assert self._scan is not None
         case, load = self._explorer.answer.case, self._explorer.load
         surface = Band(int(self._form.value)).of(self._scan.surface)
-        pressed = load > 0.0 and isinstance(case.subject, Contact) and not case.is_several
+        pressed = load > 0.0 and isinstance(case.subject, Contact) and not case.is_swept
         subject: Any = case.subject if pressed else None
         return resolution_picture(surface, subject, load, progress, self._explorer.view.narrow)

@@ -49,7 +49,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         )
         return {"answer": answer_record(data), "curve": curve} | parameters
 
-    if case.is_several:
+    if case.is_swept:
         return _several_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}

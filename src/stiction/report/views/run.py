@@ -93,13 +93,13 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
         write_csv(wide, path, comments_of(data))
 
     def as_record() -> dict[str, Any]:
-        answer = {} if case.is_several else {"answer": model_record(data)}
+        answer = {} if case.is_swept else {"answer": model_record(data)}
         measured = {} if case.measured is None else {"measured": case.measured.record()}
         return answer | record(data, case.subject.groups()) | measured
 
     def short() -> Iterator[Any]:
         yield from in_brief(case, data)
-        yield (several_table(data) if case.is_several else curve_table(data))
+        yield (several_table(data) if case.is_swept else curve_table(data))
 
     return View(
         "curve",
@@ -113,9 +113,9 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
 
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:
-    table = several_table(data, all_rows) if case.is_several else curve_table(data, all_rows)
+    table = several_table(data, all_rows) if case.is_swept else curve_table(data, all_rows)
     yield from (run_summary(case, data), "", table, "")
-    if not all_rows and not case.is_several and (text := rows_shown(data)):
+    if not all_rows and not case.is_swept and (text := rows_shown(data)):
         yield from (Text(text, style="dim"), "")
     if "uncertain_inputs" in data.attrs:
         yield from (*band_lines(data), "")
@@ -132,14 +132,14 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
 
 
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
-    drawn = "several_pictures.several_figure" if case.is_several else "pictures.curve_figure"
+    drawn = "several_pictures.several_figure" if case.is_swept else "pictures.curve_figure"
     pictures = {"curve.png": picture("friction, contact area and load", drawn, data, case.title)}
-    if not case.is_several:
+    if not case.is_swept:
         pictures |= regime_picture(case.subject, data, case.title)
-    if "friction_coefficient_by_method" in data and not case.is_several:
+    if "friction_coefficient_by_method" in data and not case.is_swept:
         description = "friction by every way of finding asperities"
         pictures["band.png"] = picture(description, "method_pictures.method_spread_figure", data, case.title)
-    if "friction_coefficient_quantile" in data and not case.is_several:
+    if "friction_coefficient_quantile" in data and not case.is_swept:
         drawn = "pictures.uncertainty_figure"
         pictures["uncertainty.png"] = picture("friction with its band", drawn, data, case.title)
     return pictures

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.addresses import address_of, as_numbers, leaves_of, subject_table
 from stiction.case.free import Free, read_free
-from stiction.case.places import as_numbers, flat, placed, subject_table
-from stiction.case.read import opened, without_studies
-from stiction.case.several import Address, number_of
+from stiction.case.read import with_files_read, without_studies
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import Uncertain
+from stiction.case.varied import Address, number_of
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, field_below, nearest
 from stiction.quantities.inputs import require_names
@@ -103,8 +103,8 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
     require_names(content)
     wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'
     design: Design = study_table(content, "design", wanted)
-    plain, several = opened(without_studies(content), folder)
-    for one in several.values():
+    plain, varied = with_files_read(without_studies(content), folder)
+    for one in varied.values():
         if not isinstance(one, Uncertain):
             raise InputError(one.where, one.words, "a single number; lists to choose from go under [design.choose]")
     plain = as_numbers(plain)
@@ -123,14 +123,14 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
         validity=design.validity,
         effort=design.effort,
         seed=design.seed,
-        uncertain=tuple(one for one in several.values() if isinstance(one, Uncertain)),
+        uncertain=tuple(one for one in varied.values() if isinstance(one, Uncertain)),
     )
 
 
 def _unknowns(design: Design, content: Mapping) -> tuple[tuple[Free, ...], tuple[Options, ...]]:
     free: list[Free] = []
     options: list[Options] = []
-    for name, entry in flat(design.choose, "design.choose", lambda table: bool(table.keys() & {"low", "high"})):
+    for name, entry in leaves_of(design.choose, "design.choose", lambda table: bool(table.keys() & {"low", "high"})):
         where = f"design.choose.{name}"
         path = _path(name, content, where)
         if path in [one.path for one in free] + [one.path for one in options]:
@@ -160,7 +160,7 @@ def _path(name: str, content: Mapping, where: str) -> Address:
         return LOAD
     last = name.rpartition(".")[2]
     if last not in _NAMED:
-        return placed(name, content, where)
+        return address_of(name, content, where)
     table = subject_table(content)
     contact: Any = content.get("contact", {})
     named = {"coating.material", "coating.bodies", "material", "bodies", "first", "second"}

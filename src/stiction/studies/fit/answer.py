@@ -178,7 +178,7 @@ def _start(forward: ForwardModel) -> np.ndarray:
 
 
 def _given(content, path):
-    from stiction.case.places import subject_table
+    from stiction.case.addresses import subject_table
     from stiction.case.read import case_of
 
     try:

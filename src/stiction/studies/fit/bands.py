@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from stiction.case.free import Free
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import sobol_points
@@ -129,20 +129,20 @@ def check_predicted(plan: FitPlan) -> None:
 
 def _predicted_numbers(plan: FitPlan) -> dict[Address, Any]:
     """Return the numbers of the table [fit.predict] by address; lists and ranges become labelled arrays."""
-    from stiction.case.places import flat, placed
-    from stiction.case.several import number_of, several_numbers
+    from stiction.case.addresses import address_of, leaves_of
+    from stiction.case.swept import number_of, swept_numbers
 
     arrays: dict[Address, Any] = {}
     leaf = {"start", "stop", "values", "along", "count"}
-    for name, entry in flat(plan.predict, "fit.predict", lambda table: bool(table.keys() & leaf)):
+    for name, entry in leaves_of(plan.predict, "fit.predict", lambda table: bool(table.keys() & leaf)):
         where = f"fit.predict.{name}"
-        path = placed(name, plan.content, where)
+        path = address_of(name, plan.content, where)
         if isinstance(entry, list | Mapping):
             nested: Any = entry
             for key in reversed(path):
                 nested = {key: nested}
             try:
-                one = several_numbers(nested)[path]
+                one = swept_numbers(nested)[path]
             except InputError as error:
                 raise InputError(error.field.replace(path[0], "fit.predict", 1), error.value, error.allowed) from None
             arrays[path] = one.array(one.numbers())

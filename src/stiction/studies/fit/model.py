@@ -8,7 +8,7 @@ import numpy as np
 
 from stiction.case.free import Free
 from stiction.case.measurements import Measurements
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of

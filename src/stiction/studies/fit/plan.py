@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from stiction.case.addresses import address_of, as_numbers, leaves_of, roughness_in
 from stiction.case.free import Free, read_free
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.places import as_numbers, flat, placed, roughness_in
-from stiction.case.read import Case, case_of, opened, without_studies
-from stiction.case.several import Address, number_of
+from stiction.case.read import Case, case_of, with_files_read, without_studies
 from stiction.case.study_tables import study_table
 from stiction.case.uncertain import Uncertain
+from stiction.case.varied import Address, number_of
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.studies.fit.table import Fit
@@ -55,8 +55,8 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     require_names(content)
     given = dict(content)
     fit = read_fit(given)
-    plain, several = opened(without_studies(given), folder)
-    for one in several.values():
+    plain, varied = with_files_read(without_studies(given), folder)
+    for one in varied.values():
         if isinstance(one, Uncertain):
             continue  # its nominal value stands for it, which is said
         raise InputError(one.where, one.words, "a single number in [contact]; arrays go under [fit.predict]")
@@ -80,7 +80,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     )
     _check(plan)
     taken = {one.path for one in free} | {path for row in measured.known for path in row}
-    names = tuple(".".join(path[1:]) for path, one in several.items() if isinstance(one, Uncertain) and path not in taken)
+    names = tuple(".".join(path[1:]) for path, one in varied.items() if isinstance(one, Uncertain) and path not in taken)
     return replace(plan, uncertain=names)
 
 
@@ -110,9 +110,9 @@ def read_fit(content: Mapping[str, Any]) -> Fit:
 def free_numbers(fit: Fit, content: Mapping) -> tuple[Free, ...]:
     """Return the free numbers of [fit.free] with their addresses in the tables of a case. Raises InputError."""
     found: dict[Address, Free] = {}
-    for name, entry in flat(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
+    for name, entry in leaves_of(fit.free, "fit.free", lambda table: "low" in table or "high" in table):
         where = f"fit.free.{name}"
-        path = RESISTANCE if name == RESISTANCE[1] else placed(name, content, where)
+        path = RESISTANCE if name == RESISTANCE[1] else address_of(name, content, where)
         if path in found:
             raise InputError(where, name, "each number only once; delete the repetition")
         found[path] = read_free(path, entry, where)

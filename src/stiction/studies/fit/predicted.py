@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stiction import __version__
-from stiction.case.places import as_numbers, with_numbers
-from stiction.case.read import Case, case_in, opened, read_content, tables_of, without_studies
+from stiction.case.addresses import as_numbers, with_numbers
+from stiction.case.read import Case, case_in, read_content, tables_of, with_files_read, without_studies
 from stiction.case.text import case_text, show_exactly
 from stiction.quantities.errors import InputError
 from stiction.studies.fit.plan import WANTED, free_numbers, read_fit
@@ -30,7 +30,7 @@ def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[
             raise InputError("fit", None, WANTED, "where a model is named")
         return None
     if "fit" in content:
-        plain = with_numbers(plain, _ends(content, as_numbers(opened(plain, folder)[0])))
+        plain = with_numbers(plain, _ends(content, as_numbers(with_files_read(plain, folder)[0])))
     case = case_in(plain, folder)
     return case, predict(case, measured=data)
 

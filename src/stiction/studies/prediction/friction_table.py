@@ -48,7 +48,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     if not 0.0 < level < 1.0:
         raise InputError("level", level, "a quantile above 0 and below 1, e.g. 0.05")
     case = case_given(contact, load)
-    if case.is_several:
+    if case.is_swept:
         raise InputError("contact", "array parameters", "a single contact for each table")
     stated, working_index = pressing_loads(case)
     if not stated.size:

@@ -130,8 +130,8 @@ def _together(
             raise InputError("indices", "given", "[contact] instead, because a prediction needs materials and lengths")
         if (refusal := refusal_of(case)) is not None:
             raise refusal
-        several = {path: value for path, value in numbers.items() if hasattr(value, "dims")}
-        case = with_uncertain(replace(case, several=several, uncertain=uncertain))
+        swept = {path: value for path, value in numbers.items() if hasattr(value, "dims")}
+        case = with_uncertain(replace(case, swept=swept, uncertain=uncertain))
         loads = load.values if load.dims == ("load",) else load
         levels = draws_of(case, count)
         sampled = SampledCase(case, loads, levels.inputs)
@@ -171,11 +171,11 @@ def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
     if case.load is None:
         raise InputError("solve.separation", "given", "a load; only a named model accepts separations")
     loads = xarray.DataArray(case.load, dims=("load",))
-    sizes = dimensions([*case.several.values(), loads])
+    sizes = dimensions([*case.swept.values(), loads])
     count = count_of(math.prod(sizes.values()))
     tables: dict[str, tuple] = {}
     refused = 0
-    for region, _, solved in predict_many(case, case.several, loads, case.uncertain, level=level, count=count):
+    for region, _, solved in predict_many(case, case.swept, loads, case.uncertain, level=level, count=count):
         if solved is None:
             refused += 1
             continue

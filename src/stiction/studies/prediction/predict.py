@@ -108,7 +108,7 @@ def predict(
     level = case.uncertainty.coverage if level is None else level
     if (refusal := refusal_of(case)) is not None:
         raise refusal
-    if case.is_several:
+    if case.is_swept:
         from stiction.studies.prediction.many import predict_several  # which draws with what is below
 
         if measured is not None:
@@ -163,9 +163,9 @@ def case_given(given: Any, load: Any) -> Case:
     if isinstance(given, Contact):
         if load is None:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
-        several = {("contact", *name.split(".")): array for name, array in given.arrays()}
+        swept = {("contact", *name.split(".")): array for name, array in given.arrays()}
         case = case_in({"contact": given, "solve": {"load": ["1 N"]}})
-        case = replace(case, several=several)
+        case = replace(case, swept=swept)
     else:
         case = as_case(given)
     if not isinstance(case.subject, Contact):
@@ -189,7 +189,7 @@ def with_uncertain(case: Case) -> Case:
     These include roughness parameters left open by a surface finish, and ranges of materials unless the case switches them off.
     """
     if "ranges" not in case.uncertainty.model_fields_set:
-        taken = [*case.several, *(number.path for number in case.uncertain)]
+        taken = [*case.swept, *(number.path for number in case.uncertain)]
         case = replace(case, uncertain=tuple(named([*case.uncertain, *with_ranges(case.tables, taken)])))
     return with_finish(case)
 

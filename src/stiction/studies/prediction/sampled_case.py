@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from stiction.case.read import Case
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.case.uncertain import SAMPLE
 from stiction.contact.contact import Contact
 from stiction.contact.materials import class_of
@@ -71,7 +71,7 @@ class SampledCase:
     def dims(self) -> dict[str, int]:
         """Return the dimensions of the points with their lengths."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
-        return dimensions([*self.case.several.values(), self.load]) | loads
+        return dimensions([*self.case.swept.values(), self.load]) | loads
 
     @cached_property
     def loads(self) -> np.ndarray:
@@ -89,9 +89,9 @@ class SampledCase:
         """Return the first and the last contact, each as a case of its own without uncertain numbers."""
         contacts = []
         for index in (0, -1):
-            some = {path: value.isel({dim: [index] for dim in value.dims}) for path, value in self.case.several.items()}
+            some = {path: value.isel({dim: [index] for dim in value.dims}) for path, value in self.case.swept.items()}
             load = self.load.isel({dim: [index] for dim in self.load.dims}) if hasattr(self.load, "dims") else self.load
-            case = replace(self.case.at(some), several=some, uncertain=())
+            case = replace(self.case.at(some), swept=some, uncertain=())
             contacts.append(replace(self, case=case, load=load, levels=np.zeros((1, 0))))
         return contacts
 
@@ -135,7 +135,7 @@ class SampledCase:
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
         density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
-        return replace(self, case=replace(self.case.at(density), several={**self.case.several, **density}))
+        return replace(self, case=replace(self.case.at(density), swept={**self.case.swept, **density}))
 
     def variation(self, choice: Choice) -> np.ndarray:
         """Return the area (n, m) of all samples over the area of the nominal contact, by one model."""
@@ -209,11 +209,11 @@ def _changed(case: Case, fields: Mapping[str, Any]) -> Case:
     """
     contact = _contact(case)
     uncertain = tuple(number for number in case.uncertain if not (set(number.path[1:]) & fields.keys()))
-    several = {path: value for path, value in case.several.items() if not (set(path[1:]) & fields.keys())}
+    swept = {path: value for path, value in case.swept.items() if not (set(path[1:]) & fields.keys())}
     film: dict[str, Any] = {}
     if contact.coating is not None and "work_of_adhesion" in fields:
         film = {"coating": contact.coating.replace(work_of_adhesion=None)}
-    return replace(case, subject=contact.replace(**fields, **film), uncertain=uncertain, several=several)
+    return replace(case, subject=contact.replace(**fields, **film), uncertain=uncertain, swept=swept)
 
 
 _FAINT = 1e-6  # of the work of adhesion

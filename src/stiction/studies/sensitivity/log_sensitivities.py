@@ -12,7 +12,7 @@ import numpy as np
 
 from stiction.case.distribution import Distribution
 from stiction.case.read import Case
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.case.uncertain import SAMPLE, Uncertain, named
 from stiction.contact.subject import Subject
 from stiction.quantities.inputs import Input
@@ -66,7 +66,7 @@ def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
     together = {one.path: one for one in case.uncertain}
     found = []
     for path, value in _numbers(case.subject, (*case.tables,)):
-        if path in case.several or path[-1] in _LEFT_OUT or (path[1] == "roughness" and case.measured is not None):
+        if path in case.swept or path[-1] in _LEFT_OUT or (path[1] == "roughness" and case.measured is not None):
             continue
         alone = Distribution(path[-1], value, "values", (value,), "")
         one = together[path] if path in together else Uncertain.of(path, alone, ".".join(path[1:]))

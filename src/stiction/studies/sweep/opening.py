@@ -173,7 +173,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         _arrays(group, plan, layout, dict(plan.dims) | points, solved)
     coordinates = _coordinates(group, plan, case, points)
     xarray.Dataset(coords=coordinates).to_zarr(path, mode="a", consolidated=False, zarr_format=3)
-    own = [one.name for one in plan.several.values() if one.name != one.dimension or one.name not in coordinates]
+    own = [one.name for one in plan.swept.values() if one.name != one.dimension or one.name not in coordinates]
     group.attrs[_COORDINATE_CHECKSUMS] = json.dumps({name: _checksum(values) for name, (_, values, _) in coordinates.items()})
     group.attrs["coordinates"] = " ".join(() if plan.sweep.statistics else own)
     meanings = meanings_of(solved.rules)
@@ -249,7 +249,7 @@ def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -
         found["statistic"] = ("statistic", np.array(plan.sweep.statistics, dtype=object), {"long_name": "over all contacts"})
     if plan.maps and not plan.sweep.statistics:
         found[PLACE] = (PLACE, np.array([one.name for one in plan.maps], dtype=object), {"long_name": "map"})
-    for one in () if plan.sweep.statistics else plan.several.values():
+    for one in () if plan.sweep.statistics else plan.swept.values():
         attributes = one.array(one.values[:1])[one.name].attrs
         if plan.sweep.sample.method == "grid":
             found[one.name] = (one.dimension, one.numbers(), attributes)

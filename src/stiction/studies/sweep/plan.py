@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from stiction.case.places import roughness_in, with_numbers, with_roughness
-from stiction.case.read import Case, case_of, opened
-from stiction.case.several import Address, Several
+from stiction.case.addresses import roughness_in, with_numbers, with_roughness
+from stiction.case.read import Case, case_of, with_files_read
 from stiction.case.study_tables import study_table
+from stiction.case.swept import Address, SweptNumber
 from stiction.case.uncertain import SAMPLE, Uncertain
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import require_names
@@ -38,7 +38,7 @@ class Plan:
     """
 
     case: Case
-    several: Mapping[Address, Several]
+    swept: Mapping[Address, SweptNumber]
     sweep: Sweep
     dims: Mapping[str, int] = field(default_factory=dict)
     tile: Mapping[str, int] = field(default_factory=dict)
@@ -88,7 +88,7 @@ class Plan:
             return self._drawn(region[SAMPLE])
         listed = self.sweep.sample.method == "list"
         found = {}
-        for path, one in self.several.items():
+        for path, one in self.swept.items():
             dim = SAMPLE if listed else one.dimension
             found[path] = one.array(one.numbers()[region[dim]], dim)
         return found
@@ -98,16 +98,16 @@ class Plan:
 
         Parameters with the same dimension name take the same sampled position, so they vary together.
         """
-        columns = list(dict.fromkeys(one.dimension for one in self.several.values()))
+        columns = list(dict.fromkeys(one.dimension for one in self.swept.values()))
         shares = _shares(self.sweep.sample, len(columns), some)
-        return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.several.items()}
+        return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.swept.items()}
 
     def identity(self) -> str:
         """Return JSON text of everything that decides the results; equal for equal sweeps."""
         case = self.case
         solve = {"separation": case.separation, "load": case.load, **case.choice.arguments()}
         plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
-        plain = with_numbers(plain, {path: one.as_table() for path, one in self.several.items()})
+        plain = with_numbers(plain, {path: one.as_table() for path, one in self.swept.items()})
         plain |= {"solve": solve, "uncertainty": case.uncertainty.model_dump(), "sweep": self.sweep.model_dump()}
         files = {}
         if self.maps:
@@ -148,13 +148,13 @@ def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
     sweep: Sweep = study_table({"sweep": {}, **content}, "sweep", "a table with sample, keep, statistics, precision, block")
     if sweep.roughness:
         return _plan_of_maps(content, folder, sweep)
-    content, several = opened(content, folder)
+    content, swept = with_files_read(content, folder)
     case, scans = _without_scans(case_of({key: value for key, value in content.items() if key != "sweep"}))
     uncertain: tuple[Uncertain, ...] = ()
     if not sweep.sample.is_drawn and is_predicted(case):
-        uncertain = tuple(one for one in several.values() if isinstance(one, Uncertain))
-        several = {path: one for path, one in several.items() if not isinstance(one, Uncertain)}
-    plan = Plan(case, several, sweep, scans=scans, uncertain=uncertain)
+        uncertain = tuple(one for one in swept.values() if isinstance(one, Uncertain))
+        swept = {path: one for path, one in swept.items() if not isinstance(one, Uncertain)}
+    plan = Plan(case, swept, sweep, scans=scans, uncertain=uncertain)
     lengths = _lengths(plan)
     first = case.at(replace(plan, dims=lengths).arrays({dim: slice(0, 1) for dim in lengths}))
     points: Any = first.load if first.load is not None else first.separation
@@ -168,9 +168,9 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
         raise InputError("sweep.roughness", "given", "a case with [contact]")
     maps = maps_of(sweep.roughness, roughness_in(content), folder)
     first = maps[0].roughness()
-    opened_content, several = opened(with_roughness(content, first), folder)
-    if several:
-        one = next(iter(several.values()))
+    opened_content, swept = with_files_read(with_roughness(content, first), folder)
+    if swept:
+        one = next(iter(swept.values()))
         raise InputError(one.where, one.words, "a single number, because the sweep is over maps")
     if sweep.sample.method != "grid":
         raise InputError("sweep.sample", sweep.sample.method, "grid or no value, because the sweep is over maps")
@@ -199,14 +199,14 @@ def _lengths(plan: Plan) -> dict[str, int]:
 
     Raises InputError if there is no array parameter, or if lengths differ along a dimension.
     """
-    if not plan.several:
+    if not plan.swept:
         raise InputError("contact", "single numbers only", "at least one array parameter: a list or {start, stop, count}")
     sample = plan.sweep.sample
     if sample.is_drawn:
         assert sample.count is not None  # the validator has seen to it
         return {SAMPLE: sample.count}
-    found: dict[str, tuple[int, Several]] = {}
-    for one in plan.several.values():
+    found: dict[str, tuple[int, SweptNumber]] = {}
+    for one in plan.swept.values():
         dim, length = (SAMPLE if sample.method == "list" else one.dimension), len(one.numbers())
         other = found.setdefault(dim, (length, one))
         if other[0] != length:

@@ -124,7 +124,7 @@ class Store:
         region = self.plan.region(block)
         places = {name: tuple(region.get(dim, slice(None)) for dim in dims) for name, dims in self._results.items()}
         places[WARNINGS] = (*region.values(), *(slice(None) for _ in self._points))
-        return places | ({one.name: (region[SAMPLE],) for one in self.plan.several.values()} if SAMPLE in region else {})
+        return places | ({one.name: (region[SAMPLE],) for one in self.plan.swept.values()} if SAMPLE in region else {})
 
     def _drawn(self, block: int) -> dict[str, np.ndarray]:
         """Return the sampled array parameters of a block by array name; {} if the contacts are a grid."""
@@ -132,7 +132,7 @@ class Store:
         if SAMPLE not in region:
             return {}
         drawn = self.plan.arrays(region)
-        return {one.name: drawn[path].values for path, one in self.plan.several.items()}
+        return {one.name: drawn[path].values for path, one in self.plan.swept.items()}
 
     def _statistics(self, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Return the statistics of a block's results by array path, and histograms if percentiles are requested."""

@@ -145,7 +145,7 @@ def _layout(case: Case, variants: Sequence[Variant], names: Sequence[str]) -> Dr
     draws = Draws()
     for index, variant in enumerate(variants):
         try:
-            _, solved = evaluate_together(variant.case(case), case.several, _points(case), variant.choice, names)
+            _, solved = evaluate_together(variant.case(case), case.swept, _points(case), variant.choice, names)
         except (InputError, ArithmeticError):
             if index == 0:
                 raise

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from stiction.case.several import Address
+from stiction.case.swept import Address
 from stiction.contact.contact import Coating, Contact, Indices, Liquid
 from stiction.contact.materials import Material
 from stiction.quantities.errors import InputError, field_below, nearest
@@ -51,7 +51,7 @@ def _known(content: Mapping) -> list[str]:
     return [f"{part}.{name}".removeprefix(".") for part in parts for name in _numbers_of(_PARTS[part])]
 
 
-def placed(name: str, content: Mapping, where: str) -> Address:
+def address_of(name: str, content: Mapping, where: str) -> Address:
     """Return the address of a number from its dotted or short name.
 
     "coating.thickness", or "thickness" if no other number has that name, gives ("contact", "coating", "thickness"). where:
@@ -65,7 +65,7 @@ def placed(name: str, content: Mapping, where: str) -> Address:
     return subject_table(content), *matches[0].split(".")
 
 
-def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
+def leaves_of(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
     """Yield the dotted name and the entry of every leaf of nested tables.
 
     is_leaf: function that returns whether a table counts as one entry. Raises InputError if `table` is no table.
@@ -74,7 +74,7 @@ def flat(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
         raise InputError(where, table, "a table with names of numbers of the case, e.g. hardness = ...")
     for key, value in table.items():
         if isinstance(value, Mapping) and not is_leaf(value):
-            for name, leaf in flat(value, f"{where}.{key}", is_leaf):
+            for name, leaf in leaves_of(value, f"{where}.{key}", is_leaf):
                 yield f"{key}.{name}", leaf
         else:
             yield str(key), value

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from stiction.case.distribution import Distribution, is_law
+from stiction.case.distribution import Distribution, is_scipy_law
 from stiction.contact.indices import plain_number
 from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError, InWords, field_as
@@ -96,7 +96,7 @@ Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[flo
 
 
 @dataclass(frozen=True)
-class Several:
+class SweptNumber:
     """A swept number of a contact.
 
     path: its address, e.g. ("contact", "coating", "thickness"); dimension: dimension along which it varies; name: name of
@@ -165,7 +165,7 @@ class Several:
         return xarray.DataArray(values, dims=(dimension,), coords={self.name: ((dimension,), values, attributes)})
 
 
-def several_numbers(content: Mapping) -> dict[Address, Several]:
+def swept_numbers(content: Mapping) -> dict[Address, SweptNumber]:
     """Return the swept numbers of [contact] or [indices] by address. Raises InputError."""
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in entries]
@@ -183,7 +183,11 @@ def with_error(entry: Any) -> bool:
     """Return whether the entry of a number describes an uncertain number."""
     if isinstance(entry, str):
         return any(sign in entry for sign in _ERROR_SIGNS)
-    return is_law(entry) or isinstance(entry, Distribution) or (isinstance(entry, Mapping) and bool(entry.keys() & _ERROR_KEYS))
+    return (
+        is_scipy_law(entry)
+        or isinstance(entry, Distribution)
+        or (isinstance(entry, Mapping) and bool(entry.keys() & _ERROR_KEYS))
+    )
 
 
 _ERROR_SIGNS = ("+/-", "+-", "±")
@@ -198,7 +202,7 @@ def _in_table(table: Mapping, path: Address) -> Iterator[tuple[Address, Any]]:
             yield from _in_table(value, (*path, key))
 
 
-def _read(path: Address, entry: Any, ambiguous: bool) -> Several:
+def _read(path: Address, entry: Any, ambiguous: bool) -> SweptNumber:
     where = ".".join(path)
     if isinstance(entry, list):
         entry = {"values": entry}
@@ -206,10 +210,10 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> Several:
         table = _Ends(**entry) if entry.keys() & {"start", "stop", "count", "spacing"} else _Values(**entry)
     name = ".".join(path[1:]) if ambiguous else path[-1]
     if isinstance(table, _Values):
-        return Several(path, table.along or name, name, _numbers(table.values, path, ("",)))
+        return SweptNumber(path, table.along or name, name, _numbers(table.values, path, ("",)))
     ends = _numbers([table.start, table.stop], path, (".start", ".stop"))
     _check_spacing(where, table, start=ends[0], stop=ends[1])
-    return Several(path, table.along or name, name, ends, True, table.count, table.spacing)
+    return SweptNumber(path, table.along or name, name, ends, True, table.count, table.spacing)
 
 
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
