@@ -11,8 +11,8 @@ from stiction.case.addresses import address_of, as_numbers, leaves_of, subject_t
 from stiction.case.free import Free, read_free
 from stiction.case.read import with_files_read, without_studies
 from stiction.case.study_tables import study_table
+from stiction.case.swept import Address, number_of
 from stiction.case.uncertain import Uncertain
-from stiction.case.varied import Address, number_of
 from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError, field_below, nearest
 from stiction.quantities.inputs import require_names

@@ -13,8 +13,8 @@ from stiction.case.free import Free, read_free
 from stiction.case.measurements import Measurements, read_measurements
 from stiction.case.read import Case, case_of, with_files_read, without_studies
 from stiction.case.study_tables import study_table
+from stiction.case.swept import Address, number_of
 from stiction.case.uncertain import Uncertain
-from stiction.case.varied import Address, number_of
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.studies.fit.table import Fit
