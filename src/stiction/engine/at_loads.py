@@ -49,39 +49,39 @@ def _sample(way, w_top, nodes):
     recurrence factors are scaled to 1, to avoid overflow. nodes: displacements, weights and number of nodes of each law.
     """
     h, loads, slopes = way
-    place, held, used = nodes
+    place, weights, used = nodes
     step = h[0] - h[1]
     term, factor = np.empty(place.shape[1]), np.empty(place.shape[1])
     scale = np.empty(h.size)
-    for at in range(h.size):
-        scale[at] = math.exp(0.5 * (h[0] - h[at]) * (h[0] + h[at]) + (h[0] - h[at]) * w_top)
+    for k in range(h.size):
+        scale[k] = math.exp(0.5 * (h[0] - h[k]) * (h[0] + h[k]) + (h[0] - h[k]) * w_top)
     for i in range(used.size):
-        x, load = place[i], held[i]
+        x, load = place[i], weights[i]
         count = 8 * (used[i] // 8)
         for node in range(count):
             term[node] = load[node] * gaussian_density(h[0] + x[node], x)
             factor[node] = exponential(step * (x[node] - w_top))
-        for at in range(h.size):
+        for k in range(h.size):
             total = first = 0.0
             for node in range(count):
                 total += term[node]
                 first += x[node] * term[node]
                 term[node] *= factor[node]
-            loads[i, at] = scale[at] * total
-            slopes[i, at] = -scale[at] * (first + h[at] * total)
+            loads[i, k] = scale[k] * total
+            slopes[i, k] = -scale[k] * (first + h[k] * total)
 
 
 @engine_kernel
-def _sums(h, place, held, count):
+def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first and second derivative by h, and its size.
 
-    The size is the sum of the absolute terms of the load. place, held: displacements and weights (each an array) of the
+    The size is the sum of the absolute terms of the load. place, weights: displacements and weights (each an array) of the
     integration nodes. count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
         z = h + place[node]
-        term = held[node] * gaussian_density(z, place)
+        term = weights[node] * gaussian_density(z, place)
         total += term
         first += z * term
         second += z * z * term
@@ -90,14 +90,14 @@ def _sums(h, place, held, count):
 
 
 @engine_kernel
-def _turning_point(far, near, slope_far, slope_near, place, held, count):
+def _turning_point(far, near, slope_far, slope_near, place, weights, count):
     """Return the separation between `far` and `near` at which the slope of the load is zero.
 
     The slopes at `far` and `near` must have opposite signs.
     """
     x = far - (far - near) * (slope_far / (slope_far - slope_near) if slope_far != 0.0 else 0.5)
     for _ in range(_MOST_STEPS):
-        _, slope, curvature, _ = _sums(x, place, held, count)
+        _, slope, curvature, _ = _sums(x, place, weights, count)
         if (slope > 0.0) == (slope_far > slope_near):
             far = x
         else:
@@ -121,23 +121,23 @@ def _find_lowest(way, lowest, nodes):
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
-    place, held, used = nodes
+    place, weights, used = nodes
     for i in range(used.size):
         tension[i], where[i], nearer[i] = 0.0, np.nan, 1
         largest = 0.0
         for load in loads[i]:
             largest = max(largest, abs(load))
         least = NO_TENSION * largest
-        for at in range(1, h.size):
-            rising, falling = slopes[i, at - 1], slopes[i, at]  # on approach the load falls, then rises
-            bound = min(loads[i, at - 1], loads[i, at]) - (h[at - 1] - h[at]) * rising
+        for k in range(1, h.size):
+            rising, falling = slopes[i, k - 1], slopes[i, k]  # on approach the load falls, then rises
+            bound = min(loads[i, k - 1], loads[i, k]) - (h[k - 1] - h[k]) * rising
             if not (rising > 0.0 >= falling and bound < -max(tension[i], least)):
                 continue
-            x = _turning_point(h[at - 1], h[at], rising, falling, place[i], held[i], used[i])
-            load = _sums(x, place[i], held[i], used[i])[0]
+            x = _turning_point(h[k - 1], h[k], rising, falling, place[i], weights[i], used[i])
+            load = _sums(x, place[i], weights[i], used[i])[0]
             if load < -max(tension[i], least):
-                tension[i], where[i], nearer[i] = -load, x, at
-        if 0.0 < tension[i] < 100.0 * least and tension[i] <= NO_TENSION * abs(_sums(-h[0], place[i], held[i], used[i])[0]):
+                tension[i], where[i], nearer[i] = -load, x, k
+        if 0.0 < tension[i] < 100.0 * least and tension[i] <= NO_TENSION * abs(_sums(-h[0], place[i], weights[i], used[i])[0]):
             tension[i], where[i], nearer[i] = 0.0, np.nan, 1
 
 
@@ -172,14 +172,14 @@ def _between(target, far, near, load_far, load_near, slope_far, slope_near):
 
 
 @engine_kernel
-def _root(target, far, near, x, place, held, count):
+def _root(target, far, near, x, place, weights, count):
     """Find the separation at which the load equals `target`; return it with the slope and the size of the load there.
 
     Halley's method starts at the separation x and stays between the separations `far` and `near`. size: as in `_sums`.
     """
     slope = size = 0.0
     for _ in range(_MOST_STEPS):
-        load, slope, curvature, size = _sums(x, place, held, count)
+        load, slope, curvature, size = _sums(x, place, weights, count)
         excess = load - target
         if excess < 0.0:
             far = x
@@ -204,14 +204,14 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
     (Fritsch & Carlson 1980, region of their circle). first: (separation, load, slope) before grid point `start`.
     """
     most[:start], could[:start] = -np.inf, -np.inf
-    for at in range(start, h.size):
-        far, before, slope = first if at == start else (h[at - 1], loads[at - 1], slopes[at - 1])
-        most[at] = max(most[at - 1], loads[at])
-        steepest, rise = (far - h[at]) * max(abs(slopes[at]), -slope), loads[at] - before
-        squares = (far - h[at]) ** 2 * (slope * slope + slopes[at] * slopes[at])
-        odd[at] = slopes[at] <= 0.0 and slope <= 0.0 and not squares <= 9.0 * rise * rise
-        peaks = odd[at] or slopes[at] > 0.0 >= slope
-        could[at] = max(could[at - 1], max(before, loads[at]) + (steepest if peaks else 0.0))
+    for k in range(start, h.size):
+        far, before, slope = first if k == start else (h[k - 1], loads[k - 1], slopes[k - 1])
+        most[k] = max(most[k - 1], loads[k])
+        steepest, rise = (far - h[k]) * max(abs(slopes[k]), -slope), loads[k] - before
+        squares = (far - h[k]) ** 2 * (slope * slope + slopes[k] * slopes[k])
+        odd[k] = slopes[k] <= 0.0 and slope <= 0.0 and not squares <= 9.0 * rise * rise
+        peaks = odd[k] or slopes[k] > 0.0 >= slope
+        could[k] = max(could[k - 1], max(before, loads[k]) + (steepest if peaks else 0.0))
 
 
 @formula
@@ -240,7 +240,7 @@ def _find_roots(way, lowest, targets, nodes, roots):
     """
     h, loads, slopes = way
     tension, where, nearer = lowest
-    place, held, used = nodes
+    place, weights, used = nodes
     most, could, odd = np.empty(h.size), np.empty(h.size), np.empty(h.size, dtype=np.bool_)
     for i in range(used.size):
         start = nearer[i]
@@ -251,27 +251,27 @@ def _find_roots(way, lowest, targets, nodes, roots):
         for k in range(targets.shape[1]):
             target = targets[i, k]
             roots[i, k, :] = np.nan
-            at, sooner = _first_not_below(most, target), _first_not_below(could, target)
+            index, sooner = _first_not_below(most, target), _first_not_below(could, target)
             if sooner == h.size or not target >= first[1] - _NEARER * tension[i]:
                 continue
             near, load_near, slope_near = 0.0, -np.inf, 0.0
-            while sooner < at and load_near < target and not odd[sooner]:  # a peak between two that carry less
+            while sooner < index and load_near < target and not odd[sooner]:  # a peak between two that carry less
                 far, slope = (first[0], first[2]) if sooner == start else (h[sooner - 1], slopes[i, sooner - 1])
                 if slopes[i, sooner] > 0.0 >= slope:
-                    near = _turning_point(far, h[sooner], slope, slopes[i, sooner], place[i], held[i], used[i])
-                    load_near = _sums(near, place[i], held[i], used[i])[0]
+                    near = _turning_point(far, h[sooner], slope, slopes[i, sooner], place[i], weights[i], used[i])
+                    load_near = _sums(near, place[i], weights[i], used[i])[0]
                 sooner += 1
             if load_near >= target:
-                at = sooner - 1
-            elif sooner >= at and at < h.size and not odd[at]:
-                near, load_near, slope_near = h[at], loads[i, at], slopes[i, at]
+                index = sooner - 1
+            elif sooner >= index and index < h.size and not odd[index]:
+                near, load_near, slope_near = h[index], loads[i, index], slopes[i, index]
             else:
                 continue
-            far, load_far, slope_far = first if at == start else (h[at - 1], loads[i, at - 1], slopes[i, at - 1])
+            far, load_far, slope_far = first if index == start else (h[index - 1], loads[i, index - 1], slopes[i, index - 1])
             x, slope, size = far, slope_far, abs(load_far)
             if target > load_far:
                 x = _between(target, far, near, load_far, load_near, slope_far, slope_near)
-                x, slope, size = _root(target, far, near, x, place[i], held[i], used[i])
+                x, slope, size = _root(target, far, near, x, place[i], weights[i], used[i])
             roots[i, k, 0], roots[i, k, 1], roots[i, k, 2] = x, slope, size
 
 
@@ -339,18 +339,18 @@ class Approach:
         ENGINE.take(_PAIRS * len(self._regimes) * self._laws)
         alone, most = specialised(self._laws), min(_BLOCK, max(self._laws, 1))
         placing = [Placing.of(regime, gaussian_window, _TOP - w_low, 1, alone) for regime in self._regimes]
-        room, shape = sum(one.room for one in placing), np.zeros(1)
-        place, held = np.empty((most, room)), np.empty((most, 1, room))
+        room, shape = sum(placed.room for placed in placing), np.zeros(1)
+        place, weights = np.empty((most, room)), np.empty((most, 1, room))
         loads, slopes = np.empty((2, most, WAY.size))
-        append = [one.on(most, (_RULES, _COUNTS)) for one in placing]
+        appenders = [placed.on(most, (_RULES, _COUNTS)) for placed in placing]
         for start in range(0, max(self._laws, 1), most):
             some = slice(start, min(start + most, self._laws))
             count = some.stop - some.start
             used, nearer = np.zeros((2, count), dtype=np.int64)
-            nodes, way = (place, held[:, 0], used), (WAY, loads[:count], slopes[:count])
+            nodes, way = (place, weights[:, 0], used), (WAY, loads[:count], slopes[:count])
             lowest = (*np.empty((2, count)), nearer)
-            for one in append:
-                one((w_low, _TOP, WAY[-1]), shape, some, (place, held, used))
+            for append in appenders:
+                append((w_low, _TOP, WAY[-1]), shape, some, (place, weights, used))
             _sample(way, _TOP, nodes)
             _find_lowest(way, lowest, nodes)
             yield some, nodes, way, lowest

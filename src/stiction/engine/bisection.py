@@ -10,19 +10,19 @@ from stiction.engine.compiled import formula
 
 @cache
 def halving(holds: Callable) -> Any:
-    """Return a formula (low, high, given) -> u that finds by bisection where the condition `holds` becomes false.
+    """Return a formula (low, high, arguments) -> u that finds by bisection where the condition `holds` becomes false.
 
-    holds(u, given): a formula that is true at low and false at high and changes once in between. given: its further arguments.
-    u is the smallest number found at which `holds` is false, exact to machine precision.
+    holds(u, arguments): a formula that is true at low and false at high and changes once in between. arguments: a tuple of its
+    further arguments. u is the smallest number found at which `holds` is false, exact to machine precision.
     """
 
     @formula
-    def halve(low, high, given):
+    def halve(low, high, arguments):
         for _ in range(100):
             middle = 0.5 * (low + high)
             if not low < middle < high:
                 break
-            if holds(middle, given):
+            if holds(middle, arguments):
                 low = middle
             else:
                 high = middle
@@ -33,7 +33,7 @@ def halving(holds: Callable) -> Any:
 
 @cache
 def up_to(holds: Callable) -> Any:
-    """Return a formula (low, last, step, farthest, given) -> u: the condition `holds` is true from low up to u.
+    """Return a formula (low, last, step, farthest, arguments) -> u: the condition `holds` is true from low up to u.
 
     u is low if `holds` is false at low, and last if `holds` is true at last. holds: as in `halving`. If last is infinite, an
     upper bound is searched first: the step starts at `step` and grows fourfold, up to `farthest`.
@@ -41,14 +41,14 @@ def up_to(holds: Callable) -> Any:
     halve = halving(holds)
 
     @formula
-    def search(low, last, step, farthest, given):
-        if not holds(low, given):
+    def search(low, last, step, farthest, arguments):
+        if not holds(low, arguments):
             return low
         high = last
         if high == math.inf:
-            while step < farthest and holds(low + step, given):
+            while step < farthest and holds(low + step, arguments):
                 step *= 4.0
             high = low + step
-        return last if holds(high, given) else halve(low, high, given)
+        return last if holds(high, arguments) else halve(low, high, arguments)
 
     return search

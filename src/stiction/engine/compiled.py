@@ -87,15 +87,15 @@ class Kernel:
             keep_on_disk(compiled, digest)
         return compiled
 
-    def __call__(self, *given: Any) -> Any:
-        if self._allowance is not None and interpreted(self._allowance.take(self._size(given[-1]))):
+    def __call__(self, *args: Any) -> Any:
+        if self._allowance is not None and interpreted(self._allowance.take(self._size(args[-1]))):
             try:
                 with np.errstate(divide="raise", invalid="raise", over="raise"):
-                    return self.py_func(*given)
+                    return self.py_func(*args)
             except (ArithmeticError, TypeError, ValueError):
                 self._allowance.end()
         _register_formulas()
-        return self.compiled(*given)
+        return self.compiled(*args)
 
 
 def kernel(function: Callable) -> Any:
@@ -164,7 +164,7 @@ def _decides(value: Any, seen: list[Callable]) -> str:
     """
     function = getattr(value, "py_func", value)
     if isinstance(value, tuple):
-        return f"({', '.join(_decides(one, seen) for one in value)})"
+        return f"({', '.join(_decides(item, seen) for item in value)})"
     if isinstance(value, np.ndarray):
         return f"{value.dtype} {value.shape} {value.tobytes()!r}"  # the text of a long array leaves out its middle
     if isinstance(value, type):
@@ -176,16 +176,20 @@ def _decides(value: Any, seen: list[Callable]) -> str:
     if function in seen:
         return f"function {seen.index(function)}"
     seen.append(function)
-    given = getattr(value, "targetoptions", {})
-    options = sorted((name, sorted(of) if isinstance(of, set) else of) for name, of in given.items())
-    inner = [f"{name}={_decides(one, seen)}" for name, one in sorted(_named(function).items())]
+    target_options = getattr(value, "targetoptions", {})
+    options = sorted((name, sorted(option) if isinstance(option, set) else option) for name, option in target_options.items())
+    inner = [f"{name}={_decides(item, seen)}" for name, item in sorted(_named(function).items())]
     defaults = _decides(function.__defaults__ or (), seen)
     return f"{function.__name__} {_code(function.__code__, function.__doc__)} {options} {defaults} {inner}"
 
 
 def _code(code: types.CodeType, doc: str | None = None) -> str:
     """Return the instructions, constants and names of a code object as text, without its docstring `doc`."""
-    constants = [_code(one) if isinstance(one, types.CodeType) else repr(one) for one in code.co_consts if one is not doc]
+    constants = [
+        _code(constant) if isinstance(constant, types.CodeType) else repr(constant)
+        for constant in code.co_consts
+        if constant is not doc
+    ]
     names = code.co_names, code.co_varnames, code.co_freevars, code.co_argcount, code.co_flags
     return f"{code.co_code!r} {constants} {names} {code.co_exceptiontable!r}"
 
@@ -195,17 +199,17 @@ def _named(function: types.FunctionType) -> dict[str, Any]:
     codes, names = [function.__code__], set()
     for code in codes:
         names |= {*code.co_names}
-        codes += [one for one in code.co_consts if isinstance(one, types.CodeType)]
-    found = {name: function.__globals__[name] for name in names if name in function.__globals__}
+        codes += [item for item in code.co_consts if isinstance(item, types.CodeType)]
+    named = {name: function.__globals__[name] for name in names if name in function.__globals__}
     for name, cell in zip(function.__code__.co_freevars, function.__closure__ or (), strict=True):
-        found[name] = cell.cell_contents
-    modules = [one for one in found.values() if isinstance(one, types.ModuleType)]
+        named[name] = cell.cell_contents
+    modules = [item for item in named.values() if isinstance(item, types.ModuleType)]
     for module in modules:  # those in modules join at the end
         if not _known(module.__name__):
             inside = {f"{module.__name__}.{name}": getattr(module, name) for name in names if hasattr(module, name)}
-            modules += [one for one in inside.values() if isinstance(one, types.ModuleType) and one not in modules]
-            found |= inside
-    return {name: one for name, one in found.items() if not isinstance(one, types.ModuleType)}
+            modules += [item for item in inside.values() if isinstance(item, types.ModuleType) and item not in modules]
+            named |= inside
+    return {name: item for name, item in named.items() if not isinstance(item, types.ModuleType)}
 
 
 def _known(module: str | None) -> bool:

@@ -53,10 +53,10 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
         entries hold the first edge.
         """
         for i in range(edges.shape[0]):
-            row, found = unpack(table[i], parameters), 0
+            row, count = unpack(table[i], parameters), 0
             out[i] = edges[i, 0]
-            for at in range(edges.shape[1] - 1):
-                low, step = edges[i, at], (edges[i, at + 1] - edges[i, at]) / samples
+            for segment in range(edges.shape[1] - 1):
+                low, step = edges[i, segment], (edges[i, segment + 1] - edges[i, segment]) / samples
                 if not step > 0.0:
                     continue
                 u = low + 1e-9 * step
@@ -64,9 +64,9 @@ def crossing(excess: Callable, parameters: int, samples: int = SAMPLES) -> Any:
                 for k in range(1, samples + 1):
                     v = low + (k if k < samples else samples - 1e-9) * step
                     value = excess(v, row)
-                    if (value > 0.0) != (before > 0.0) and found < out.shape[1]:
-                        out[i, found] = narrow(u, v, before, value, row)
-                        found += 1
+                    if (value > 0.0) != (before > 0.0) and count < out.shape[1]:
+                        out[i, count] = narrow(u, v, before, value, row)
+                        count += 1
                     u, before = v, value
 
     return fill_crossings

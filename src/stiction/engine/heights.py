@@ -241,5 +241,5 @@ def height_distribution(key: str, **parameters: Unpack[HeightParameters]) -> Hei
     except TypeError:
         samples = "the parameter samples"
         needs = {"weibull": "the parameter exponent", "empirical": samples, "discrete": samples}.get(key, "no parameter")
-        given = InWords(f"{key} with {', '.join(sorted(parameters)) or 'no parameter'}")
-        raise InputError("height_distribution", given, needs) from None
+        stated = InWords(f"{key} with {', '.join(sorted(parameters)) or 'no parameter'}")
+        raise InputError("height_distribution", stated, needs) from None

@@ -54,7 +54,7 @@ class Parts(NamedTuple):
     """Store k integration intervals; each lies within one segment of a regime and gets its own nodes.
 
     law (k,): index of the law. owner (k,): index of the sum to which the interval contributes. ends (k, 2): ends in the
-    coordinate u of the law. asked (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the
+    coordinate u of the law. end_w (k, 2): displacement at each end, from which `ends` is computed later; NaN if the end of the
     segment applies. rule (k,): index of the integration rule. at_knot (k,): True if the interval starts at a knot of the height
     density.
     """
@@ -62,7 +62,7 @@ class Parts(NamedTuple):
     law: np.ndarray
     owner: np.ndarray
     ends: np.ndarray
-    asked: np.ndarray
+    end_w: np.ndarray
     rule: np.ndarray
     at_knot: np.ndarray
 
@@ -70,8 +70,8 @@ class Parts(NamedTuple):
     def room(cls, size: int) -> "Parts":
         """Return a Parts object with empty arrays for `size` intervals."""
         law, owner, rule = np.empty((3, size), dtype=np.int64)
-        ends, asked = np.empty((2, size, 2))
-        return cls(law, owner, ends, asked, rule, np.empty(size, dtype=np.bool_))
+        ends, end_w = np.empty((2, size, 2))
+        return cls(law, owner, ends, end_w, rule, np.empty(size, dtype=np.bool_))
 
 
 class Evaluated(NamedTuple):
@@ -103,16 +103,16 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
         overlap, and vectorises the loop.
         """
         for i in range(law.size):
-            places, row, found = u[i], unpack(table[law[i]], parameters), out[i]
+            places, row, filled = u[i], unpack(table[law[i]], parameters), out[i]
             for node in range(8 * (count[i] // 8)):
                 state = along(float(places[node]), *row)
-                found[node] = state[0]
-                found[LONGEST + node] = state[1]
-                found[2 * LONGEST + node] = state[2]
-                found[3 * LONGEST + node] = state[3]
+                filled[node] = state[0]
+                filled[LONGEST + node] = state[1]
+                filled[2 * LONGEST + node] = state[2]
+                filled[3 * LONGEST + node] = state[3]
                 if values == 6:
-                    found[4 * LONGEST + node] = state[4]
-                    found[5 * LONGEST + node] = state[5]
+                    filled[4 * LONGEST + node] = state[4]
+                    filled[5 * LONGEST + node] = state[5]
 
     return evaluate
 
@@ -139,7 +139,7 @@ def displacements(regime: Regime, laws: Laws) -> np.ndarray:
 
 def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6) -> np.ndarray:
     """Return the values (n, values, k) of n laws at the coordinates u (n, k)."""
-    evaluate, found = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
+    evaluate, result = evaluating(along, table.shape[1], values), np.empty((len(u), values, u.shape[1]))
     out, eight = np.empty((min(len(u), _BLOCK), values * LONGEST)), np.empty((min(len(u), _BLOCK), 8))
     law, count = np.arange(len(out)), np.full(len(out), 8)
     for start in range(0, len(u), _BLOCK):
@@ -150,8 +150,8 @@ def values_at(along: Callable, table: np.ndarray, u: np.ndarray, values: int = 6
             eight[:laws, :columns] = some
             eight[:laws, columns:] = some[:, -1:]  # the loop takes eight at a time
             evaluate(eight[:laws], law[:laws], count, table[rows], out)
-            found[rows, :, first : first + columns] = out[:laws].reshape(-1, values, LONGEST)[:, :, :columns]
-    return found
+            result[rows, :, first : first + columns] = out[:laws].reshape(-1, values, LONGEST)[:, :, :columns]
+    return result
 
 
 @cache
@@ -166,7 +166,7 @@ def cutting(window: Callable) -> Any:
 
         laws: (edges, displacements at the edges), both (n, m + 1).
         """
-        (_, knots), (edges, displaced), (laws_of, owner, ends, asked, rule, at_knot) = heights, laws, parts
+        (_, knots), (edges, displaced), (laws_of, owner, ends, end_w, rule, at_knot) = heights, laws, parts
         used = 0
         for i in range(h.size):
             for segment in range(edges.shape[1] - 1):
@@ -178,13 +178,13 @@ def cutting(window: Callable) -> Any:
                 if not z_high > z_low:
                     continue
                 w_low = math.nan if z_low == z_left else z_low - h[i]
-                for at in range(first, last + 1):
-                    z_cut = z_high if at == last else knots[at]
-                    w_high = math.nan if at == last and z_high == z_right else z_cut - h[i]
+                for knot in range(first, last + 1):
+                    z_cut = z_high if knot == last else knots[knot]
+                    w_high = math.nan if knot == last and z_high == z_right else z_cut - h[i]
                     laws_of[used], owner[used] = law[i], i
-                    ends[used, 0], ends[used, 1], asked[used, 0], asked[used, 1] = left, right, w_low, w_high
+                    ends[used, 0], ends[used, 1], end_w[used, 0], end_w[used, 1] = left, right, w_low, w_high
                     rule[used] = 0 if z_cut - z_low <= SHORT else 1
-                    at_knot[used] = 0 < at and knots[at - 1] == z_low
+                    at_knot[used] = 0 < knot and knots[knot - 1] == z_low
                     used += 1
                     w_low, z_low = w_high, z_cut
         return used
@@ -254,36 +254,36 @@ def evaluate_parts(regime: Regime, laws: Laws, parts: Parts, used: int, rules: R
 
 def _settle(regime: Regime, laws: Laws, parts: Parts) -> None:
     """Compute the interval ends that are given as displacements, and store their coordinates u in `parts.ends`."""
-    w, found = np.empty((2, parts.asked.size))
-    law, place = np.empty((2, parts.asked.size), dtype=np.int64)
-    count = list_asked(tuple(parts), w, law, place)
-    inverting(regime.coordinate, laws.table.shape[1])(w[:count], law[:count], laws.table, found)
-    put_ends(found, place[:count], parts.ends)
+    w, coordinates = np.empty((2, parts.end_w.size))
+    law, place = np.empty((2, parts.end_w.size), dtype=np.int64)
+    count = list_end_displacements(tuple(parts), w, law, place)
+    inverting(regime.coordinate, laws.table.shape[1])(w[:count], law[:count], laws.table, coordinates)
+    put_ends(coordinates, place[:count], parts.ends)
 
 
 @engine_kernel
-def list_asked(parts, w, law, place):
-    """List the interval ends that are given as displacements (`Parts.asked`), and return how many there are.
+def list_end_displacements(parts, w, law, place):
+    """List the interval ends that are given as displacements (`Parts.end_w`), and return how many there are.
 
     For each such end the output arrays receive: w: displacement; law: index of the law; place: 2 i for the start of interval
     i, 2 i + 1 for its end.
     """
-    law_of, _, _, asked, _, _ = parts
+    law_of, _, _, end_w, _, _ = parts
     used = 0
     for i in range(law_of.size):
         for end in range(2):
-            if not math.isnan(asked[i, end]):
-                w[used], law[used], place[used] = asked[i, end], law_of[i], 2 * i + end
+            if not math.isnan(end_w[i, end]):
+                w[used], law[used], place[used] = end_w[i, end], law_of[i], 2 * i + end
                 used += 1
     return used
 
 
 @engine_kernel
-def put_ends(found, place, ends):
-    """Store the computed coordinates `found` in `ends`, clipped to the segment; place: as in `list_asked`."""
-    for at in range(place.size):
-        i, end = place[at] // 2, place[at] % 2
-        ends[i, end] = max(ends[i, 0], found[at]) if end == 0 else min(ends[i, 1], found[at])
+def put_ends(coordinates, place, ends):
+    """Store the computed `coordinates` in `ends`, clipped to the segment; place: as in `list_end_displacements`."""
+    for j in range(place.size):
+        i, end = place[j] // 2, place[j] % 2
+        ends[i, end] = max(ends[i, 0], coordinates[j]) if end == 0 else min(ends[i, 1], coordinates[j])
 
 
 @cache

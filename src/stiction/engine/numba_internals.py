@@ -80,7 +80,7 @@ class _KernelCache(NullCache):
 
     def save_overload(self, sig: Any, data: Any) -> None:
         report(1, self._name)
-        if data.library.has_dynamic_globals or any(not one.can_cache for one in data.lifted) or not _is_trusted():
+        if data.library.has_dynamic_globals or any(not loop.can_cache for loop in data.lifted) or not _is_trusted():
             return
         file = self._file(sig, data.codegen)
         made = dumps(data._reduce())

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import cache, wraps
 from typing import Any, ParamSpec, TypeVar
 
-_Given = ParamSpec("_Given")
+_Parameters = ParamSpec("_Parameters")
 _Result = TypeVar("_Result")
 
 
@@ -19,12 +19,12 @@ def _controller() -> Any:
     return ThreadpoolController()
 
 
-def on_one_thread(function: Callable[_Given, _Result]) -> Callable[_Given, _Result]:
+def on_one_thread(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
     """Return the function, wrapped so that NumPy's linear algebra inside it runs on one thread."""
 
     @wraps(function)
-    def alone(*args: _Given.args, **given: _Given.kwargs) -> _Result:
+    def alone(*args: _Parameters.args, **kwargs: _Parameters.kwargs) -> _Result:
         with _controller().limit(limits=1, user_api="blas"):
-            return function(*args, **given)
+            return function(*args, **kwargs)
 
     return alone

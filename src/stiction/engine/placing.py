@@ -27,7 +27,7 @@ def spanning(window: Callable) -> Any:
         reach: as in `sum_kernels.reaching`. laws: as in `nodes.cutting`.
         """
         edges, displaced = laws
-        laws_of, owner, ends, asked, rule, at_knot = parts
+        laws_of, owner, ends, end_w, rule, at_knot = parts
         used = 0
         for i in range(edges.shape[0]):
             for segment in range(edges.shape[1] - 1):
@@ -39,10 +39,10 @@ def spanning(window: Callable) -> Any:
                 for part in range(count):
                     laws_of[used], owner[used] = i, i
                     ends[used, 0], ends[used, 1] = left, right
-                    asked[used, 0] = math.nan if part == 0 and first == w_left else first + part * step
-                    asked[used, 1] = first + (part + 1) * step
+                    end_w[used, 0] = math.nan if part == 0 and first == w_left else first + part * step
+                    end_w[used, 1] = first + (part + 1) * step
                     if part == count - 1:
-                        asked[used, 1] = math.nan if last == w_right else last
+                        end_w[used, 1] = math.nan if last == w_right else last
                     rule[used], at_knot[used] = number, False
                     used += 1
         return used

@@ -49,6 +49,6 @@ class Regime:
 def columns(parameters: Sequence[np.ndarray | float], laws: int) -> np.ndarray:
     """Return the parameters as a table (n, p) for the kernels; each parameter is an array (n,) or a number, and p may be 0."""
     table = np.empty((laws, len(parameters)))
-    for at, values in enumerate(parameters):
-        table[:, at] = values
+    for column, values in enumerate(parameters):
+        table[:, column] = values
     return table

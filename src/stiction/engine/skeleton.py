@@ -55,8 +55,8 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
         few = middle + half * np.cos(angle) / np.cos(angle[0])  # Chebyshev's points, stretched to both ends
         known, scale = _spike_sums(few, spikes, heights)
         left, values, right = np.linalg.svd(known, full_matrices=False)
-        kept = values > 1e-15 * values[0]
-        carry = (wanted @ right[kept].T / values[kept]) @ left[:, kept].T
+        significant = values > 1e-15 * values[0]
+        carry = (wanted @ right[significant].T / values[significant]) @ left[:, significant].T
         if np.abs(carry @ known - wanted).max() <= good:
             return few, _tiled((carry / scale).T * largest), good / _LOST * largest
     return np.empty(0), np.empty((0, 0, 0)), largest
@@ -96,18 +96,18 @@ def _tiled(carry: np.ndarray) -> np.ndarray:
 
 
 @loop
-def _add_four(few, row, at, tile, product):
+def _add_four(few, row, column, tile, product):
     """Add four terms of the matrix product of four rows of `few` and one tile to `product`.
 
     `product` stores one row every _TILE places. With this fixed distance the compiler can prove that the rows do not overlap,
     and vectorises the loop. Each value of the tile is loaded once for the four rows.
     """
-    a0, a1, a2, a3 = few[row, at], few[row, at + 1], few[row, at + 2], few[row, at + 3]
-    b0, b1, b2, b3 = few[row + 1, at], few[row + 1, at + 1], few[row + 1, at + 2], few[row + 1, at + 3]
-    c0, c1, c2, c3 = few[row + 2, at], few[row + 2, at + 1], few[row + 2, at + 2], few[row + 2, at + 3]
-    d0, d1, d2, d3 = few[row + 3, at], few[row + 3, at + 1], few[row + 3, at + 2], few[row + 3, at + 3]
+    a0, a1, a2, a3 = few[row, column], few[row, column + 1], few[row, column + 2], few[row, column + 3]
+    b0, b1, b2, b3 = few[row + 1, column], few[row + 1, column + 1], few[row + 1, column + 2], few[row + 1, column + 3]
+    c0, c1, c2, c3 = few[row + 2, column], few[row + 2, column + 1], few[row + 2, column + 2], few[row + 2, column + 3]
+    d0, d1, d2, d3 = few[row + 3, column], few[row + 3, column + 1], few[row + 3, column + 2], few[row + 3, column + 3]
     for to in range(8 * (tile.shape[1] // 8)):
-        p, q, r, s = tile[at, to], tile[at + 1, to], tile[at + 2, to], tile[at + 3, to]
+        p, q, r, s = tile[column, to], tile[column + 1, to], tile[column + 2, to], tile[column + 3, to]
         product[to] += a0 * p + a1 * q + a2 * r + a3 * s
         product[_TILE + to] += b0 * p + b1 * q + b2 * r + b3 * s
         product[2 * _TILE + to] += c0 * p + c1 * q + c2 * r + c3 * s
@@ -141,8 +141,8 @@ def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
     for first in range(0, laws * rows, 4):
         for number in range(len(tiles)):
             product[:] = 0.0
-            for at in range(0, few.shape[1], 4):
-                _add_four(few, first, at, tiles[number], product)
+            for column in range(0, few.shape[1], 4):
+                _add_four(few, first, column, tiles[number], product)
             start, stop = number * width, min((number + 1) * width, separations)
             for beside in range(min(4, laws * rows - first)):
                 i, row = (first + beside) // rows, (first + beside) % rows

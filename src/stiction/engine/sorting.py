@@ -6,8 +6,8 @@ from stiction.engine.compiled import formula
 @formula
 def sort_few(values):
     """Sort a short array in place, by insertion."""
-    for at in range(1, values.size):
-        value, place = values[at], at
+    for i in range(1, values.size):
+        value, place = values[i], i
         while place > 0 and values[place - 1] > value:
             values[place] = values[place - 1]
             place -= 1

@@ -35,10 +35,10 @@ def map_segment(low, high, origins, two_sided):
     points.
     """
     nearest, origin = 0.1 * (high - low), math.inf
-    for at in range(origins.size):
-        distance = max(low - origins[at], origins[at] - high) if two_sided else low - origins[at]
+    for i in range(origins.size):
+        distance = max(low - origins[i], origins[i] - high) if two_sided else low - origins[i]
         if 0.0 <= distance < nearest:
-            nearest, origin = distance, origins[at]
+            nearest, origin = distance, origins[i]
     if origin <= low:
         near, far = math.sqrt(low - origin), math.sqrt(high - origin)
         return 2.0 * near * (far - near), (far - near) ** 2
@@ -280,26 +280,26 @@ def summing(density: Callable, totals: bool) -> Any:
         for i in range(used.size):
             x, a, b, c = places[i], values[i, 0], values[i, 1], values[i, 2]
             d, e = values[i, min(3, last)], values[i, last]  # not there, nor read, with totals
-            for at in range(h.size):
-                if not wanted[i, at]:
+            for k in range(h.size):
+                if not wanted[i, k]:
                     continue
                 eights = used[i] // 8
-                while eights > 0 and x[8 * eights - 8] > reach[at]:  # the nodes of a segment ascend
+                while eights > 0 and x[8 * eights - 8] > reach[k]:  # the nodes of a segment ascend
                     eights -= 1
                 sum_a = sum_b = sum_c = sum_d = sum_e = 0.0
                 for node in range(8 * eights):
-                    dense = density(h[at] + x[node], shape)
+                    dense = density(h[k] + x[node], shape)
                     sum_a += dense * a[node]
                     sum_b += dense * b[node]
                     sum_c += dense * c[node]
                     if not totals:
                         sum_d += dense * d[node]
                         sum_e += dense * e[node]
-                out[i, 0, at] = sum_a
-                out[i, 1, at] = sum_b
-                out[i, 2, at] = sum_c
+                out[i, 0, k] = sum_a
+                out[i, 1, k] = sum_b
+                out[i, 2, k] = sum_c
                 if not totals:
-                    out[i, 3, at] = sum_d
-                    out[i, 4, at] = sum_e
+                    out[i, 3, k] = sum_d
+                    out[i, 4, k] = sum_e
 
     return sum_rows

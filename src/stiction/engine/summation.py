@@ -75,8 +75,8 @@ def in_threads(work: Callable, parts: Iterable, threads: int) -> None:
             under_way.append(pool.submit(work, part))
             if len(under_way) > 2 * threads:
                 under_way.popleft().result()
-        for one in under_way:
-            one.result()
+        for future in under_way:
+            future.result()
 
 
 def _shares(size: int, threads: int) -> list[slice]:
@@ -160,8 +160,8 @@ def _summing_alone(regime: Regime, heights: Heights) -> Callable:
     fill writes the sums at the separations h (m,), each for the law with the index law[i], into `sums` (m, 5).
     """
     compiled = scattering(regime.along, regime.coordinate, heights.density, heights.window, len(regime.parameters))
-    given = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
-    return lambda h, law, sums: compiled(h, law, *given, sums)
+    arguments = (heights.shape, heights.knots), tuple(Laws.of(regime)), (_RULES, _COUNTS)
+    return lambda h, law, sums: compiled(h, law, *arguments, sums)
 
 
 def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Callable:
@@ -223,12 +223,12 @@ def _on_grid(regimes, h, heights, sums, threads) -> None:
     laws = len(sums)
     single = []
     for part in near_each_other(h):
-        whole = part.size == h.size
-        some = sums if whole else np.empty((*sums.shape[:2], part.size))
-        near = h if whole else h[part]
+        complete = part.size == h.size
+        some = sums if complete else np.empty((*sums.shape[:2], part.size))
+        near = h if complete else h[part]
         if not (heights.entire and laws * part.size >= _MANY and _by_skeleton(regimes, near, heights, some, threads)):
             single.append(part)
-        elif not whole:
+        elif not complete:
             sums[:, :, part] = some
     if single:
         rest = np.concatenate(single)
@@ -255,20 +255,20 @@ def _by_skeleton(regimes, h, heights, sums, threads) -> bool:
     sum_rows = summing(heights.density, totals)
     ENGINE.take(len(regimes) * len(sums) * h.size)
     alone = specialised(len(sums), len(sums) * h.size)
-    placing = [Placing.of(one, heights.window, w_high - w_low, sums.shape[1], alone) for one in regimes]
-    room = sum(one.room for one in placing)
+    placing = [Placing.of(regime, heights.window, w_high - w_low, sums.shape[1], alone) for regime in regimes]
+    room = sum(placed.room for placed in placing)
     everywhere = np.full(h.size, np.inf)
 
     def fill(share: slice) -> None:
         places, values = np.empty((_BLOCK, room)), np.empty((_BLOCK, rows, room))
         few, every = np.empty((_BLOCK, rows, few_h.size)), np.ones((_BLOCK, few_h.size), dtype=np.bool_)
         doubtful = np.empty((_BLOCK, h.size), dtype=np.bool_)
-        append = [one.on(_BLOCK, (_RULES, _COUNTS)) for one in placing]
+        appenders = [placed.on(_BLOCK, (_RULES, _COUNTS)) for placed in placing]
         for start in range(share.start, share.stop, _BLOCK):
             block = slice(start, min(start + _BLOCK, share.stop))
             nodes = places, values, np.zeros(block.stop - start, dtype=np.int64)
-            for one in append:
-                one((w_low, np.inf, nearest), heights.shape, block, nodes)
+            for append in appenders:
+                append((w_low, np.inf, nearest), heights.shape, block, nodes)
             sum_rows(few_h, reach, heights.shape, nodes, every, few)
             if carry_over(few.reshape(-1, few_h.size), tiles, doubtful_below, nodes, signed, sums[block], doubtful):
                 sum_rows(h, everywhere, heights.shape, nodes, doubtful, sums[block])

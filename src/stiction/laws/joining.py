@@ -58,8 +58,8 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
         w, stretch, load, area = normal(u, *row[:parameters])
         slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:joined])
         shift, unit, of_load, of_area, of_friction = row[joined:]
-        held = unit * of_friction
-        return shift + w, stretch, unit * of_load * load, of_area * area, held * slip_limited, held * yield_limited
+        factor = unit * of_friction
+        return shift + w, stretch, unit * of_load * load, of_area * area, factor * slip_limited, factor * yield_limited
 
     @formula
     def along_interface(u, *row):
@@ -153,11 +153,11 @@ def with_kinks(edges: np.ndarray, kinks: np.ndarray | None) -> np.ndarray:
 def _fill_sorted(edges, kinks, out):
     for i in range(out.shape[0]):
         first, last, row = edges[i, 0], edges[i, edges.shape[1] - 1], out[i]
-        for at in range(row.size):
-            value = edges[i, at] if at < edges.shape[1] else min(max(kinks[i, at - edges.shape[1]], first), last)
+        for j in range(row.size):
+            value = edges[i, j] if j < edges.shape[1] else min(max(kinks[i, j - edges.shape[1]], first), last)
             # A kink at an end, but for rounding: a segment of that length would have its nodes for nothing.
             value = first if value <= first + _AT_END * abs(first) else value
-            row[at] = last if value >= last - _AT_END * abs(last) else value
+            row[j] = last if value >= last - _AT_END * abs(last) else value
         sort_few(row)
 
 
@@ -194,8 +194,8 @@ def _coordinates(normal: Callable, coordinate: Callable, parameters: int) -> Any
 @cache
 def _coordinates_at_area(normal: Callable, parameters: int) -> Any:
     @formula
-    def narrower(u, given):
-        row, area = given
+    def narrower(u, arguments):
+        row, area = arguments
         return normal(u, *row)[3] < area
 
     search = up_to(narrower)
@@ -215,9 +215,9 @@ def _resistances(resistance: Callable, parameters: int) -> Any:
     def fill_resistances(load, area, table, out):
         for i in range(load.shape[0]):
             row = unpack(table[i], parameters)
-            for at in range(load.shape[1]):
-                slip_limited, yield_limited = resistance(0.0, 0.0, load[i, at], area[i, at], *row)
-                out[i, at] = slip_limited + yield_limited
+            for j in range(load.shape[1]):
+                slip_limited, yield_limited = resistance(0.0, 0.0, load[i, j], area[i, j], *row)
+                out[i, j] = slip_limited + yield_limited
 
     return fill_resistances
 

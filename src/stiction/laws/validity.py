@@ -20,12 +20,12 @@ def warnings_about(subject: Subject, rules: Iterable[Validity], results: Mapping
     results: normalised results by name; mean_separation is over sigma, None if missing. Other quantities are taken from the
     contact.
     """
-    found = []
+    warnings = []
     for rule, values, outside in ranges_left(subject, rules, results):
         ends = float(values[outside].min()), float(values[outside].max())
         points = int(outside.sum()), outside.size
-        found.append(ValidityWarning(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
-    return found
+        warnings.append(ValidityWarning(rule.why, rule.quantity, *ends, rule.low, rule.high, *points, rule.kind))
+    return warnings
 
 
 def ranges_left(
@@ -55,9 +55,9 @@ def with_warnings(data: "xarray.Dataset", more: Iterable[ValidityWarning]) -> "x
 
 def as_attributes(warnings: Iterable[ValidityWarning]) -> dict[str, str]:
     """Return the attributes that store validity warnings in a result, and in netCDF files."""
-    found = tuple(warnings)
-    data = json.dumps([one.as_data() for one in found], ensure_ascii=False)
-    return {"outside_validity": "; ".join(map(str, found)), "validity_warnings": data}
+    listed = tuple(warnings)
+    data = json.dumps([warning.as_data() for warning in listed], ensure_ascii=False)
+    return {"outside_validity": "; ".join(map(str, listed)), "validity_warnings": data}
 
 
 def warnings_of(data: "xarray.Dataset") -> list[ValidityWarning]:

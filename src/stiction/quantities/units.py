@@ -317,14 +317,14 @@ def _single(entry, quantity: Quantity) -> float:
     return number
 
 
-def _float(number, quantity: Quantity, given) -> float:
+def _float(number, quantity: Quantity, original) -> float:
     try:
         return float(number)
     except (OverflowError, ValueError):
-        raise InputError(quantity.name, given, quantity.allowed) from None
+        raise InputError(quantity.name, original, quantity.allowed) from None
 
 
-def _check(number, quantity: Quantity, given) -> None:
+def _check(number, quantity: Quantity, original) -> None:
     values = np.asarray(number)
     if values.size == 0:
         raise InputError(quantity.name, InWords("no values"), "at least one value")
@@ -333,15 +333,15 @@ def _check(number, quantity: Quantity, given) -> None:
         place = tuple(index[0] for index in np.nonzero(~good)) if values.ndim else ()
         worst = float(values[place])
         allowed = quantity.allowed if np.isfinite(worst) else f"finite, {quantity.allowed}"
-        shown = _as_given(given, place, worst)
+        shown = _as_given(original, place, worst)
         raise InputError(quantity.name, shown, allowed + too_soft(shown, worst, quantity))
 
 
-def _as_given(given, place: tuple[int, ...], worst: float):
+def _as_given(original, place: tuple[int, ...], worst: float):
     """Return the out-of-bounds value as the user wrote it, with its unit if there was one."""
-    if isinstance(given, str):
-        return given
-    if isinstance(given, list | tuple) and len(place) == 1:
-        return given[place[0]]
-    unit = getattr(given, "attrs", {}).get("units", "")
-    return f"{given.values[place]:g} {unit}" if unit not in ("", "1") else worst
+    if isinstance(original, str):
+        return original
+    if isinstance(original, list | tuple) and len(place) == 1:
+        return original[place[0]]
+    unit = getattr(original, "attrs", {}).get("units", "")
+    return f"{original.values[place]:g} {unit}" if unit not in ("", "1") else worst

@@ -14,27 +14,27 @@ GRADES = {
 
 # Traits of asperity laws, which tangential and film laws may require.
 TRAITS = {
-    "JKR": "while elastic, adhesion acts inside the contact as Johnson, Kendall and Roberts have it",
-    "no adhesion": "the load is compressive, and nothing at first touch",
-    "Hertz": "while elastic, the contact is Hertz's",
-    "Hertz's shape": "while elastic, the contact is Hertz's, alone, with JKR's adhesion or with DMT's",
-    "2015": "the asperity of the 2015 paper",
+    "JKR": "while elastic, the contact follows the law of Johnson, Kendall and Roberts",
+    "no adhesion": "the load is compressive, and zero at first touch",
+    "Hertz": "while elastic, the contact follows the law of Hertz",
+    "Hertz's shape": "while elastic, the contact follows the law of Hertz, JKR or DMT",
+    "2015": "the asperity of the 2015 paper (soft_coating_2015)",
 }
 
-# Tangential resistance of a yielded junction in a tangential law; it differs by three orders of magnitude.
+# Tangential resistance of yielded junctions in a tangential law; it differs by three orders of magnitude.
 YIELDED = {
-    "none": "junctions that have yielded resist nothing",
-    "interface": "the strength of the interface acts on their area as the load leaves it",
-    "junction growth": "the strength of the interface acts on their area, which grows under shear",
-    "full stick": "they are as strong as the bulk",
+    "none": "yielded junctions have no resistance",
+    "interface": "the shear strength of the interface acts on their area under the normal load",
+    "junction growth": "the shear strength of the interface acts on their area, which grows under shear",
+    "full stick": "yielded junctions are as strong as the bulk",
 }
 
 # Kinds of validity warnings, the most severe first.
 KINDS_OF_WARNING = {
-    "impossible": "cannot be so",
-    "effect": "leaves out what matters here",
+    "impossible": "the result is physically impossible",
+    "effect": "the model omits an effect that matters here",
     "assumption": "an assumption of the model fails",
-    "fit": "beyond the numbers it was fitted to",
+    "fit": "outside the data that the model was fitted to",
     "statistics": "too few asperities or waves for an average",
 }
 
@@ -77,9 +77,9 @@ class Limit:
 
 # Limits that every film law should satisfy. A test checks them; a law that fails one states a Departure.
 FILM_LIMITS = {
-    "thin": "a film of no thickness leaves the substrate alone",
-    "thick": "a film without end is the film alone",
-    "alike": "a film like its substrate is not felt",
+    "thin": "at zero film thickness the result should be that of the substrate",
+    "thick": "at infinite film thickness the result should be that of the film",
+    "alike": "if film and substrate are equal, the film should have no effect",
 }
 
 
@@ -99,7 +99,7 @@ class Departure:
 
     def __str__(self) -> str:
         ends = dict.fromkeys("any factor" if end == inf else f"{end:+.0%}" for end in (self.least, self.most))
-        return f"{FILM_LIMITS[self.limit]}, but here {self.quantity} is off by {' to '.join(ends)}"
+        return f"{FILM_LIMITS[self.limit]}, but {self.quantity} differs by {' to '.join(ends)}"
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class AsperityLaw(Record):
     """The relation between displacement, normal load and contact area of one asperity.
 
-    - segments(groups, **own_options): list of Segment, in the order in which an approaching asperity meets them
+    - segments(groups, **own_options): list of NormalSegment, in the order in which an approaching asperity meets them
     - released(groups, distance, **own_options): the same for unloading, after the surfaces were pressed together and drawn
       apart by `distance` (n,), over sigma; None if the law has no unloading
     - traits: properties of the law, keys of TRAITS
@@ -41,7 +41,7 @@ class AsperityLaw(Record):
     jumps: tuple[Jump, ...] = ()
 
 
-# The option by which junctions that have yielded, to which a law gives no resistance, get that of another; and its default.
+# The option that names another law for yielded junctions without resistance, and its default.
 JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 
 
@@ -51,8 +51,8 @@ class TangentialLaw(Record):
 
     - tangential_resistance(segment, groups, **own_options): TangentialResistance, or None if the segment has no resistance
     - wants: traits that the asperity law must have, with the reason for each
-    - interfacial: whether it shears the interface. For a coated asperity it then uses the whole load and the outer contact
-      area, whether film or substrate carries the load.
+    - interfacial: whether the law describes the interface and not the bodies. For a coated asperity it then uses the whole
+      load and the outer contact area, whether film or substrate carries the load.
     - layered: whether it treats film and body as one layered elastic solid. It then goes with film laws that are
       `solved_as_one`.
     - of_half_space: why a law that is neither of the two cannot be used for such a solid; like: law to use there instead,
@@ -192,7 +192,7 @@ class Composite(Record):
     landmarks: Callable | None = None
 
 
-# What a law that strengthens or spreads the force of an interface wants of a tangential law.
+# The tangential laws that ageing and contamination laws require, as part of an error.
 OF_AREA = "none, or a tangential law whose force is interface strength times contact area"
 
 

@@ -118,7 +118,7 @@ def segments(groups: Groups) -> list[NormalSegment]:
     stiffness = L_c / w_c**1.5
     beta, alpha = 0.174 + 0.08 * nu, 0.25 + 0.125 * nu
     start = np.sqrt(edges_at(0.0, w_c))
-    edges = edges_at(w_c, *(at * w_c for at in _SPLITS), np.inf)
+    edges = edges_at(w_c, *(ratio * w_c for ratio in _SPLITS), np.inf)
     return [
         NormalSegment(elastic, root_of, (stiffness,), start, "elastic"),
         NormalSegment(yielding, root_of, (w_c, stiffness, beta, alpha), np.sqrt(edges), "elastic-plastic"),

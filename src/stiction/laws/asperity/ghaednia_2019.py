@@ -132,9 +132,9 @@ def yielding(u, *row):
 
 
 @formula
-def _is_narrow(w, given):
+def _is_narrow(w, parameters):
     """Return whether the contact radius at the displacement w is smaller than the radius R of the sphere."""
-    w_c, B, sharpness, front, rate = given
+    w_c, B, sharpness, front, rate = parameters
     return _radius(w, w_c, B, sharpness, front, rate) * sharpness < 1.0
 
 
@@ -148,13 +148,13 @@ def _wide_as_high(w_c, B, sharpness, front, rate, out):
     With little hardening the radius may fall below R again before omega = R. The search therefore takes small steps.
     """
     for i in range(out.size):
-        given = w_c[i], B[i], sharpness[i], front[i], rate[i]
+        parameters = w_c[i], B[i], sharpness[i], front[i], rate[i]
         low = high = _elastic_to * w_c[i]
         step = max(1.0 / (sharpness[i] * sharpness[i]) - low, 0.0) / _STEPS  # at omega = R, a >= R
         for _ in range(_STEPS):
-            if _is_narrow(high, given):
+            if _is_narrow(high, parameters):
                 low, high = high, high + step
-        out[i] = _halve(low, high, given)
+        out[i] = _halve(low, high, parameters)
 
 
 def _edges(w_c, sharpness, front, rate, wide):
@@ -166,7 +166,7 @@ def _edges(w_c, sharpness, front, rate, wide):
     hardens = (front > 0.0) & (rate > 0.0)
     turn = np.log(np.divide(1.0, front, where=hardens, out=np.ones_like(front)))
     turn = w_c + np.divide(turn, rate * sharpness**2, where=hardens, out=np.zeros_like(turn))
-    between = np.stack([wide, turn, *(at * w_c for at in _SPLITS)], axis=1)
+    between = np.stack([wide, turn, *(ratio * w_c for ratio in _SPLITS)], axis=1)
     between = np.sort(np.maximum(between, start[:, None]), axis=1)
     return np.column_stack([start, between, np.full_like(w_c, np.inf)])
 

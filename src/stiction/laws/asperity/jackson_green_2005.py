@@ -126,7 +126,7 @@ def segments(groups: Groups) -> list[NormalSegment]:
     C, k = yield_coefficient(groups.nu), groups.hardness_to_yield
     w_c = critical_interference(groups.eta, C, k)
     B = area_power(groups.yield_strain)
-    edges = edges_at(*(at * w_c for at in (ELASTIC_TO, *_SPLITS)), np.inf)
+    edges = edges_at(*(ratio * w_c for ratio in (ELASTIC_TO, *_SPLITS)), np.inf)
     return [
         hertz.elastic(ELASTIC_TO * w_c),
         NormalSegment(yielding, root_of, (w_c, C, B, groups.sharpness), np.sqrt(edges), "elastic-plastic"),

@@ -68,7 +68,7 @@ def flow(u, eta):
 def segments(groups: Groups) -> list[NormalSegment]:
     # P_c = (2/3) K_H H pi R omega_c is Hertz's load at omega_c: w_c^(3/2) in these units; A_c = pi R omega_c.
     w_c = critical_interference(groups.eta, hardness_coefficient(groups.nu))
-    found = [hertz.elastic(w_c)]
+    parts = [hertz.elastic(w_c)]
     for low, high, load_factor, load_power, area_factor, area_power in POWER_LAWS:
         parameters = (
             load_factor * w_c ** (1.5 - load_power),
@@ -77,9 +77,9 @@ def segments(groups: Groups) -> list[NormalSegment]:
             np.full_like(w_c, area_power),
         )
         edges = np.sqrt(edges_at(low * w_c, high * w_c))
-        found.append(NormalSegment(power_law, root_of, parameters, edges, "elastic-plastic"))
+        parts.append(NormalSegment(power_law, root_of, parameters, edges, "elastic-plastic"))
     edges = np.sqrt(edges_at(FULLY_PLASTIC * w_c, np.inf))
-    return [*found, NormalSegment(flow, root_of, (groups.eta,), edges, "plastic")]
+    return [*parts, NormalSegment(flow, root_of, (groups.eta,), edges, "plastic")]
 
 
 RECORD = AsperityLaw(

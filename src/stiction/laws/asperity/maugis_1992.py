@@ -150,10 +150,10 @@ def coordinate(w, g, lam):
     while normal(s, 1.0, lam)[0] < D:
         s *= 2.0
     for _ in range(200):
-        at, slope, _, _ = normal(s, 1.0, lam)
+        displaced, slope, _, _ = normal(s, 1.0, lam)
         if slope <= 0.0:
             break
-        step = min((at - D) / slope, 0.5 * s)
+        step = min((displaced - D) / slope, 0.5 * s)
         s -= step
         if step <= 1e-15 * s:
             break

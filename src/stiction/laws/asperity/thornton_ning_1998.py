@@ -191,8 +191,8 @@ def released_coordinate(w, theta, eta_y, u_y, distance, origin):
 
 
 @formula
-def _is_lost(U, given):
-    S, eta_y, u_y, distance = given
+def _is_lost(U, arguments):
+    S, eta_y, u_y, distance = arguments
     return recovery(U, S, eta_y, u_y) < distance
 
 
@@ -207,14 +207,14 @@ def _fill_origin(theta, eta_y, u_y, first, distance, out):
     square root of the distance to U then stays smooth.
     """
     for i in range(out.size):
-        given = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
+        arguments = _adhesion(theta[i]), eta_y[i], u_y[i], distance[i]
         low = high = first[i]
-        if _is_lost(low, given):
-            while _is_lost(high, given):
+        if _is_lost(low, arguments):
+            while _is_lost(high, arguments):
                 high *= 2.0
         else:
             low *= 0.9
-        out[i] = _halve(low, high, given)
+        out[i] = _halve(low, high, arguments)
 
 
 def _displacements(u: np.ndarray, theta: np.ndarray) -> np.ndarray:
@@ -258,17 +258,17 @@ def released(groups: Groups, distance: np.ndarray, limiting_pressure: str) -> li
     """
     elastic, yielded = segments(groups, limiting_pressure)
     first, last = elastic.edges.T
-    whole = jkr.elastic(groups.theta, "unloading", np.full(len(groups), np.inf))
-    low = coordinates(whole, -distance)
-    high = coordinates(whole, _displacements(last, groups.theta) - distance)
+    unyielded = jkr.elastic(groups.theta, "unloading", np.full(len(groups), np.inf))
+    low = coordinates(unyielded, -distance)
+    high = coordinates(unyielded, _displacements(last, groups.theta) - distance)
     high[~(last > first)] = 0.0
     origin = np.empty(len(groups))
     parameters = *yielded.parameters, np.ascontiguousarray(distance, dtype=float)
     _fill_origin(*yielded.parameters, yielded.edges[:, 0].copy(), parameters[-1], origin)
     edges = np.sqrt(np.maximum(yielded.edges - origin[:, None], 0.0))
     lowest = -float(np.max(distance, initial=0.0))
-    held = NormalSegment(released_normal, released_coordinate, (*parameters, origin), edges, yielded.state, lowest)
-    return [within(whole, low, high), held]
+    in_contact = NormalSegment(released_normal, released_coordinate, (*parameters, origin), edges, yielded.state, lowest)
+    return [within(unyielded, low, high), in_contact]
 
 
 RECORD = AsperityLaw(

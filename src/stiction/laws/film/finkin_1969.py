@@ -66,12 +66,12 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 
     With E'_f = E_f/(1 - nu^2) of the film itself, over K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
     """
-    whole = groups.resolved()
-    nu, film = whole.layer_nu, 0.75 * whole.film_modulus
+    resolved = groups.resolved()
+    nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus
     if bound == "compressible":
-        return _PI * film * (1.0 - nu) ** 2 / (1.0 - 2.0 * nu) / whole.film_aspect
-    k = np.where(np.asarray(whole.films) == 2.0, BOUNDS["incompressible"][0], BOUNDS[bound][0])
-    return _PI * k / 96.0 * film * (1.0 - nu) / 2.0 * (BOUNDS[bound][2] / whole.film_aspect) ** 3
+        return _PI * film * (1.0 - nu) ** 2 / (1.0 - 2.0 * nu) / resolved.film_aspect
+    k = np.where(np.asarray(resolved.films) == 2.0, BOUNDS["incompressible"][0], BOUNDS[bound][0])
+    return _PI * k / 96.0 * film * (1.0 - nu) / 2.0 * (BOUNDS[bound][2] / resolved.film_aspect) ** 3
 
 
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:

@@ -110,9 +110,9 @@ def bare_regimes_with_transition(asperity: Groups) -> list[Regime]:
 
     The transition replaces the load jump of (S2.9).
     """
-    one, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
-    bodies = TwoBodies.against_rigid(one, asperity.nu, asperity.nu)
-    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, bodies, one, never, one, (0.0, 0.0))
+    ones, never = np.ones(len(asperity.theta)), np.full(len(asperity.theta), np.inf)
+    bodies = TwoBodies.against_rigid(ones, asperity.nu, asperity.nu)
+    parameters = _parameters(asperity, asperity, asperity.hardness_to_yield, bodies, ones, never, ones, (0.0, 0.0))
     return _regimes(parameters, never, (("elastic", "bare"), ("plastic", "bare")))
 
 
@@ -158,13 +158,13 @@ def _regimes(parameters, tau, parts) -> list[Regime]:
             along,
             coordinate,
             columns,
-            gather(edges, part, at),
+            gather(edges, part, number),
             state,
             body,
             branch=branch,
             yields_by_degrees=state == "plastic",
         )
-        for at, (state, body) in enumerate(parts)
+        for number, (state, body) in enumerate(parts)
     ]
 
 

@@ -189,12 +189,12 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t
     angle_there = np.arcsin(np.sqrt(np.minimum(as_wide / tau, 1.0)))
-    found = []
+    parts = []
     for segment, body in segments(groups):
         there = np.sqrt(np.maximum(as_wide - tau, 0.0)) if segment.normal is pressed_through else angle_there
         joined = law.join(segment, groups, body=body)
-        found += [within(joined, -np.inf, there), replace(within(joined, there, np.inf), in_half_space=False)]
-    return found
+        parts += [within(joined, -np.inf, there), replace(within(joined, there, np.inf), in_half_space=False)]
+    return parts
 
 
 RECORD = FilmLaw(

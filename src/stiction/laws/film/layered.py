@@ -106,10 +106,12 @@ def elastic(groups: Groups, law: Law) -> NormalSegment:
 
 def regimes(groups: Groups, law: Law, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a coated surface; film and substrate deform together, and all load is counted as the film's."""
-    whole = groups.resolved()
+    resolved = groups.resolved()
     record: Any = composites_of("hardness")[hardness]
-    pull = np.zeros(len(whole)) if "no adhesion" in law.asperity.traits else outer_pull(whole)
-    first, following = cut_at_yield(elastic(whole, law), law, whole, Hardness(record, whole, float(soft_film_exponent)), pull)
+    pull = np.zeros(len(resolved)) if "no adhesion" in law.asperity.traits else outer_pull(resolved)
+    first, following = cut_at_yield(
+        elastic(resolved, law), law, resolved, Hardness(record, resolved, float(soft_film_exponent)), pull
+    )
     return [law.join(segment, groups, body="film") for segment in (first, *following)]
 
 

@@ -70,10 +70,10 @@ def rise(groups: Groups) -> np.ndarray:
 
     It follows from the friction constant C, because C over K sqrt(R sigma) is 2 eta (tau_0/H)^3/(q n_H)^2. Without C it is 1.
     """
-    given = groups.film_friction_constant
-    if given is None:
+    constant = groups.film_friction_constant
+    if constant is None:
         return np.ones(len(groups))
-    return np.sqrt(2.0 * groups.eta * groups.shear_strength**3 / given) / np.minimum(groups.n_H, 1.0)
+    return np.sqrt(2.0 * groups.eta * groups.shear_strength**3 / constant) / np.minimum(groups.n_H, 1.0)
 
 
 def regimes(groups: Groups, law: Law) -> list[Regime]:

@@ -61,7 +61,7 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     tau, n_E = groups.tau, groups.n_E
     before, after = Weights(unit=n_E), Weights(unit=n_E, load=0.0, friction=0.0)
     deforming = film_regimes(law, groups, tau, lambda segment: (before, after))
-    load, slip_limited, yield_limited = _kept(law, groups)
+    load, slip_limited, yield_limited = _values_at_thickness(law, groups)
     in_series = film_shear == "in_series" and law.tangential is not None and not law.interfacial
     if in_series:
         slip_limited, yield_limited = 0.0 * slip_limited, 0.0 * yield_limited
@@ -72,14 +72,14 @@ def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     return [*deforming, rest, *substrate, *(weaker_regimes(law, groups) if in_series else [])]
 
 
-def _kept(law: Law, groups: Groups) -> np.ndarray:
+def _values_at_thickness(law: Law, groups: Groups) -> np.ndarray:
     """Return load, slip-limited and yield-limited resistance (3, n) that the film keeps beyond w = tau.
 
     These are the film's values at w = tau (film thickness over sigma). With a tangential law of the interface, the resistance
     proportional to the area is left out; `regimes` adds it with the area.
     """
     film, weights = groups.film(), Weights(unit=groups.n_E, area=0.0 if law.interfacial else 1.0)
-    kept = np.zeros((3, len(groups)))
+    at_thickness = np.zeros((3, len(groups)))
     for segment in law.segments(film):
         regime = law.join(segment, film, weights)
         u = coordinates(segment, groups.tau)
@@ -87,8 +87,8 @@ def _kept(law: Law, groups: Groups) -> np.ndarray:
         start, _, _, width = normal_states(segment, at_first).T
         # First touch is at no displacement, to rounding: a film of no thickness is there.
         there = (u >= at_first) & (u < at_last) & (groups.tau >= start - 1e-14 * width)
-        kept[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
-    return kept
+        at_thickness[:, there] = states(regime, np.where(there, u, at_first))[there][:, [2, 4, 5]].T
+    return at_thickness
 
 
 RECORD = FilmLaw(

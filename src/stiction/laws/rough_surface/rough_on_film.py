@@ -94,12 +94,12 @@ def waves_of_moments(density: np.ndarray) -> Waves:
     (Nayak 1971).
     """
     log_ratio = np.interp(np.log(bandwidth(density)), _log_bandwidths(), np.log(_RATIOS))[:, None]
-    at = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
-    share = _WEIGHTS * np.exp((2.0 - 2.0 * _HURST) * at)
+    log_k = 0.5 * (_NODES - 1.0) * log_ratio  # ln k/k_s
+    share = _WEIGHTS * np.exp((2.0 - 2.0 * _HURST) * log_k)
     share /= share.sum(axis=1, keepdims=True)
-    mean_square = np.sum(share * np.exp(2.0 * at), axis=1, keepdims=True)  # M_4/M_2 over k_s^2
+    mean_square = np.sum(share * np.exp(2.0 * log_k), axis=1, keepdims=True)  # M_4/M_2 over k_s^2
     shortest = np.sqrt(8.0 * math.pi * math.sqrt(3.0) * density[:, None] / mean_square)
-    return Waves(shortest * np.exp(at), share)
+    return Waves(shortest * np.exp(log_k), share)
 
 
 @cache
@@ -112,9 +112,9 @@ def _log_bandwidths() -> np.ndarray:
         return np.where(log > 0.0, np.expm1(power * log) / power, log)
 
     with np.errstate(invalid="ignore", divide="ignore"):
-        found = np.log(1.5 * moment(0.0) * moment(4.0) / moment(2.0) ** 2)
-    found[0] = math.log(1.5)
-    return found
+        log_bandwidths = np.log(1.5 * moment(0.0) * moment(4.0) / moment(2.0) ** 2)
+    log_bandwidths[0] = math.log(1.5)
+    return log_bandwidths
 
 
 def thickness_over_wave(groups: Groups) -> np.ndarray:
@@ -152,8 +152,8 @@ def area_of_waves(
         width = (_SIZE * n_E**_BY_MODULUS / thickness)[:, None, None] / k  # a/t of the whole area
 
     def modulus_at(log_area: np.ndarray) -> np.ndarray:
-        at = width * np.exp(_BY_AREA * log_area)[..., None]
-        return np.sqrt(np.sum(share * sphere_modulus(curve, n_E, at) ** 2, axis=-1))
+        aspect = width * np.exp(_BY_AREA * log_area)[..., None]
+        return np.sqrt(np.sum(share * sphere_modulus(curve, n_E, aspect) ** 2, axis=-1))
 
     def log_bare(pressure: np.ndarray) -> np.ndarray:
         return np.log(np.maximum(bare(pressure), _LEAST_AREA))
@@ -190,14 +190,14 @@ def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray,
     terms[0] *= 0.5
     if not np.abs(terms[-2:]).max() <= _ROUND_OFF:
         return function
-    return lambda at: np.exp(chebval(np.clip((at - middle) / half, -1.0, 1.0), terms[..., None], tensor=False))
+    return lambda x: np.exp(chebval(np.clip((x - middle) / half, -1.0, 1.0), terms[..., None], tensor=False))
 
 
 def area_at_load(load: np.ndarray, groups: Groups) -> np.ndarray:
     """Return the area per asperity over pi R sigma (n, H) at loads per asperity (n, H); it is 0 under tension."""
-    whole = groups.resolved()
-    require_gaussian(whole.roughness_parameter)
-    parts = [_area(load[rows], whole[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
+    resolved = groups.resolved()
+    require_gaussian(resolved.roughness_parameter)
+    parts = [_area(load[rows], resolved[rows]) for rows in blocks(len(load), _PER_POINT * load.shape[1])]
     return np.concatenate(parts)
 
 
@@ -252,13 +252,13 @@ def area_on_map(load: np.ndarray, groups: Groups, surface: "HeightMap") -> np.nd
     The elastic contact of the map with its film is solved at a few loads. Between and beyond them, the area law is used with
     the spectrum of the map and with the bare contact area of the map. All contacts have the same map as their surface.
     """
-    whole, density = groups.resolved(), groups.roughness_parameter[:, None]
+    resolved, density = groups.resolved(), groups.roughness_parameter[:, None]
     pressure = reduced_pressure(np.maximum(load, 0.0), density)
     slopes = groups.sharpness * slope_over_sharpness(groups.roughness_parameter)
-    found = np.zeros(load.shape)
-    for at in range(len(load)):
-        found[at] = _elastic_on_map(pressure[at], whole[at : at + 1], surface, float(slopes[at]))
-    return _flowing(found, pressure, whole) / (math.pi * density)
+    elastic = np.zeros(load.shape)
+    for i in range(len(load)):
+        elastic[i] = _elastic_on_map(pressure[i], resolved[i : i + 1], surface, float(slopes[i]))
+    return _flowing(elastic, pressure, resolved) / (math.pi * density)
 
 
 def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
@@ -326,8 +326,8 @@ def _elastic_on_map(pressure: np.ndarray, groups: Groups, surface: "HeightMap", 
     if not there.any():
         return area
     x, y = np.log(nodes[there]), np.log(solved[there] / of_law[there])
-    at = np.clip(np.log(np.maximum(pressure, 1e-300)), x[0], x[-1])
-    return np.minimum(area * np.exp(PchipInterpolator(x, y)(at) if x.size > 1 else y[0]), 1.0)
+    log_pressure = np.clip(np.log(np.maximum(pressure, 1e-300)), x[0], x[-1])
+    return np.minimum(area * np.exp(PchipInterpolator(x, y)(log_pressure) if x.size > 1 else y[0]), 1.0)
 
 
 def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: float) -> Callable[[np.ndarray], np.ndarray]:
@@ -344,9 +344,9 @@ def _bare_curve(surface: "HeightMap", pressure: np.ndarray, slope: float, n_E: f
         return np.zeros_like
     area = map_area(surface)
     low, high = 0.5 * float(some.min()) / max(n_E, 1.0), 2.0 * float(some.max()) / min(n_E, 1.0)
-    at = np.linspace(math.log(low), math.log(high), _TO_A_FACTOR_OF_E * math.ceil(math.log(high / low)) + 5)
+    log_pressure = np.linspace(math.log(low), math.log(high), _TO_A_FACTOR_OF_E * math.ceil(math.log(high / low)) + 5)
     of_map = slope / area.slopes.gradient
-    curve = PchipInterpolator(at, np.log([area.by_formula(p * of_map, math.inf) for p in np.exp(at)]))
+    curve = PchipInterpolator(log_pressure, np.log([area.by_formula(p * of_map, math.inf) for p in np.exp(log_pressure)]))
 
     def bare(p: np.ndarray) -> np.ndarray:
         return np.where(p > 0.0, np.exp(curve(np.log(np.clip(p, low, high)))), 0.0)

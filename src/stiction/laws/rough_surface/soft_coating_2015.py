@@ -44,8 +44,8 @@ def regimes(groups: Groups, law: Law, film: FilmLaw | None, variant: str, transi
         )
     for chosen, key in ((law.asperity, RECORD.asperity), (law.tangential, RECORD.tangential)):
         if (printed or gradual) and (chosen is None or chosen.key != key):
-            kind, given = (chosen.kind, chosen.key) if chosen else ("tangential", "none")
-            raise InputError(kind, given, f"{key} with the published variant or the gradual transition")
+            kind, value = (chosen.kind, chosen.key) if chosen else ("tangential", "none")
+            raise InputError(kind, value, f"{key} with the published variant or the gradual transition")
     if film is not None:
         return film.regimes(groups, law, **select_options(film, law.options))
     if gradual:

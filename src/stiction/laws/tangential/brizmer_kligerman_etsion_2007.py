@@ -67,7 +67,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     touches = at_first[:, 2] <= 0.0
     # Where a segment begins under load, that power begins before it, about as far off as the segment is from first touch.
     near = [coordinates(segment, np.where(touches, -np.inf, at_first[:, 0] * factor)) for factor in _SPLITS]
-    kinks = np.stack([begins, *(np.where(touches, begins, one) for one in near)], axis=1)
+    kinks = np.stack([begins, *(np.where(touches, begins, place) for place in near)], axis=1)
     return TangentialResistance(resistance, (L_c,), kinks, np.where(touches, begins, -np.inf))
 
 

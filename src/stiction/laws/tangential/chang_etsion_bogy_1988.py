@@ -95,8 +95,8 @@ def friction_coefficient(w_ratio, nu, K_H):
 
 
 @formula
-def _at_edge_first(w_ratio, given):
-    return on_axis(w_ratio, *given) > at_edge(w_ratio, *given)
+def _at_edge_first(w_ratio, arguments):
+    return on_axis(w_ratio, *arguments) > at_edge(w_ratio, *arguments)
 
 
 _halve = halving(_at_edge_first)

@@ -116,14 +116,14 @@ def _root(s, of_s, of_both, C) -> np.ndarray:
         return np.where(C > 0.0, np.where(B > 0.0, -A / (B + root), (root - B) / C), np.inf)
 
 
-def _product(one: Stress, other: Stress) -> np.ndarray:
+def _product(first: Stress, other: Stress) -> np.ndarray:
     """Return 3/2 of the double contraction of the deviators of two stresses.
 
     For two equal stresses this is the squared von Mises stress.
     """
-    shear = one[3] * other[3] + one[4] * other[4] + one[5] * other[5]
-    mean = (one[0] + one[1] + one[2]) * (other[0] + other[1] + other[2]) / 3.0
-    return 1.5 * (one[0] * other[0] + one[1] * other[1] + one[2] * other[2] - mean) + 3.0 * shear
+    shear = first[3] * other[3] + first[4] * other[4] + first[5] * other[5]
+    mean = (first[0] + first[1] + first[2]) * (other[0] + other[1] + other[2]) / 3.0
+    return 1.5 * (first[0] * other[0] + first[1] * other[1] + first[2] * other[2] - mean) + 3.0 * shear
 
 
 @cache
@@ -167,7 +167,7 @@ def _least(s, nu, x, z, reach_x: float, reach_z: float) -> np.ndarray:
     def shear(x, z):
         return shear_at_yield(s[..., None], nu[..., None], x, z)
 
-    x, z = (one.ravel() for one in np.broadcast_arrays(x, z))
+    x, z = (array.ravel() for array in np.broadcast_arrays(x, z))
     best = shear(x, z).argmin(axis=-1)
     return least_over(shear, x[best], z[best], reach_x, reach_z)[2]
 
@@ -195,8 +195,8 @@ def _sum(y, series, first, terms):
     """
     t = 4.0 * y - 2.0
     last = before = 0.0
-    for at in range(first + terms - 1, first, -1):
-        last, before = series[at] + t * last - before, last
+    for k in range(first + terms - 1, first, -1):
+        last, before = series[k] + t * last - before, last
     return series[first] + 0.5 * t * last - before
 
 

@@ -57,9 +57,9 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
         return of_a_half_space(segment, groups)
     if segment.state != "elastic":
         return None
-    whole = groups.resolved()
-    share_that_peels(whole)  # or is refused
-    own, vanishes = peeling_columns(segment, whole)
+    resolved = groups.resolved()
+    share_that_peels(resolved)  # or is refused
+    own, vanishes = peeling_columns(segment, resolved)
     return TangentialResistance(resistance, own, vanishes)
 
 

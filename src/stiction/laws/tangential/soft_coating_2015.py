@@ -88,9 +88,9 @@ def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
     from stiction.laws.tangential.shared.coated_edge import edge_columns, edge_root
     from stiction.laws.tangential.shared.coated_peeling import peeling_columns, peeling_force
 
-    whole = groups.resolved()
-    own, vanishes = peeling_columns(segment, whole)
-    return lesser_of(segment, Force(peeling_force, own), Force(edge_root, edge_columns(whole)), vanishes)
+    resolved = groups.resolved()
+    own, vanishes = peeling_columns(segment, resolved)
+    return lesser_of(segment, Force(peeling_force, own), Force(edge_root, edge_columns(resolved)), vanishes)
 
 
 def grip_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:

@@ -71,10 +71,10 @@ def tangential_resistance(segment: NormalSegment, groups: Groups, alpha: str) ->
     share = share_of_bulk(groups, alpha)
     endless = share >= 1.0 - _ROUNDING
     if np.any(endless):
-        found = float(groups.shear_strength[endless][0])
+        strength = float(groups.shear_strength[endless][0])
         bound = float((groups.shear_strength / share)[endless][0])
         why = f"below {bound:.4g}, the shear strength of the bulk over H: stronger junctions grow without limit"
-        raise InputError("shear_strength", found, f"{why} in tabor_1959; use junction_growth")
+        raise InputError("shear_strength", strength, f"{why} in tabor_1959; use junction_growth")
     pressures = [groups.eta * np.sqrt((1.0 - share) * (1.0 + share)), groups.eta]
     kinks = np.concatenate([where_pressure_is(segment, pressure) for pressure in pressures], axis=1)
     return TangentialResistance(resistance, (groups.eta, groups.shear_strength, share), kinks)

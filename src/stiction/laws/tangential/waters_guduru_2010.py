@@ -120,7 +120,7 @@ def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialR
     share = share_that_peels(groups)
     kinks = [_to_hertz(segment, groups, 1.0 - share)[:, None], no_resistance(segment, groups)]
     parameters = (groups.theta, groups.K_beta, 1.0 - share)
-    return TangentialResistance(resistance, parameters, np.concatenate([one for one in kinks if one is not None], axis=1))
+    return TangentialResistance(resistance, parameters, np.concatenate([array for array in kinks if array is not None], axis=1))
 
 
 def _to_hertz(segment: NormalSegment, groups: Groups, kappa: np.ndarray) -> np.ndarray:

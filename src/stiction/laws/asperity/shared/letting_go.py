@@ -109,11 +109,11 @@ def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple
 @cache
 def _freeing(normal: Callable, parameters: int) -> Any:
     @formula
-    def held(u, given):
-        row, distance = given
+    def lost_contact(u, arguments):
+        row, distance = arguments
         return _recovery(normal(u, *row)) < distance
 
-    search = up_to(held)
+    search = up_to(lost_contact)
 
     @lazy_kernel(worth=300)
     def fill_free(distance, table, edges, out):
@@ -169,7 +169,7 @@ def drawn_apart(segments: list[NormalSegment], distance: np.ndarray) -> list[Nor
     h, the returned segments give load and area of a surface that was first loaded to the separation h - distance.
     """
     far = np.ascontiguousarray(distance, dtype=float)
-    found = []
+    unloaded = []
     for segment in segments:
         laws, count = len(segment.edges), len(segment.parameters)
         released, released_coordinate = _let_go_by(segment.normal, segment.coordinate, count)
@@ -183,5 +183,7 @@ def drawn_apart(segments: list[NormalSegment], distance: np.ndarray) -> list[Nor
             empty = np.isinf(free) | ~(edges[:, -1] > edges[:, 0])
             origin = np.where(empty, 0.0, free)
             edges = np.where(empty[:, None], 0.0, np.sqrt(np.maximum(edges - origin[:, None], 0.0)))
-            found.append(NormalSegment(released, released_coordinate, (*segment.parameters, far, origin), edges, segment.state))
-    return found
+            unloaded.append(
+                NormalSegment(released, released_coordinate, (*segment.parameters, far, origin), edges, segment.state)
+            )
+    return unloaded

@@ -68,17 +68,17 @@ def _add_zeros(which, places, values, law, out, count):
     # A branch point is felt from some way off, and the balance has sharp turns. Others may be constant but for rounding.
     small = _FELT if which in (REAL, BALANCE) else 0.0
     for j in range(places.size - 1):
-        here, there = values[j], values[j + 1]
-        if (here > 0.0) != (there > 0.0):
-            count = _add(out, count, zero(which, places[j], here, places[j + 1], there, law, 0.0))
-        elif comes_near(before, here, there, small):
-            u, value = beyond_zero(which, places[j - 1], before, places[j], here, places[j + 1], there, law)
-            if (value > 0.0) != (here > 0.0):
+        current, following = values[j], values[j + 1]
+        if (current > 0.0) != (following > 0.0):
+            count = _add(out, count, zero(which, places[j], current, places[j + 1], following, law, 0.0))
+        elif comes_near(before, current, following, small):
+            u, value = beyond_zero(which, places[j - 1], before, places[j], current, places[j + 1], following, law)
+            if (value > 0.0) != (current > 0.0):
                 count = _add(out, count, zero(which, places[j - 1], before, u, value, law, 0.0))
-                count = _add(out, count, zero(which, u, value, places[j + 1], there, law, 0.0))
+                count = _add(out, count, zero(which, u, value, places[j + 1], following, law, 0.0))
             elif which == REAL:  # there is a branch point beside the line of real u
                 count = _add(out, count, u)
-        before = here
+        before = current
     return count
 
 
@@ -156,38 +156,38 @@ def _add_plateaus(law, edges, count, part, levels, places, loads, slopes):
     """
     out = edges[_first_flowing(part, count) : count]  # before, the load cannot fall
     _sample_loads(law, out, out.size, places, loads, slopes)
-    known, at, held, level = count, 0, False, 0.0
+    known, plateau, on_plateau, level = count, 0, False, 0.0
     previous = out[0]
     for k in range(INNER * (out.size - 1)):
         kink, u, falling = out[k // INNER], places[k], slopes[k]
         if not u > kink:
             continue
         turn = u
-        if not held and falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
+        if not on_plateau and falling > 0.0 and k % INNER > 1 and comes_near(slopes[k - 2], slopes[k - 1], falling, NEARER):
             turn, falling = beyond_zero(
                 NUMBERS[SLOPE], places[k - 2], slopes[k - 2], places[k - 1], slopes[k - 1], u, falling, law
             )
             previous = places[k - 1] if turn > places[k - 1] else places[k - 2]
-        if not held and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
+        if not on_plateau and falling > 0.0 and k % INNER > 0 and loads[k] < loads[k - 1]:
             turn, falling = _descent(max(previous, places[k - 1]), u, law)
-        elif held and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
+        elif on_plateau and falling < 0.0 and k % INNER > 0 and slopes[k - 1] > 0.0 and loads[k] < level:
             summit = _summit(places[k - 1], places[k - 1], u, falling, law)
             above = signal(NUMBERS[ABOVE], summit, law, level)
-            if above > 0.0 and at < PLATEAUS:  # a peak between two samples
+            if above > 0.0 and plateau < PLATEAUS:  # a peak between two samples
                 previous = _regained(previous, summit, above, law, level)
-                known, held = _add(edges, known, previous), False
+                known, on_plateau = _add(edges, known, previous), False
         # Once to see where the load comes back, once more if it falls again before the sample.
         for _ in range(2):
-            if not held and falling < 0.0 and at < PLATEAUS:
+            if not on_plateau and falling < 0.0 and plateau < PLATEAUS:
                 start = _summit(previous, max(kink, previous), turn, falling, law)
                 level = signal(NUMBERS[ABOVE], start, law, 0.0)
-                known, held = _add(edges, known, start), True
-                levels[2 * at], levels[2 * at + 1] = start, level
-                at += 1
+                known, on_plateau = _add(edges, known, start), True
+                levels[2 * plateau], levels[2 * plateau + 1] = start, level
+                plateau += 1
                 previous = max(turn, start)
-            if held and loads[k] > level:
+            if on_plateau and loads[k] > level:
                 previous = _regained(previous, u, loads[k] - level, law, level)
-                known, held = _add(edges, known, previous), False
+                known, on_plateau = _add(edges, known, previous), False
             turn, falling = u, slopes[k]
         previous = u
     return known
@@ -253,17 +253,17 @@ def _insert(kinks, law, places, values, size):
     The other signals may turn at these kinks.
     """
     for u in kinks:
-        at = size
-        while at > 0 and places[at - 1] > u:
-            at -= 1
-        if size == places.size or (at > 0 and places[at - 1] == u):
+        position = size
+        while position > 0 and places[position - 1] > u:
+            position -= 1
+        if size == places.size or (position > 0 and places[position - 1] == u):
             continue
-        for to in range(size, at, -1):  # by numbers: an assignment of slices takes seconds to compile
+        for to in range(size, position, -1):  # by numbers: an assignment of slices takes seconds to compile
             places[to] = places[to - 1]
             for row in range(values.shape[0]):
                 values[row, to] = values[row, to - 1]
-        places[at] = u
-        _sample(at, law, places, values)
+        places[position] = u
+        _sample(position, law, places, values)
         size += 1
     return size
 
@@ -288,8 +288,8 @@ def _fill(parameters, tau, edges, part, levels, branch):
             grips -= 1
         count = _add_zeros(NUMBERS[SQUEEZED], scan[: grips + 1], samples[SQUEEZED], law, out, count)
         count = _add_zeros(NUMBERS[BALANCE], scan[: grips + 1], samples[BALANCE], law, out, count)
-        for at in range(count):
-            out[at] = min(max(out[at], start), top)
+        for j in range(count):
+            out[j] = min(max(out[j], start), top)
         sort_few(out[:count])
         levels[i, 0::2], levels[i, 1::2] = math.inf, 0.0
         _name_parts(law, through, out, count, part[i])
@@ -307,8 +307,8 @@ def _add_branches(start, at_start, law, out, first, count, branch):
     the substitution that removes a square root works at one end of a segment only.
     """
     branch[:] = -math.inf
-    found = out[first:count]
-    sort_few(found)
+    kinks = out[first:count]
+    sort_few(kinks)
     known = 0
     if at_start > 0.0:
         low, at_low, below = start, at_start, 0.005
@@ -321,11 +321,11 @@ def _add_branches(start, at_start, law, out, first, count, branch):
         elif at_start < _FELT:  # beside the line of real u
             branch[0] = start
         known = 1
-    for u in found[: branch.size - known]:
+    for u in kinks[: branch.size - known]:
         branch[known] = u
         known += 1
-    for at in range(known - 1):  # -inf gives none
-        count = _add(out, count, 0.5 * (branch[at] + branch[at + 1]))
+    for j in range(known - 1):  # -inf gives none
+        count = _add(out, count, 0.5 * (branch[j] + branch[j + 1]))
     return count
 
 
@@ -360,12 +360,12 @@ def find_kinks(parameters: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, ...
 @lazy_kernel(worth=3_000)
 def _gather(edges, part, wanted, out):
     for i in range(edges.shape[0]):
-        at = 0
+        column = 0
         for segment in range(part.shape[1] - 1, -1, -1):
             if part[i, segment] == wanted:
-                out[i, at], out[i, at + 1] = edges[i, segment], edges[i, segment + 1]
-                at += 2
-        out[i, at:] = edges[i, 0]
+                out[i, column], out[i, column + 1] = edges[i, segment], edges[i, segment + 1]
+                column += 2
+        out[i, column:] = edges[i, 0]
 
 
 def gather(edges: np.ndarray, part: np.ndarray, wanted: int) -> np.ndarray:

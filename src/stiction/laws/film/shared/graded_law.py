@@ -113,13 +113,13 @@ def depth_coordinate(w, S, bodies):
     high = max((2.0 * w) ** 0.25, (2.0 * s / math.sqrt(least)) ** (1.0 / 3.0))
     u = low if least == greatest and w == 0.0 else high
     for _ in range(100):
-        at, slope, _, _, _ = contact(u, S, bodies)
-        if at > w:
+        depth, slope, _, _, _ = contact(u, S, bodies)
+        if depth > w:
             high = u
         else:
             low = u
         last = u
-        u -= (at - w) / slope
+        u -= (depth - w) / slope
         if not low <= u <= high:
             u = 0.5 * (low + high)
         if abs(u - last) <= 1e-15 * u:

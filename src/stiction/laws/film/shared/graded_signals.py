@@ -116,29 +116,29 @@ def zero(which, low, at_low, high, at_high, law, level):
 
 
 @lazy_kernel(worth=100_000)
-def beyond_zero(which, left, at_left, u, at, right, at_right, law):
+def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
     """Search for a sign change of a function between two places at which it has the same sign.
 
     The function is almost zero at u. The search fits parabolas through three points. Returns a place and value with the
     opposite sign, or the place and value closest to zero.
     """
     for turn in range(25):
-        p, q = (u - left) * (at - at_right), (u - right) * (at - at_left)
+        p, q = (u - left) * (at_u - at_right), (u - right) * (at_u - at_left)
         if p == q:
             break
         vertex = u - 0.5 * ((u - left) * p - (u - right) * q) / (p - q)
         if not left < vertex < right or abs(vertex - u) < 1e-3 * (right - left):
             vertex = u + 0.1 * ((right - u) if right - u > u - left else (left - u))
         value = signal(which, vertex, law, 0.0)
-        if (value > 0.0) != (at > 0.0):
+        if (value > 0.0) != (at_u > 0.0):
             return vertex, value
-        if abs(value) < abs(at):
-            saved = 1.0 - value / at
+        if abs(value) < abs(at_u):
+            saved = 1.0 - value / at_u
             if vertex > u:
-                left, at_left = u, at
+                left, at_left = u, at_u
             else:
-                right, at_right = u, at
-            u, at = vertex, value
+                right, at_right = u, at_u
+            u, at_u = vertex, value
             if turn > 3 and saved < 0.01:  # it turns here
                 break
         elif vertex > u:
@@ -147,17 +147,17 @@ def beyond_zero(which, left, at_left, u, at, right, at_right, law):
             left, at_left = vertex, value
         if right - left < 1e-7 * u:
             break
-    return u, at
+    return u, at_u
 
 
 @formula
-def comes_near(before, here, there, small):
+def comes_near(before, current, following, small):
     """Return whether a function sampled at three places turns close to zero.
 
     All samples have the same sign. The middle one must be below `small`, or the parabola through all must come much closer to
     zero.
     """
-    rise, bend = there - before, there - 2.0 * here + before
-    turns = (here - before) * (there - here) < 0.0 and bend * here > 0.0 and before * here > 0.0
-    near = rise * rise > 8.0 * NEARER * bend * here or abs(here) < small
+    rise, bend = following - before, following - 2.0 * current + before
+    turns = (current - before) * (following - current) < 0.0 and bend * current > 0.0 and before * current > 0.0
+    near = rise * rise > 8.0 * NEARER * bend * current or abs(current) < small
     return turns and near

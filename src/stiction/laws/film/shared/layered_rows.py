@@ -29,18 +29,18 @@ def rows(groups: Groups, pull: np.ndarray) -> tuple[np.ndarray, ...]:
 
 def coefficients(groups: Groups) -> np.ndarray:
     """Return the compliance curves (n, CURVES, TERMS) of all contacts; each pair of materials is computed once."""
-    given = columns_of(groups)
-    if (given == given[:, :1]).all():
-        return np.broadcast_to(_curves(given[:, :1]), (len(groups), *_curves(given[:, :1]).shape[1:]))
-    each, which = np.unique(given, axis=1, return_inverse=True)
+    columns = columns_of(groups)
+    if (columns == columns[:, :1]).all():
+        return np.broadcast_to(_curves(columns[:, :1]), (len(groups), *_curves(columns[:, :1]).shape[1:]))
+    each, which = np.unique(columns, axis=1, return_inverse=True)
     return _curves(each)[which]
 
 
-def _curves(given: np.ndarray) -> np.ndarray:
+def _curves(columns: np.ndarray) -> np.ndarray:
     """Return the compliance curves for the material columns (6, n) of `columns_of`."""
-    n_E, bodies, first, nu, nu_first, nu_second = given
+    n_E, bodies, first, nu, nu_first, nu_second = columns
     alike = (bodies == 2.0) & (first == 0.5) & (nu_first == nu_second)
-    share, ratio = film_share(given)
+    share, ratio = film_share(columns)
     out = curves_of_films(share, np.maximum(ratio, 1e-12), poisson_excess(ratio, nu, nu_first))
     for i in np.flatnonzero((bodies == 2.0) & ~alike):
         films = [

@@ -60,9 +60,9 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
     edge = along is edged
 
     @formula
-    def excess(u, given):
+    def excess(u, arguments):
         """Return the load at u minus the load at which a contact of the same area would yield."""
-        row, pressure, (n_H, tau, constant, exponent) = given
+        row, pressure, (n_H, tau, constant, exponent) = arguments
         _, _, load, area = along(u, *row)
         chi = hardness(n_H, _hertzian(u, row)[3] * area / tau, constant, exponent)
         return load - area * pressure * chi
@@ -81,15 +81,15 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
             low = touch(row) if edge else 1e-8
             least = min(hard[0], 1.0) * max(pressure[i], 0.0) * min(np.exp(-row[0]), 1.0)
             low = max(low, 0.5 * np.sqrt(least))
-            given = row, pressure[i], hard
-            u, value = low, excess(low, given)
+            arguments = row, pressure[i], hard
+            u, value = low, excess(low, arguments)
             below = value
             while value < 0.0 and u < _FARTHEST:
                 low, below = u, value
                 u *= _STEP
-                value = excess(u, given)
+                value = excess(u, arguments)
             if below < 0.0:
-                u = narrow(low, u, below, value, given)
+                u = narrow(low, u, below, value, arguments)
             z, _, modulus, approach, _, _ = _hertzian(u, row)
             depth = approach * u**4
             chi = hardness(hard[0], depth / hard[1], hard[2], hard[3])
@@ -126,18 +126,18 @@ def cut_at_yield(
     if all(segment.state == "elastic" for segment in segments):
         return elastic, []
     table, of_hardness = columns(elastic.parameters, len(groups)), columns(hardness.row, len(groups))
-    find, found = _onset(elastic.normal, hardness.value, len(elastic.parameters)), np.empty((len(groups), 5))
+    find, at_yield = _onset(elastic.normal, hardness.value, len(elastic.parameters)), np.empty((len(groups), 5))
     own, of_yield = felt(groups, groups.n_E, hardness.n_H, -ones), ones
     for _ in range(_ROUNDS):
         before, of_yield = of_yield, _pressure_at_yield(segments, own)
-        find(table, groups.eta * of_yield, of_hardness, found)
-        own = felt(groups, *found[:, 1:4].T)
+        find(table, groups.eta * of_yield, of_hardness, at_yield)
+        own = felt(groups, *at_yield[:, 1:4].T)
         segments = law.segments(own)
         if np.allclose(of_yield, before, rtol=1e-9, atol=0.0):
             break
-    last = np.maximum(found[:, 0], elastic.edges[:, 0])
+    last = np.maximum(at_yield[:, 0], elastic.edges[:, 0])
     until = replace(elastic, edges=np.minimum(elastic.edges, last[:, None]))
-    return until, _following(until, segments, found, hardness, pull)
+    return until, _following(until, segments, at_yield, hardness, pull)
 
 
 def _pressure_at_yield(segments: list[NormalSegment], own: Groups) -> np.ndarray:
@@ -151,22 +151,22 @@ def _last_elastic(segments: list[NormalSegment]) -> NormalSegment:
     return next(before for before, after in pairwise(segments) if after.state != "elastic")
 
 
-def _following(elastic, segments, found, hardness: Hardness, pull) -> list[NormalSegment]:
+def _following(elastic, segments, at_yield, hardness: Hardness, pull) -> list[NormalSegment]:
     """Return the plastic segments of the law, shifted to the point at which the layered contact yields."""
     first, last = _last_elastic(segments), elastic.edges[:, -1]
     w, _, load, area = normal_states(elastic, last).T
     own_w, _, own_load, own_area = normal_states(first, first.edges[:, -1]).T
-    modulus, felt_hardness = found[:, 1], found[:, 2]
-    shallower = found[:, 4] - w
+    modulus, felt_hardness = at_yield[:, 1], at_yield[:, 2]
+    shallower = at_yield[:, 4] - w
     move = w - own_w, load - modulus * own_load, modulus, area - own_area, pull, 1.0 / felt_hardness, shallower, *hardness.row
     moved = []
     for segment in segments:
         if segment.state == "elastic":
             continue
         normal, coordinate = _moved(segment.normal, segment.coordinate, hardness.value, len(segment.parameters))
-        one = NormalSegment(normal, coordinate, (*segment.parameters, *move), segment.edges, segment.state)
-        kinks = _places(one, hardness.depths - shallower[:, None])
-        moved.append(replace(one, edges=np.sort(np.concatenate([segment.edges, kinks], axis=1), axis=1)))
+        shifted = NormalSegment(normal, coordinate, (*segment.parameters, *move), segment.edges, segment.state)
+        kinks = _places(shifted, hardness.depths - shallower[:, None])
+        moved.append(replace(shifted, edges=np.sort(np.concatenate([segment.edges, kinks], axis=1), axis=1)))
     return moved
 
 
@@ -186,10 +186,10 @@ def _filling(normal: Any, coordinate: Any, parameters: int) -> Any:
             row = unpack(table[i], parameters)
             first, last = edges[i, 0], edges[i, edges.shape[1] - 1]
             w_first, w_last = normal(first, *row)[0], normal(last, *row)[0]
-            for at in range(w.shape[1]):
-                inside = w_first < w[i, at] < w_last
-                out[i, at] = (
-                    min(max(coordinate(w[i, at], *row), first), last) if inside else first if w[i, at] <= w_first else last
+            for j in range(w.shape[1]):
+                inside = w_first < w[i, j] < w_last
+                out[i, j] = (
+                    min(max(coordinate(w[i, j], *row), first), last) if inside else first if w[i, j] <= w_first else last
                 )
 
     return fill_places

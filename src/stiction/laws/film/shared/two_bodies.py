@@ -35,25 +35,25 @@ class TwoBodies:
 
     @classmethod
     def of(cls, groups: Groups) -> "TwoBodies":
-        whole, laws = groups.resolved(), len(groups)
+        resolved, laws = groups.resolved(), len(groups)
         film = groups.film_modulus
-        share = whole.coated_share
+        share = resolved.coated_share
         columns = (
             film * share,
             film * (1.0 - share),
             share,
-            whole.films,
-            whole.layer_nu,
-            whole.coated_nu,
-            whole.counter_nu,
+            resolved.films,
+            resolved.layer_nu,
+            resolved.coated_nu,
+            resolved.counter_nu,
         )
         return cls(*(np.broadcast_to(np.asarray(column, dtype=float), laws) for column in columns))
 
     @classmethod
     def against_rigid(cls, film_over_substrate: np.ndarray, nu_film: np.ndarray, nu_substrate: np.ndarray) -> "TwoBodies":
         """Return a coated body against a rigid body."""
-        one = np.ones_like(film_over_substrate)
-        return cls(film_over_substrate, 0.0 * one, one, one, nu_film, nu_substrate, nu_substrate)
+        ones = np.ones_like(film_over_substrate)
+        return cls(film_over_substrate, 0.0 * ones, ones, ones, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
         """Return the same bodies with the film's modulus replaced by that of each body wherever the mask `there` is False."""

@@ -22,12 +22,12 @@ def _weaker(substrate: Callable, film: Callable, back: Callable, of_substrate: i
 
     of_substrate, of_film: number of parameters of both regimes.
     """
-    whole = of_substrate + of_film
+    count = of_substrate + of_film
 
     @formula
     def both(u, row):
         w, stretch, _, _, slip, torn = substrate(u, *row[:of_substrate])
-        _, _, _, _, film_slip, film_torn = film(back(w, *row[of_substrate:whole]), *row[of_substrate:whole])
+        _, _, _, _, film_slip, film_torn = film(back(w, *row[of_substrate:count]), *row[of_substrate:count])
         return w, stretch, slip, torn, film_slip, film_torn
 
     @formula
@@ -68,8 +68,8 @@ def weaker_regimes(law: Law, groups: Groups) -> list[Regime]:
         below = law.join(segment, substrate, Weights(shift=tau))
         deepest = coordinates(segment, _DEEPEST)
         for above in film:
-            ends = [states(above, above.edges[:, at])[:, 0] for at in (0, -1)]
-            start, end = (np.where(np.isfinite(above.edges[:, at]), ends[at], np.inf) for at in (0, -1))
+            ends = [states(above, above.edges[:, side])[:, 0] for side in (0, -1)]
+            start, end = (np.where(np.isfinite(above.edges[:, side]), ends[side], np.inf) for side in (0, -1))
             first, last = coordinates(segment, start - tau), coordinates(segment, end - tau)
             first = np.where(start <= tau, coordinates(segment, 0.0), first)
             regimes.append(_shared(below, above, segment, tau, first, np.minimum(last, deepest)))
@@ -83,7 +83,7 @@ def _shared(
 
     Its edges are the kinks of both, and the places at which the other of the two becomes the weaker.
     """
-    inner = [_mapped(above, at, segment, tau) for at in range(above.edges.shape[1])]
+    inner = [_mapped(above, number, segment, tau) for number in range(above.edges.shape[1])]
     edges = np.sort(np.concatenate([below.edges, np.stack(inner, axis=1)], axis=1), axis=1)
     edges = np.minimum(np.maximum(edges, first[:, None]), np.maximum(first, last)[:, None])
     back = _back(above.coordinate, len(above.parameters))
@@ -107,17 +107,17 @@ def _shared(
 
 def _branches(below: Regime, above: Regime, segment: NormalSegment, tau: np.ndarray) -> np.ndarray | None:
     """Return the coordinates (n, b) of the substrate segment at which either resistance starts like a square root."""
-    found = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
-    for at in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
-        there = np.isfinite(at) & (at >= above.edges[:, 0]) & (at <= above.edges[:, -1])
-        w = states(above, np.where(there, at, above.edges[:, 0]))[:, 0] - tau
-        found.append(np.where(there & (w >= 0.0), coordinates(segment, w), -np.inf)[:, None])
-    return np.concatenate(found, axis=1) if found else None
+    branches = [] if below.branch is None else [np.reshape(below.branch, (len(tau), -1))]
+    for point in () if above.branch is None else np.reshape(above.branch, (len(tau), -1)).T:
+        there = np.isfinite(point) & (point >= above.edges[:, 0]) & (point <= above.edges[:, -1])
+        w = states(above, np.where(there, point, above.edges[:, 0]))[:, 0] - tau
+        branches.append(np.where(there & (w >= 0.0), coordinates(segment, w), -np.inf)[:, None])
+    return np.concatenate(branches, axis=1) if branches else None
 
 
-def _mapped(above: Regime, at: int, segment, tau: np.ndarray) -> np.ndarray:
+def _mapped(above: Regime, number: int, segment, tau: np.ndarray) -> np.ndarray:
     """Return an edge of the film's regime as a coordinate of the substrate segment."""
-    edge = above.edges[:, at]
+    edge = above.edges[:, number]
     finite = np.isfinite(edge)
     w = states(above, np.where(finite, edge, above.edges[:, 0]))[:, 0]
     return coordinates(segment, np.where(finite, w, np.inf) - tau)

@@ -63,25 +63,25 @@ def _sticking_area(resistance: Callable, own: int) -> Any:
 
 @cache
 def _not_yet(normal: Callable, parameters: int, resistance: Callable, own: int) -> Any:
-    whole = parameters + own
+    count = parameters + own
 
     @formula
     def not_yet(u, row):
         """Return a number that is positive while the asperity does not slide yet."""
         w, _, load, area = normal(u, *row[:parameters])
-        slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:whole])
-        return 1.5 * (slip_limited + yield_limited) - row[whole + 1] * stiffness(max(area, 0.0), row[whole])
+        slip_limited, yield_limited = resistance(u, w, load, area, *row[parameters:count])
+        return 1.5 * (slip_limited + yield_limited) - row[count + 1] * stiffness(max(area, 0.0), row[count])
 
     return not_yet
 
 
-def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, kept: float) -> TangentialLaw:
+def slipping_law(tangential: TangentialLaw, displacement: np.ndarray, residual: float) -> TangentialLaw:
     """Return the tangential law of contacts that are displaced by `displacement` (n,), over sigma.
 
     Its slip-limited part is the force that the contacts carry. Its yield-limited part is the energy lost in a cycle of this
-    amplitude, in the unit of force times sigma. kept: fraction of its strength that an asperity keeps once it slides.
+    amplitude, in the unit of force times sigma. residual: fraction of its strength that an asperity retains once it slides.
     """
-    return _displaced(tangential, _slipping, displacement, np.full(len(displacement), kept))
+    return _displaced(tangential, _slipping, displacement, np.full(len(displacement), residual))
 
 
 def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> TangentialLaw:
@@ -89,18 +89,20 @@ def sticking_area_law(tangential: TangentialLaw, displacement: np.ndarray) -> Ta
     return _displaced(tangential, _sticking_area, displacement)
 
 
-def _displaced(tangential: TangentialLaw, formula_of: Callable, displacement: np.ndarray, *kept: np.ndarray) -> TangentialLaw:
+def _displaced(
+    tangential: TangentialLaw, formula_of: Callable, displacement: np.ndarray, *parameters: np.ndarray
+) -> TangentialLaw:
     """Return a tangential law with this formula in place of the strength, for contacts that are displaced.
 
-    formula_of(resistance, number of its parameters): the formula, which has K beta, the displacement and `kept` as further
-    parameters.
+    formula_of(resistance, number of its parameters): the formula, which has K beta, the displacement and `parameters` as
+    further parameters.
     """
 
     def resistance(segment: NormalSegment, groups: Groups, **options: str) -> TangentialResistance | None:
         strength = tangential.tangential_resistance(segment, groups, **options)
         if strength is None:
             return None
-        more = groups.K_beta, displacement, *kept
+        more = groups.K_beta, displacement, *parameters
         begins = _begins(segment, strength, more[:2])
         branches = [begins] if strength.branch is None else [np.reshape(strength.branch, (len(begins), -1)), begins]
         kinks = begins if strength.kinks is None else np.concatenate([strength.kinks, begins], axis=1)

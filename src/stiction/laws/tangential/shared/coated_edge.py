@@ -18,8 +18,8 @@ _D, _A, _B, _END = (2 + at * _WIDTH for at in range(FORMS + 1))
 @formula
 def _curve(z, row):
     value = 0.0
-    for at in range(EDGE_TERMS - 1, -1, -1):
-        value = value * z + row[2 + at]
+    for k in range(EDGE_TERMS - 1, -1, -1):
+        value = value * z + row[2 + k]
     return 0.5 * (1.0 - z) * row[0] + 0.5 * (1.0 + z) * row[1] + (1.0 - z * z) * value
 
 
@@ -45,7 +45,7 @@ def edge_columns(groups: Groups) -> tuple[np.ndarray, ...]:
     """
     laws = len(groups)
     different, which = bodies_of(groups)
-    curves = np.array([edge_curves(one) for one in different])[which]
+    curves = np.array([edge_curves(materials) for materials in different])[which]
     there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws)
     curves[~there] = _of_half_space(np.broadcast_to(groups.nu, laws)[~there])
     strength = np.where(there, groups.n_H, 1.0) * groups.eta / groups.hardness_to_yield

@@ -44,9 +44,9 @@ def _softness(u, root, curve):
     rest = 1.0 / (root * u + 1.0)
     z, by_radius = 1.0 - 2.0 * rest, rest * (1.0 - rest)  # dz/d ln a
     value = slope = 0.0
-    for at in range(TERMS - 1, -1, -1):
+    for k in range(TERMS - 1, -1, -1):
         slope = slope * z + value
-        value = value * z + curve[2 + at]
+        value = value * z + curve[2 + k]
     rise = curve[1] - curve[0]
     e = by_radius * (0.5 * rise + 4.0 * rest * (1.0 - rest) * slope - 2.0 * z * value)
     return math.exp(curve[0] + 0.5 * (1.0 + z) * rise + 4.0 * rest * (1.0 - rest) * value), 1.0 - e
@@ -62,12 +62,12 @@ def _narrower(start, c, load, row):
     before = before_u = slope = 0.0
     for step in range(_MOST_STEPS):
         hertz, pull = parted(u, row)
-        here = hertz - c * pull - load
-        slope = (6.0 * hertz - 3.0 * c * pull) / u if step == 0 else (here - before) / (u - before_u)
+        excess = hertz - c * pull - load
+        slope = (6.0 * hertz - 3.0 * c * pull) / u if step == 0 else (excess - before) / (u - before_u)
         if not slope > 0.0:
             return -1.0
-        before, before_u = here, u
-        u -= here / slope
+        before, before_u = excess, u
+        u -= excess / slope
         if not u > 0.0:
             return -1.0
         if abs(u - before_u) <= 1e-7 * u:
@@ -84,15 +84,15 @@ def _largest(start, load, row, root, curve):
         of_first = at_first < 0.0
         c = high - _GOLDEN * (high - low) if of_first else low + _GOLDEN * (high - low)
         u = _narrower(start, c, load, row)
-        held = 0.0
+        value = 0.0
         if u > 0.0:
             K_beta, left = _softness(u, root, curve)
-            held = u**6 * (1.0 - c * c) / (K_beta * left)
-        best = max(best, held)
+            value = u**6 * (1.0 - c * c) / (K_beta * left)
+        best = max(best, value)
         if of_first:
-            at_first = held
+            at_first = value
         else:
-            at_second = held
+            at_second = value
         if at_first >= 0.0 and at_second >= 0.0:
             if at_first > at_second:
                 high, at_second, at_first = low + _GOLDEN * (high - low), at_first, -1.0
@@ -109,8 +109,8 @@ def _fill(rows, root, curves, first, out):
     """
     for i in range(root.size):
         row = unpack(rows[i], EDGED)
-        for at in range(SEGMENTS):
-            y = at / SEGMENTS
+        for knot in range(SEGMENTS):
+            y = knot / SEGMENTS
             u = first[i] * math.exp(_HALFWAY * y / (1.0 - y))
             hertz, pull = parted(u, row)
             load = hertz - pull
@@ -120,7 +120,7 @@ def _fill(rows, root, curves, first, out):
                 sign = -1.0
                 start *= 1.05
                 hertz, pull = parted(start, row)
-            out[i, at] = sign * math.sqrt(_largest(start, load, row, root[i], curves[i])) / u**3
+            out[i, knot] = sign * math.sqrt(_largest(start, load, row, root[i], curves[i])) / u**3
         out[i, SEGMENTS] = math.exp(-0.5 * curves[i, 1])
 
 
@@ -143,10 +143,10 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
     """
     laws, first = len(groups), np.ascontiguousarray(segment.edges[:, 0])
     different, which = bodies_of(groups)
-    shapes = np.array([shear_curve(one) for one in different])[which]
+    shapes = np.array([shear_curve(value) for value in different])[which]
     # K beta of film and bodies are the contact's own; what lies between them is solved.
     film = np.where(groups.film_aspect > 0.0, groups.film_K_beta / groups.n_E, groups.K_beta)
-    ends = [np.broadcast_to(np.log(one), laws) for one in (film, groups.K_beta)]
+    ends = [np.broadcast_to(np.log(value), laws) for value in (film, groups.K_beta)]
     values = np.empty((laws, SEGMENTS + 1))
     _fill(columns(segment.parameters, laws), per_root(groups), np.column_stack([*ends, shapes]), first, values)
     return (first, *(values @ to_coefficients().T).T), _vanishes(first, values)
@@ -154,9 +154,9 @@ def _curves(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray, .
 
 def _vanishes(first: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the coordinate (n,) at which the values at the knots change sign, by linear interpolation; else `first`."""
-    at = np.maximum((values < 0.0).sum(axis=1), 1)
-    below, above = (np.take_along_axis(values, one[:, None], axis=1)[:, 0] for one in (at - 1, at))
-    y = (at - np.clip(above / (above - below), 0.0, 1.0)) / SEGMENTS
+    crossing = np.maximum((values < 0.0).sum(axis=1), 1)
+    below, above = (np.take_along_axis(values, index[:, None], axis=1)[:, 0] for index in (crossing - 1, crossing))
+    y = (crossing - np.clip(above / (above - below), 0.0, 1.0)) / SEGMENTS
     return np.where(below < 0.0, first * np.exp(_HALFWAY * y / (1.0 - y)), first)
 
 

@@ -38,11 +38,11 @@ def _norms_at(p, table, angle, film_strength, film):
     without a film.
     """
     place = min((1.0 + (p - 1.0) / (p + 1.0)) * _PER_PLACE, 2.0 * _PER_PLACE - 1e-9) if p < 1e15 else 2.0 * _PER_PLACE - 1e-9
-    at = int(place)
-    share = place - at
-    of_film = film * (table[0, at, angle] * (1.0 - share) + table[0, at + 1, angle] * share) / film_strength
+    knot = int(place)
+    share = place - knot
+    of_film = film * (table[0, knot, angle] * (1.0 - share) + table[0, knot + 1, angle] * share) / film_strength
     felt = p * p * p * p / (1.0 + p * p * p * p) if p < 1e30 else 1.0
-    return max(of_film, felt * (table[1, at, angle] * (1.0 - share) + table[1, at + 1, angle] * share))
+    return max(of_film, felt * (table[1, knot, angle] * (1.0 - share) + table[1, knot + 1, angle] * share))
 
 
 @formula
@@ -63,9 +63,9 @@ def _traction(p, s, table, film_strength, film):
 @cache
 def _filling(normal: Callable, parameters: int) -> Any:
     @formula
-    def holds(u, given):
+    def holds(u, arguments):
         """Return whether the mean pressure at u is too small to cause yield alone."""
-        row, scale, root, table, film_strength, film = given
+        row, scale, root, table, film_strength, film = arguments
         _, _, load, area = normal(u, *row)
         return load / (scale * area) * _norms_at(root * area**0.25, table, 0, film_strength, film) < 1.0
 
@@ -79,20 +79,20 @@ def _filling(normal: Callable, parameters: int) -> Any:
         """
         for i in range(scale.size):
             row, table = unpack(rows[i], parameters), tables[which[i]]
-            given = row, scale[i], root[i], table, film_strength[i], film[i]
+            arguments = row, scale[i], root[i], table, film_strength[i], film[i]
             low = high = _LEAST
-            while high < _MOST and holds(high, given):
+            while high < _MOST and holds(high, arguments):
                 low = high
                 high *= _STEP
-            high = halve(low, high, given)
+            high = halve(low, high, arguments)
             unit = min(root[i], _FARTHEST / high)
             place[i, 0], place[i, 1], place[i, 2] = high, unit, 1.0 / np.log1p(unit * high)
-            for at in range(SEGMENTS + 1):
-                left = 1.0 - at / SEGMENTS
+            for knot in range(SEGMENTS + 1):
+                left = 1.0 - knot / SEGMENTS
                 u = max(np.expm1((1.0 - left * left) / place[i, 2]) / unit, 1e-12 * high)
                 _, _, load, area = normal(u, *row)
                 s = load / (scale[i] * area)
-                out[i, at] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
+                out[i, knot] = _traction(root[i] * area**0.25, s, table, film_strength[i], film[i])
             out[i, SEGMENTS] = 0.0
 
     return fill
@@ -104,8 +104,8 @@ def _bends(place: np.ndarray, values: np.ndarray) -> np.ndarray:
     There the place that yields first changes.
     """
     bent = np.abs(np.diff(values, n=2, axis=1))
-    at = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
-    left = 1.0 - at / SEGMENTS
+    knots = 1 + np.sort(np.argpartition(bent, -_BENDS, axis=1)[:, -_BENDS:], axis=1)
+    left = 1.0 - knots / SEGMENTS
     return np.expm1((1.0 - left * left) / place[:, 2:]) / place[:, 1:2]
 
 
@@ -118,7 +118,7 @@ def strengths(segment: NormalSegment, groups: Groups) -> tuple[tuple[np.ndarray,
     """
     laws = len(groups)
     different, which = bodies_of(groups)
-    tables = np.exp(np.stack([_table(one) for one in different]))
+    tables = np.exp(np.stack([_table(materials) for materials in different]))
     place, values = np.empty((laws, 3)), np.empty((laws, SEGMENTS + 1))
     there = np.broadcast_to((groups.film_aspect > 0.0) & (groups.tau > 0.0), laws).astype(float)
     scale = np.ascontiguousarray(np.broadcast_to(groups.eta / groups.hardness_to_yield, laws))

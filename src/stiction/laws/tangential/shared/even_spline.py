@@ -20,7 +20,7 @@ def to_coefficients() -> np.ndarray:
     knots = np.arange(-3.0, SEGMENTS + 4.0)
     basis = BSpline(knots, np.eye(SEGMENTS + 3), 3)
     third = basis.derivative(3)
-    same = np.stack([third(at + 0.5) - third(at - 0.5) for at in (1.0, SEGMENTS - 1.0)])
+    same = np.stack([third(end + 0.5) - third(end - 0.5) for end in (1.0, SEGMENTS - 1.0)])
     return np.linalg.inv(np.concatenate([basis(np.arange(SEGMENTS + 1.0)), same]))[:, : SEGMENTS + 1]
 
 
@@ -28,12 +28,12 @@ def to_coefficients() -> np.ndarray:
 def spline(y, coefficients):
     """Return the value of the spline at y, 0 to 1."""
     place = min(y * SEGMENTS, SEGMENTS - 1e-9)
-    at = int(place)
-    t = place - at
+    knot = int(place)
+    t = place - knot
     r = 1.0 - t
     return (
-        r * r * r * coefficients[at]
-        + (3.0 * t * t * t - 6.0 * t * t + 4.0) * coefficients[at + 1]
-        + (3.0 * r * r * r - 6.0 * r * r + 4.0) * coefficients[at + 2]
-        + t * t * t * coefficients[at + 3]
+        r * r * r * coefficients[knot]
+        + (3.0 * t * t * t - 6.0 * t * t + 4.0) * coefficients[knot + 1]
+        + (3.0 * r * r * r - 6.0 * r * r + 4.0) * coefficients[knot + 2]
+        + t * t * t * coefficients[knot + 3]
     ) / 6.0

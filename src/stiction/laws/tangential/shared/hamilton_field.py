@@ -26,7 +26,7 @@ def stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, mu: ArrayLike, nu: ArrayLik
     broadcast. Tension is positive. Source: Hamilton (1983); `pressed` and `dragged` are the two parts.
     """
     normal, tangential = pressed(x, y, z, nu), dragged(x, y, z, nu)
-    xx, yy, zz, xy, yz, xz = (one + mu * other for one, other in zip(normal, tangential, strict=True))
+    xx, yy, zz, xy, yz, xz = (normal_part + mu * other for normal_part, other in zip(normal, tangential, strict=True))
     return xx, yy, zz, xy, yz, xz
 
 
@@ -35,7 +35,7 @@ def pressed(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
     Source: Hamilton (1983), the stresses of the normal load. In r, theta and z they are those of Huber (1904).
     """
-    x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
+    x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
     m = 1.0 + M * M
     spread = (1.0 - 2.0 * nu) / 3.0 * (1.0 + N + N * N) / ((1.0 + N) * m)  # (1 - 2 nu)(1 - N^3)/(3 r^2)
@@ -58,7 +58,7 @@ def dragged(x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: ArrayLike) -> Stress:
 
     Arguments and order are as in `stress`. Source: Hamilton (1983), the stresses of the tangential load.
     """
-    x, y, z, nu = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (x, y, z, nu)))
+    x, y, z, nu = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (x, y, z, nu)))
     M, N, S, phi, cos, sin = _spheroidal(x, y, z)
     m = 1.0 + M * M
     b = M / (12.0 * m * m)
@@ -100,9 +100,9 @@ def first_yield(mu: float, nu: float) -> tuple[float, tuple[float, float]]:
     # The trailing edge, a cusp, is a place of this grid; so is the axis.
     x, z = np.linspace(-1.1, 1.1, 221), np.linspace(0.0, 0.8, 81)
     coarse = von_mises(stress(x[:, None], 0.0, z, mu, nu))
-    at = np.unravel_index(coarse.argmax(), coarse.shape)
+    index = np.unravel_index(coarse.argmax(), coarse.shape)
     best_x, best_z, least = least_over(
-        lambda x, z: -von_mises(stress(x, 0.0, z, mu, nu)), x[at[0]], z[at[1]], x[1] - x[0], z[1] - z[0]
+        lambda x, z: -von_mises(stress(x, 0.0, z, mu, nu)), x[index[0]], z[index[1]], x[1] - x[0], z[1] - z[0]
     )
     return float(-1.0 / least), (float(best_x), float(best_z))
 
@@ -116,7 +116,7 @@ def least_over(
     reach_z. The place is accurate to 1e-7 at best, the value to the square of this.
     """
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
-    step_x, step_z = (one.ravel() for one in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
+    step_x, step_z = (steps.ravel() for steps in np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)))
     while max(reach_x, reach_z) > 1e-7:
         near_x, near_z = x[..., None] + reach_x * step_x, np.maximum(z[..., None] + reach_z * step_z, 0.0)
         best = function(near_x, near_z).argmin(axis=-1)[..., None]

@@ -49,8 +49,8 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
     def signed(u, row):
         _, _, load, area = normal(u, *row[:parameters])
         real, force = yields(u, load, area, row[of_yield:])
-        held = force if real >= 0.0 and force > 0.0 else 0.0
-        crosses = (held - peels(u, load, area, row[parameters:])) * (1.0 if force > 0.0 else -1.0)
+        yield_force = force if real >= 0.0 and force > 0.0 else 0.0
+        crosses = (yield_force - peels(u, load, area, row[parameters:])) * (1.0 if force > 0.0 else -1.0)
         return crosses, real
 
     return signed
@@ -60,7 +60,7 @@ def lesser_of(segment: NormalSegment, peeling: Force, yielding: Force, kinks: np
     """Return the smaller of both forces on the elastic segment of an adhesive asperity; kinks (n, k): further kinks."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))
-    found = turns(signed, segment, own, 2, _MOST)
-    branch = np.where(found[:, 1] > segment.edges[:, :1], found[:, 1], -np.inf)
-    whole = np.concatenate([found.reshape(len(found), -1), *([] if kinks is None else [kinks])], axis=1)
-    return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, whole, branch)
+    crossings = turns(signed, segment, own, 2, _MOST)
+    branch = np.where(crossings[:, 1] > segment.edges[:, :1], crossings[:, 1], -np.inf)
+    all_kinks = np.concatenate([crossings.reshape(len(crossings), -1), *([] if kinks is None else [kinks])], axis=1)
+    return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, all_kinks, branch)

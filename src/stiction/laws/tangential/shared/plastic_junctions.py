@@ -29,13 +29,13 @@ def of_whole_segment(plastic_junctions: str, segment: NormalSegment, groups: Gro
 
 @cache
 def _from_there_on(published: Callable, own: int, junction: Callable, more: int) -> Any:
-    whole = own + more
+    count = own + more
 
     @formula
     def resistance(u, w, load, area, *row):
-        if w < row[whole]:
+        if w < row[count]:
             return published(u, w, load, area, *row[:own])
-        return junction(u, w, load, area, *row[own:whole])
+        return junction(u, w, load, area, *row[own:count])
 
     return resistance
 
@@ -51,7 +51,7 @@ def beyond(
     if other is None:
         return published
     own, more = len(published.parameters), len(other.parameters)
-    kinks = [one for one in (published.kinks, other.kinks) if one is not None]
+    kinks = [array for array in (published.kinks, other.kinks) if array is not None]
     return TangentialResistance(
         _from_there_on(published.resistance, own, other.resistance, more),
         (*published.parameters, *other.parameters, start),

@@ -72,13 +72,13 @@ def _turning_point(low, high, shape, printed):
     last = low
     for _ in range(60):
         middle = high - at_high * (high - low) / (at_high - at_low)
-        here = _steepness(middle, shape, printed)
-        if (here < 0.0) == (at_high < 0.0):
+        value = _steepness(middle, shape, printed)
+        if (value < 0.0) == (at_high < 0.0):
             at_low *= 0.5
         else:
             low, at_low = high, at_high
-        high, at_high = middle, here
-        if abs(middle - last) <= 1e-8 * middle or here == 0.0:
+        high, at_high = middle, value
+        if abs(middle - last) <= 1e-8 * middle or value == 0.0:
             break
         last = middle
     return high

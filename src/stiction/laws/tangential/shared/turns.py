@@ -18,9 +18,9 @@ _STEPS, _FARTHEST = 200, 1e5
 @cache
 def _finding(signed: Callable, parameters: int) -> Any:
     @formula
-    def holds(u, given):
-        row, one, above = given
-        return (signed(u, row)[one] > 0.0) == above
+    def holds(u, arguments):
+        row, number, above = arguments
+        return (signed(u, row)[number] > 0.0) == above
 
     halve = halving(holds)
 
@@ -33,15 +33,15 @@ def _finding(signed: Callable, parameters: int) -> Any:
             if not last > low:
                 continue
             ratio = (min(last / low, _FARTHEST) * (1.0 - 1e-9)) ** (1.0 / _STEPS)
-            found = np.zeros(out.shape[1], np.int64)
+            counts = np.zeros(out.shape[1], np.int64)
             high, before = low, signed(low, row)
             for step in range(_STEPS + 1):
                 after = signed(high, row) if step > 0 else before
-                for one in range(out.shape[1]):
-                    if (after[one] > 0.0) == (before[one] > 0.0) or found[one] == out.shape[2]:
+                for number in range(out.shape[1]):
+                    if (after[number] > 0.0) == (before[number] > 0.0) or counts[number] == out.shape[2]:
                         continue
-                    out[i, one, found[one]] = halve(low, high, (row, one, before[one] > 0.0))
-                    found[one] += 1
+                    out[i, number, counts[number]] = halve(low, high, (row, number, before[number] > 0.0))
+                    counts[number] += 1
                 low, before = high, after
                 high = low * ratio
 
@@ -55,6 +55,6 @@ def turns(signed: Callable, segment: NormalSegment, parameters: tuple[np.ndarray
     are. most: largest number of sign changes of each. Unused entries are the first coordinate.
     """
     laws = len(segment.edges)
-    whole, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))
-    _finding(signed, len(whole))(columns(whole, laws), np.ascontiguousarray(segment.edges), out)
+    all_parameters, out = (*segment.parameters, *parameters), np.empty((laws, numbers, most))
+    _finding(signed, len(all_parameters))(columns(all_parameters, laws), np.ascontiguousarray(segment.edges), out)
     return out
