@@ -8,7 +8,7 @@ from nicegui import ui
 from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
-from stiction.report.answer import answer_lines
+from stiction.report.answer import answer_lines, at_working_load
 from stiction.report.card import Card, briefly, card_of
 from stiction.report.html_words import letters
 from stiction.web.background import Latest
@@ -93,7 +93,7 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     A warning that the next step repeats is omitted. With a named model only the two numbers and the main warning
     remain.
     """
-    card = card_of(prediction, named)
+    card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
     if named:
         return card._replace(decides="", next_step="", worn_through="")
     action = card.next_step.partition(": stiction fit")[0]
