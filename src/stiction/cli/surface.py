@@ -57,7 +57,9 @@ def surface(
         from stiction.surfaces.read import read_scan
 
         chosen, chosen_load = _chosen(case, load)
-        scan = replace(read_scan(file, **reading), periodic=periodic)
+        scan = read_scan(file, **reading)
+        periodic = periodic or scan.periodic
+        scan = replace(scan, periodic=periodic)
         made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
         scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)

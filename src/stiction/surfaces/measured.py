@@ -394,4 +394,5 @@ def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     with field_as(lambda field: f"roughness.{body}.{'file' if field == 'scan' else field}"):
-        return replace(read_scan(folder / scan.file, **given), periodic=scan.periodic)
+        found = read_scan(folder / scan.file, **given)
+    return replace(found, periodic=scan.periodic or found.periodic)

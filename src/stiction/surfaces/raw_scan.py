@@ -17,7 +17,8 @@ class RawScan:
 
     heights: (rows, columns) in the unit of the file, NaN where missing, of any real type. said: format and channel, in words.
     size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it. unit: unit of size
-    and heights; None if the file does not state it. notes: steps that brought the heights to a regular grid.
+    and heights; None if the file does not state it. notes: steps that brought the heights to a regular grid. periodic: whether
+    the file states that the map is one period of an infinite surface.
     """
 
     heights: np.ndarray
@@ -25,6 +26,7 @@ class RawScan:
     size: tuple[float, float] | None = None
     unit: str | None = None
     notes: tuple[str, ...] = ()
+    periodic: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -93,7 +93,7 @@ def read_scan(
     check_scale(heights, extent, path.name)
     surface = HeightMap(heights, extent, name=path.name)
     history = (_said(surface, raw), *raw.notes, *units, *override, *_scale_warning(heights, extent))
-    return HeightMap(heights, extent, history, path.name)
+    return HeightMap(heights, extent, history, path.name, raw.periodic)
 
 
 @cache
@@ -132,7 +132,9 @@ def _said(surface: HeightMap, raw: RawScan) -> str:
         points = f"profile of {columns} points, length {x}, pitch = length/count = {dx}"
     else:
         points = f"{columns} x {rows} points, size {x} x {y} (x, y), pitch = size/count = {dx} x {dy}"
-    return f"read {surface.name}, {raw.said}: {points}, {surface.missing} points missing"
+    return f"read {surface.name}, {raw.said}: {points}, {surface.missing} points missing" + (
+        ", periodic" if raw.periodic else ""
+    )
 
 
 # ---- checks

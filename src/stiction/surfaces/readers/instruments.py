@@ -1,17 +1,12 @@
 """Read the file formats of instruments with the optional library SurfaceTopography."""
 
-import logging
 import math
-import warnings
-from contextlib import contextmanager
 from pathlib import Path
-
-import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.extras import how_to_install
 from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
-from stiction.surfaces.readers.shared.topography import on_grid
+from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
 # Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
 # the first index along x: to be told by the ending of the name, or not at all.
@@ -25,7 +20,7 @@ def read(path: Path, channel) -> RawScan | None:
     channel: name or position of a channel with heights. By default the library's default channel is read if it holds heights,
     else the first channel that does. Raises InputError for a damaged file or if the library is not installed.
     """
-    with _quiet():
+    with quiet_library():
         try:
             from SurfaceTopography.Exceptions import CannotDetectFileFormat
             from SurfaceTopography.IO import open_topography
@@ -43,22 +38,6 @@ def read(path: Path, channel) -> RawScan | None:
         except Exception as error:  # of a damaged file the 42 readers raise anything
             problem = " ".join(str(error).split())[:120] or type(error).__name__
             raise InputError("scan", str(path), f"an undamaged file (its reader says: {problem})") from None
-
-
-@contextmanager
-def _quiet():
-    """Suppress warnings, log lines and floating-point warnings of the library.
-
-    Errors are reported as InputError instead.
-    """
-    before = logging.root.manager.disable
-    logging.disable(logging.CRITICAL)
-    try:
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")
-            yield
-    finally:
-        logging.disable(before)
 
 
 def _library(reader, channel, path: Path) -> RawScan | None:

@@ -1,10 +1,29 @@
 """Convert a topography of the library SurfaceTopography to an array."""
 
+import logging
+import warnings
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from stiction.surfaces.readers.shared.positions import equally_spaced
+
+
+@contextmanager
+def quiet_library():
+    """Suppress warnings, log lines and floating-point warnings of the library.
+
+    Errors are reported as InputError instead.
+    """
+    before = logging.root.manager.disable
+    logging.disable(logging.CRITICAL)
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        logging.disable(before)
 
 
 def on_grid(topography) -> tuple[np.ndarray, tuple[float, float], tuple[str, ...]]:

@@ -1,0 +1,58 @@
+"""Read one measurement of a container of contact.engineering: a .zip file with two or more scans of one surface."""
+
+import warnings
+from pathlib import Path
+
+from stiction.quantities.errors import InputError
+from stiction.quantities.extras import how_to_install
+from stiction.surfaces.raw_scan import RawScan, Reader
+from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
+
+
+def read(path: Path, channel) -> RawScan:
+    """Read the measurement with this name or position, by default the first, with the filters that the container states.
+
+    Raises InputError for another .zip file, a damaged one, or if the library SurfaceTopography is not installed.
+    """
+    try:
+        from SurfaceTopography.Container.IO import CEReader
+    except ImportError:
+        allowed = f"another format; to read a container: {how_to_install('SurfaceTopography')}"
+        raise InputError("scan", str(path), allowed) from None
+    try:
+        with quiet_library(), path.open("rb") as file, warnings.catch_warnings(record=True) as remarks:
+            warnings.simplefilter("always", UserWarning)
+            container = CEReader(file)
+            surfaces = [(container.container(at), container.members(at)) for at in range(container.nb_containers)]
+            names = [member.name for _, members in surfaces for member in members]
+            place = _place(channel, names)
+            topography = [surface[at] for surface, members in surfaces for at in range(len(members))][place]
+            heights, size, notes = on_grid(topography)
+    except InputError:
+        raise
+    except Exception:  # of a damaged archive the library raises anything
+        raise InputError("scan", str(path), "an undamaged .zip file of contact.engineering") from None
+    notes += tuple(f"input warning: {' '.join(str(remark.message).split())}" for remark in remarks)
+    said = f"container, measurement {names[place]!r} of {', '.join(names)}"
+    unit = str(topography.unit) if topography.unit else None
+    return RawScan(heights, said, size, unit, notes, periodic=bool(topography.is_periodic))
+
+
+def _place(wanted, names: list[str]) -> int:
+    """Return the position of the requested measurement. Raises InputError."""
+    if wanted is None:
+        return 0
+    if wanted in names:
+        return names.index(wanted)
+    if str(wanted).isdecimal() and int(wanted) < len(names):
+        return int(wanted)
+    known = ", ".join(f"{place} {name!r}" for place, name in enumerate(names))
+    raise InputError("channel", wanted, f"a measurement of the container: {known}")
+
+
+READER = Reader(
+    endings=(".zip",),
+    read=read,
+    holds="scans of one surface, a container of contact.engineering; `channel` names the one to read",
+    given="nothing",
+)
