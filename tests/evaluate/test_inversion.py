@@ -68,6 +68,25 @@ def test_the_largest_tension_far_out_in_a_long_tail():
     assert_allclose(found["pull_off_separation"], where, rtol=1e-5)
 
 
+class GaussianTail(Tail):
+    """The same asperities under Gaussian heights."""
+
+    def __init__(self, theta):
+        super().__init__(theta, 1.0)
+
+    def density(self, z):
+        return np.exp(-0.5 * z * z) / math.sqrt(2.0 * math.pi)
+
+
+@pytest.mark.parametrize("theta", (120.0, 131.1133937421563))
+def test_a_tension_whose_load_turns_right_after_a_separation_that_is_looked_at(theta):
+    """8 sigma is one of the separations. Near 131.1 the load falls there so fast that it could be compressive all along."""
+    tension, where = GaussianTail(theta).pull_off(7.0, 9.0)
+    found = st.solve(st.Indices(theta=theta, lam=1e6), load=1e-6, model="fuller_tabor_1975", branch="unloading")
+    assert_allclose(float(found["pull_off_force"]), tension, rtol=1e-9)
+    assert_allclose(float(found["pull_off_separation"]), where, rtol=0, atol=1e-4)
+
+
 def test_loads_carried_far_out_in_a_long_tail():
     """The first load that is met beyond the largest tension: from nothing upwards."""
     theta, k = FAR_OUT
