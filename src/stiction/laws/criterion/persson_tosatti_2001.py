@@ -27,7 +27,6 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.records.registry import Criterion
 from stiction.records.sources import Source
-from stiction.surfaces.spectrum import power_spectrum
 from stiction.surfaces.theory.moments import Moments, slope_over_sharpness
 
 if TYPE_CHECKING:
@@ -36,6 +35,8 @@ if TYPE_CHECKING:
 
 def energy_over_bound(surface: "HeightMap") -> float:
     """Return the elastic energy of flattening a map over its bound, sum q C over the root of (sum C) (sum q^2 C)."""
+    from stiction.surfaces.spectrum import power_spectrum  # which loads scipy.signal
+
     spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
     moments = np.zeros(3)
     along_y, along_x = spectrum.wavevectors
