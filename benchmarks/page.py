@@ -52,10 +52,10 @@ def served() -> Iterator[tuple[str, int, float]]:
 
 def state() -> str:
     """Return the end of the address of the case whose slider is moved."""
-    from stiction.web.address import packed
+    from stiction.web.address import encoded
     from stiction.web.fields import example_cases
 
-    return f"/?s={packed(example_cases()[TITLE])}"
+    return f"/?s={encoded(example_cases()[TITLE])}"
 
 
 def told(what: str, times: list[float]) -> None:
@@ -184,11 +184,11 @@ def expected(place: float) -> str:
     """What the page has to say, without the page."""
     from stiction.quantities.units import show
     from stiction.web.answer_card import card_on_page
-    from stiction.web.fields import example_cases, placed
+    from stiction.web.fields import example_cases, with_value_at
     from stiction.web.query import Query, solved
 
     given = show(10.0**place, "asperity_radius", 4)
-    answer = solved(Query(placed(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
+    answer = solved(Query(with_value_at(example_cases()[TITLE], ("contact", "roughness", "asperity_radius"), given)))
     return card_on_page(answer.data).html(why=False)
 
 

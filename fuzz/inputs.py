@@ -23,7 +23,7 @@ from stiction.case.measurements import read_measurements
 from stiction.engine.tiers import VARIABLE, tier
 from stiction.quantities.errors import InputError
 from stiction.solving.candidates import candidates
-from stiction.web.address import packed, unpacked
+from stiction.web.address import decoded, encoded
 from stiction.web.fields import example_cases, first_case
 from stiction.web.query import Query, read_query
 
@@ -52,14 +52,14 @@ def refused_or_fine(where: str, work: Callable[[], object]) -> Iterator[str]:
 
 
 def page_states(chance: random.Random, folder: Path) -> Iterator[str]:
-    """Read a state of the page, as it was packed or damaged."""
+    """Read a state of the page, as it was encoded or damaged."""
     tables = case_of(chance.randrange(2**31))
     try:
-        state = packed(tables)
+        state = encoded(tables)
     except Exception:  # what TOML cannot say
         return
     for text in (state, _damaged(chance, state.encode()).decode("latin-1")):
-        yield from refused_or_fine(f"state {text[:60]}", lambda text=text: read_query(Query(unpacked(text))))
+        yield from refused_or_fine(f"state {text[:60]}", lambda text=text: read_query(Query(decoded(text))))
 
 
 def measured_tables(chance: random.Random, folder: Path) -> Iterator[str]:

@@ -10,7 +10,7 @@ import pytest
 
 from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
-from stiction.web.address import files_named, packed, refuse_other_files, unpacked
+from stiction.web.address import decoded, encoded, files_named, refuse_other_files
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 
@@ -18,13 +18,13 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_a_case_comes_back_from_its_address(path):
     tables = tomllib.loads(path.read_text(encoding="utf-8"))
-    assert unpacked(packed(tables)) == tables
+    assert decoded(encoded(tables)) == tables
     assert tomllib.loads(as_toml(tables)) == tables
 
 
 def test_a_title_that_would_be_anything_else_comes_back_as_it_was():
     tables = {"title": '<script>alert("x")</script>\n\\ """ \x01 ü 🦆'}
-    assert unpacked(packed(tables)) == tables
+    assert decoded(encoded(tables)) == tables
 
 
 def _text(content: bytes) -> str:
@@ -41,7 +41,7 @@ def _text(content: bytes) -> str:
 )  # fmt: skip
 def test_what_is_no_state_is_refused_in_a_line(text):
     with pytest.raises(InputError) as caught:
-        unpacked(text)
+        decoded(text)
     assert "\n" not in str(caught.value) and len(str(caught.value)) < 400
 
 
@@ -52,20 +52,20 @@ def test_a_bomb_is_not_unpacked():
     assert len(bomb) < 20_000
     tracemalloc.start()
     with pytest.raises(InputError, match="too large"):
-        unpacked(bomb)
+        decoded(bomb)
     assert tracemalloc.get_traced_memory()[1] < 3_000_000
     tracemalloc.stop()
 
 
 def test_garbage_without_end_is_refused_each_time():
     rng = random.Random(0)
-    good = packed({"title": "a title that is long enough to be cut", "solve": {"load": ["1 N"]}})
+    good = encoded({"title": "a title that is long enough to be cut", "solve": {"load": ["1 N"]}})
     for _ in range(2000):
         letters = list(good)
         for _ in range(rng.randint(1, 4)):
             letters[rng.randrange(len(letters))] = rng.choice("abcXYZ019-_%/ ")
         try:
-            unpacked("".join(letters))
+            decoded("".join(letters))
         except InputError:
             continue
 

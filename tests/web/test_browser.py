@@ -23,7 +23,7 @@ import stiction as st
 from cases import of_one_model
 from stiction.case.text import as_toml
 from stiction.report.views.comparison import groups_of
-from stiction.web.address import packed
+from stiction.web.address import encoded
 from stiction.web.compare_tab import tables_of
 from stiction.web.fields import example_cases, first_case
 from stiction.web.query import Query, compared
@@ -93,7 +93,7 @@ def context(browser):
 @pytest.fixture(scope="module")
 def page(context, address):
     """One page for all tests that leave its case as it is."""
-    yield from _pages(context, f"{address}/?s={packed(SILVER)}", address)
+    yield from _pages(context, f"{address}/?s={encoded(SILVER)}", address)
 
 
 @pytest.fixture
@@ -107,13 +107,13 @@ def opened(context, address):
 @pytest.fixture
 def of_model(context, address):
     """A page of its own, of a case that names a model."""
-    yield from _pages(context, f"{address}/?s={packed(of_one_model())}", address)
+    yield from _pages(context, f"{address}/?s={encoded(of_one_model())}", address)
 
 
 @pytest.fixture
 def fresh(context, address):
     """A page of its own."""
-    yield from _pages(context, f"{address}/?s={packed(SILVER)}", address)
+    yield from _pages(context, f"{address}/?s={encoded(SILVER)}", address)
 
 
 def _pages(context, url, address=None):
@@ -583,7 +583,7 @@ def test_a_scan_is_the_roughness_of_the_case(of_model):
 def test_a_title_is_never_executed(fresh, address):
     title = "<img src=x onerror='window.broken=1'><script>window.broken=1</script>"
     page = fresh
-    _open(page, f"{address}/?s={packed(SILVER | {'title': title})}")
+    _open(page, f"{address}/?s={encoded(SILVER | {'title': title})}")
     _tab(page, "Share")
     page.get_by_text("The same numbers, to the last digit").wait_for()
     page.locator("code, pre").first.wait_for()

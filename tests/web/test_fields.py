@@ -7,7 +7,7 @@ from stiction.contact.materials import Material
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.surfaces.roughness import Roughness
-from stiction.web.fields import as_written, example_cases, first_case, got, numbers_of, parts_of, placed
+from stiction.web.fields import as_written, example_cases, first_case, numbers_of, parts_of, value_at, with_value_at
 from stiction.web.query import Query, solved
 
 
@@ -94,8 +94,11 @@ def test_every_example_of_the_menu_is_predicted():
 
 def test_what_stands_at_a_place():
     tables = {"contact": {"first": "silver", "roughness": {"asperity_radius": "1 um"}}}
-    changed = placed(tables, ("contact", "first", "hardness"), "1 GPa")
+    changed = with_value_at(tables, ("contact", "first", "hardness"), "1 GPa")
     assert changed["contact"]["first"] == {"preset": "silver", "hardness": "1 GPa"} and tables["contact"]["first"] == "silver"
-    assert got(changed, ("contact", "first", "hardness")) == "1 GPa" and got(tables, ("contact", "first", "hardness")) is None
-    assert placed(changed, ("contact", "first", "hardness"), None)["contact"]["first"] == {"preset": "silver"}
-    assert placed(tables, ("solve", "load", "start"), None) == tables
+    assert (
+        value_at(changed, ("contact", "first", "hardness")) == "1 GPa"
+        and value_at(tables, ("contact", "first", "hardness")) is None
+    )
+    assert with_value_at(changed, ("contact", "first", "hardness"), None)["contact"]["first"] == {"preset": "silver"}
+    assert with_value_at(tables, ("solve", "load", "start"), None) == tables

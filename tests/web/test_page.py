@@ -16,7 +16,7 @@ from nicegui.testing.user_interaction import UserInteraction
 
 import stiction as st
 from cases import of_one_model
-from stiction.web.address import packed
+from stiction.web.address import encoded
 from stiction.web.fields import first_case
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "soft_film.toml"
@@ -138,7 +138,7 @@ async def test_a_surface_is_known_by_its_finish():
 
 @in_a_loop
 async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_large_beside_it():
-    async with _page(packed(of_one_model())) as user:
+    async with _page(encoded(of_one_model())) as user:
         assert _mu(user) == "mu ≈ 0.046"
         assert any("valid range" in text for text in _texts(user))
         predicted = _predicted({name: table for name, table in of_one_model().items() if name != "solve"} | {
@@ -150,7 +150,7 @@ async def test_a_named_model_answers_with_its_warnings_and_the_prediction_as_lar
 
 @in_a_loop
 async def test_at_given_separations_it_is_said_that_the_load_moved():
-    async with _page(packed(of_one_model())) as user:
+    async with _page(encoded(of_one_model())) as user:
         before = _input(user, "normal load, adhesion included P").value
         _input(user, "asperities per nominal area N").set_value("2e10 1/m^2")
         await _until(user, lambda: any(text.startswith("The load moved from 2.36 N to ") for text in _texts(user)))
@@ -174,7 +174,7 @@ async def test_examples_undo_and_reset():
 
 @in_a_loop
 async def test_a_knob_that_moves_changes_the_number():
-    async with _page(packed(of_one_model())) as user:
+    async with _page(encoded(of_one_model())) as user:
         before = _mu(user)
         _input(user, "work of adhesion gamma").set_value("0.3 J/m^2")
         await _until(user, lambda: _mu(user) != before)
@@ -182,7 +182,7 @@ async def test_a_knob_that_moves_changes_the_number():
 
 @in_a_loop
 async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_title_follows():
-    async with _page(packed(of_one_model())) as user:
+    async with _page(encoded(of_one_model())) as user:
         steel, silver = "hardened steel 52100 on hardened steel 52100", of_one_model()["title"]
         assert silver in _texts(user) and _mu(user) == "mu ≈ 0.046"
         _labelled(user, ui.switch, "there is a film").set_value(False)
@@ -197,7 +197,7 @@ async def test_a_film_that_is_switched_off_and_on_keeps_its_numbers_and_the_titl
 
 @in_a_loop
 async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays():
-    async with _page(packed(of_one_model())) as user:
+    async with _page(encoded(of_one_model())) as user:
         before, field = _mu(user), _input(user, "asperity tip radius R")
         field.set_value("50")
         await _until(user, lambda: field.error)
@@ -211,7 +211,7 @@ async def test_what_is_wrong_is_said_beside_its_field_and_the_last_answer_stays(
 async def test_the_address_holds_the_case():
     tables = of_one_model()
     tables["contact"]["work_of_adhesion"] = "0.3 J/m^2"
-    async with _page(packed(tables)) as user:
+    async with _page(encoded(tables)) as user:
         assert _input(user, "work of adhesion gamma").value == "0.3 J/m^2" and _mu(user) != "mu ≈ 0.046"
 
 
@@ -226,14 +226,14 @@ async def test_an_address_that_holds_nothing_is_told_and_the_first_case_shown():
 async def test_an_address_cannot_ask_for_a_file():
     tables = first_case()
     tables["contact"]["roughness"] = {"first": {"file": "/etc/passwd"}}
-    async with _page(packed(tables)) as user:
+    async with _page(encoded(tables)) as user:
         assert any("The address was not used: file: '/etc/passwd'" in text for text in _texts(user)), _texts(user)[:6]
 
 
 @in_a_loop
 async def test_a_title_is_text():
     tables = first_case() | {"title": "<script>window.broken = 1</script>"}
-    async with _page(packed(tables)) as user:
+    async with _page(encoded(tables)) as user:
         assert tables["title"] in _texts(user)  # of a label, which a browser writes as text
 
 
@@ -251,7 +251,7 @@ async def test_the_number_on_the_page_is_that_of_a_closed_form():
     }
     slope = math.sqrt(math.sqrt(3.0) / (64.0 * 1.7e10 * 50e-6**2))
     area = 1e-6 * math.erf(math.sqrt(2.0) * 2.0 / 1e-6 / (210e9 / (2.0 * (1.0 - 0.3**2)) * slope))
-    async with _page(packed({"contact": contact, "solve": {"load": "2 N", "model": "persson_2001"}})) as user:
+    async with _page(encoded({"contact": contact, "solve": {"load": "2 N", "model": "persson_2001"}})) as user:
         where = next(text for text in _texts(user) if text.startswith("at a load of"))
         assert where.startswith(f"at a load of 2 N, real contact area {area * 1e12:.4g} µm²")
         assert where.endswith(f"mu to four digits {200e6 * area / 2.0:.4g}")
@@ -263,7 +263,7 @@ async def test_no_field_shows_python():
     tables["contact"]["work_of_adhesion"] = {"median": "1 J/m^2", "factor": 3}
     tables["uncertainty"] = {"count": 64}
     tables["solve"] = {"separation": [2, 0.5]}
-    async with _page(packed(tables)) as user:
+    async with _page(encoded(tables)) as user:
         assert _input(user, "work of adhesion gamma").value == "1 J/m^2 within a factor 3"
         assert "separation: [2, 0.5]" in _texts(user)
         assert _labelled(user, ui.slider, "work of adhesion gamma, slider").value == 0.0  # of the median, 10^0 J/m^2
@@ -275,7 +275,7 @@ async def test_no_field_shows_python():
 @in_a_loop
 async def test_dimensionless_groups_and_several_numbers_have_a_page():
     groups = {"theta": 40, "lam": 10, "n_E": [0.5, 1.5], "n_H": 0.5, "tau": 2}
-    async with _page(packed({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
+    async with _page(encoded({"indices": groups, "solve": {"separation": [2, 1, 0]}})) as user:
         assert "Curves are of the first value of each array: n_E." in _texts(user)
         assert _input(user, "elastic adhesion index K sigma^(3/2) / (gamma R^(1/2)) theta").value == "40"
 
@@ -296,7 +296,7 @@ async def test_what_one_visitor_does_no_other_sees():
     import httpx
     from nicegui import core
 
-    state = packed(of_one_model())
+    state = encoded(of_one_model())
     async with _page(state) as one:
         other = User(httpx.AsyncClient(transport=httpx.ASGITransport(core.app), base_url="http://test"))
         await other.open(f"/?s={state}")

@@ -25,7 +25,7 @@ from stiction.web.fields import first_case
 from stiction.web.pictures import drawing_of
 from stiction.web.query import Query, headline, solved
 from stiction.web.share_tab import report_of
-from stiction.web.studies_tab import designed
+from stiction.web.studies_tab import run_design_study
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +110,7 @@ def _endless(progress):
 @pytest.mark.parametrize("objective", [0.0, -1.0, math.nan, math.inf])
 def test_a_wish_that_no_friction_can_be_is_refused(objective):
     with pytest.raises(InputError, match=r"target mu: .*; allowed: a number above 0"):
-        designed(Query(first_case()), "1 N", objective, {}, Progress())
+        run_design_study(Query(first_case()), "1 N", objective, {}, Progress())
 
 
 def test_a_text_in_place_of_a_table_is_refused_in_plain_words():

@@ -17,13 +17,13 @@ _LARGEST = 200_000  # bytes of the case in it
 _STATE = "a case, as this page writes it into its address"
 
 
-def packed(tables: Mapping[str, Any]) -> str:
+def encoded(tables: Mapping[str, Any]) -> str:
     """Return the tables as text for an address; "" if they are too large for an address."""
     text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 
-def unpacked(text: str) -> dict[str, Any]:
+def decoded(text: str) -> dict[str, Any]:
     """Return the tables in the text of an address. Raises InputError for damaged text, or more than the largest case."""
     if len(text) > _LONGEST:
         raise InputError("address", f"{len(text)} characters", f"at most {_LONGEST} characters")

@@ -11,7 +11,7 @@ from weakref import WeakSet
 
 from stiction.quantities.errors import InputError
 from stiction.web.background import Latest
-from stiction.web.fields import got, placed
+from stiction.web.fields import value_at, with_value_at
 from stiction.web.query import Answer, Query, headline, solved
 
 
@@ -109,7 +109,7 @@ class Explorer:
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:
         """Solve the case with another value at a path of its tables; None removes the value."""
-        await self.ask(placed(self.query.tables, path, value))
+        await self.ask(with_value_at(self.query.tables, path, value))
 
     @property
     def point(self) -> int:
@@ -159,13 +159,15 @@ def _described(tables: Mapping[str, Any]) -> str:
     if "contact" not in tables:
         return "Dimensionless groups"
     bodies = " on ".join(_material(tables, body) for body in ("first", "second"))
-    if not isinstance(got(tables, ("contact", "coating")), Mapping):
+    if not isinstance(value_at(tables, ("contact", "coating")), Mapping):
         return bodies.capitalize()
-    thickness = got(tables, ("contact", "coating", "thickness"))  # a text; a list or a distribution is too long for a title
+    thickness = value_at(
+        tables, ("contact", "coating", "thickness")
+    )  # a text; a list or a distribution is too long for a title
     film = f"{_material(tables, 'coating', 'material').capitalize()} film"
     return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
 
 
 def _material(tables: Mapping[str, Any], *path: str) -> str:
-    name = got(tables, ("contact", *path, "preset")) or "material of its own"
+    name = value_at(tables, ("contact", *path, "preset")) or "material of its own"
     return str(name).replace("_", " ")

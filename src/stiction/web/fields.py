@@ -168,7 +168,7 @@ def parts_of(tables: Mapping[str, Any]) -> list[Part]:
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
     found = list(_parts(Contact, ("contact",), False))
-    if is_finished(got(tables, ROUGHNESS)):
+    if is_finished(value_at(tables, ROUGHNESS)):
         of_finish = next(_parts(Finished, ROUGHNESS, False))
         return [of_finish if part.path == ROUGHNESS else part for part in found]
     return found
@@ -213,7 +213,7 @@ def as_written(given: Any) -> str:
     return "" if given is None else given if isinstance(given, str) else inline(given)
 
 
-def got(tables: Any, path: Path) -> Any:
+def value_at(tables: Any, path: Path) -> Any:
     """Return the entry at a path of keys in nested case tables; None if there is no entry.
 
     A material stated only by its name is read as a table with the key "preset".
@@ -227,7 +227,7 @@ def got(tables: Any, path: Path) -> Any:
     return tables
 
 
-def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
+def with_value_at(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
     """Return a copy of nested case tables with a value at a path of keys; None removes the entry.
 
     A material stated only by its name becomes a table with the key "preset".
@@ -238,7 +238,7 @@ def placed(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
         if value is None and not isinstance(inner, Mapping):
             return dict(tables)
         inner = {"preset": inner} if isinstance(inner, str) else inner
-        value = placed(inner if isinstance(inner, Mapping) else {}, rest, value)
+        value = with_value_at(inner if isinstance(inner, Mapping) else {}, rest, value)
     kept = {name: one for name, one in tables.items() if name != key or value is not None}
     return kept if value is None else {**kept, key: value}
 

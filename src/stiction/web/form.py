@@ -26,11 +26,11 @@ from stiction.web.fields import (
     Part,
     as_written,
     example_cases,
-    got,
     numbers_of,
     parts_of,
-    placed,
+    value_at,
     with_points,
+    with_value_at,
 )  # fmt: skip
 from stiction.web.number_fields import draw_load, draw_number, label_of
 from stiction.web.query import law_names, option_values, states_of
@@ -75,7 +75,7 @@ class Form:
                 self._contact(parts)
             else:
                 self._fields(parts.pop("indices"))
-            with _folded("Rarely stated", any(got(tables, one.path) is not None for one in self._rare)):
+            with _folded("Rarely stated", any(value_at(tables, one.path) is not None for one in self._rare)):
                 for one in self._rare:
                     self._number(one)
             with _folded("Model and options"):
@@ -147,13 +147,15 @@ class Form:
                 self._menu(choice, known, str(solve.get(choice, _NONE)), ("solve", choice))
         for name, values in option_values(answer.data).items():
             here = ("solve", "options", name) if name in solve.get("options", {}) else ("solve", name)
-            self._menu(name.replace("_", " "), list(values), str(got(tables, here) or values[0]), here)
+            self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
         """Answer with a model; the prediction drops named laws and options."""
         tables = self._explorer.query.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
-        await self._explorer.ask({**tables, "solve": kept} if name == _PREDICTION else placed(tables, ("solve", "model"), name))
+        await self._explorer.ask(
+            {**tables, "solve": kept} if name == _PREDICTION else with_value_at(tables, ("solve", "model"), name)
+        )
 
     def _menu(
         self,
@@ -218,7 +220,7 @@ class Form:
 
     def _optional(self, part: Part, head: Any = None) -> None:
         """Add a switch for an optional part, and the fields of the part if it is on; head: heading above the switch."""
-        given = got(self._explorer.query.tables, part.path)
+        given = value_at(self._explorer.query.tables, part.path)
         title = ENDINGS.get(part.path[-1], part.path[-1])
         with head or ui.element("div"):
             switch = ui.switch("" if head else title, value=given is not None)
@@ -234,15 +236,17 @@ class Form:
             if isinstance(one, Part):
                 self._material(one)
             elif isinstance(one, Choices):
-                self._menu(label_of(one.path), list(one.values), str(got(tables, one.path) or one.default), one.path)
-            elif one.required or got(tables, one.path) is not None or (part.path == ROUGHNESS and one.path[-1] not in SHAPE):
+                self._menu(label_of(one.path), list(one.values), str(value_at(tables, one.path) or one.default), one.path)
+            elif (
+                one.required or value_at(tables, one.path) is not None or (part.path == ROUGHNESS and one.path[-1] not in SHAPE)
+            ):
                 self._number(one)
             else:
                 self._rare.append(one)
 
     def _roughness(self, part: Part) -> None:
         """Add the fields of the surface: numbers of asperities, a finish with Sq or Ra, or a scan."""
-        given = got(self._explorer.query.tables, ROUGHNESS)
+        given = value_at(self._explorer.query.tables, ROUGHNESS)
         bodies = isinstance(given, Mapping) and bool(given.keys() & {"first", "second"})
         scanned = bodies and not is_finished(given)
         known = _SCAN if scanned else list(SURFACE_KNOWN_BY)[is_finished(given)]
@@ -265,9 +269,9 @@ class Form:
     async def _switch(self, part: Part, there: bool) -> None:
         """Put a part into the case, with its earlier numbers, or take it out."""
         if not there:
-            self._switched_off[part.path] = got(self._explorer.query.tables, part.path)
+            self._switched_off[part.path] = value_at(self._explorer.query.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
-        tables = placed(self._explorer.query.tables, part.path, numbers if there else None)
+        tables = with_value_at(self._explorer.query.tables, part.path, numbers if there else None)
         await self._explorer.ask(self._with_allowed_interface(tables))
         self.build()
 
@@ -276,25 +280,25 @@ class Form:
 
         The state is restored when the bodies allow it again.
         """
-        state = got(tables, INTERFACE) or self._switched_off.get(INTERFACE)
+        state = value_at(tables, INTERFACE) or self._switched_off.get(INTERFACE)
         if not isinstance(state, str):
             return tables
         allowed = state in states_of(self._explorer.query.with_tables(tables))
         self._switched_off[INTERFACE] = None if allowed else state
-        return placed(tables, INTERFACE, state if allowed else None)
+        return with_value_at(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
         """Add a menu of interface states; without a state, add the numbers of a stated strength."""
         tables, numbers = self._explorer.query.tables, list(numbers_of(part))
-        stated = any(got(tables, one.path) is not None for one in numbers)
-        state = got(tables, part.path)
+        stated = any(value_at(tables, one.path) is not None for one in numbers)
+        state = value_at(tables, part.path)
 
         async def chosen(value: str) -> None:
             self._strength_chosen = value == _STRENGTH
             rest = self._explorer.query.tables
             for path in (part.path, *(one.path for one in numbers)):
-                rest = placed(rest, path, None)
-            await self._explorer.ask(placed(rest, part.path, None if value in (NOT_STATED, _STRENGTH) else value))
+                rest = with_value_at(rest, path, None)
+            await self._explorer.ask(with_value_at(rest, part.path, None if value in (NOT_STATED, _STRENGTH) else value))
 
         by_number = not state and (stated or self._strength_chosen)
         value = as_written(state) or (_STRENGTH if by_number else NOT_STATED)
@@ -312,7 +316,7 @@ class Form:
     def _material(self, part: Part) -> None:
         """Add a menu of materials, and the numbers of the chosen one."""
         tables = self._explorer.query.tables
-        preset = str(got(tables, (*part.path, "preset")) or "")
+        preset = str(value_at(tables, (*part.path, "preset")) or "")
         own = tables.get("materials")
         names = [_OWN, *(own if isinstance(own, Mapping) else {}), *material_names()]
         label = ENDINGS.get(part.path[-1], "film")
@@ -322,7 +326,7 @@ class Form:
 
         self._menu(f"material of the {label}", names, preset or _OWN, part.path, chosen, searched=True, named=False)
         known = material(preset) if preset in material_names() else None
-        changed = sum(got(tables, number.path) is not None for number in numbers_of(part))
+        changed = sum(value_at(tables, number.path) is not None for number in numbers_of(part))
         with _folded("numbers" + (f", {changed} changed" if preset and changed else ""), not preset, f"numbers of the {label}"):
             for number in numbers_of(part):
                 value = getattr(known, number.quantity.name, None)

@@ -12,7 +12,7 @@ from stiction.quantities.units import to_si
 from stiction.report.html_words import letters
 from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
-from stiction.web.fields import NOT_STATED, Number, as_written, got, with_points
+from stiction.web.fields import NOT_STATED, Number, as_written, value_at, with_points
 
 # What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
 _LABELS = {
@@ -59,7 +59,7 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
     """
 
     def given() -> Any:
-        return got(explorer.query.tables, number.path)
+        return value_at(explorer.query.tables, number.path)
 
     async def typed(wanted: str) -> None:
         if wanted != as_written(given()):  # else it was the slider that wrote it

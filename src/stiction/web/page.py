@@ -6,7 +6,7 @@ from typing import Any
 from nicegui import context, ui
 
 from stiction.quantities.errors import InputError
-from stiction.web.address import packed, unpacked
+from stiction.web.address import decoded, encoded
 from stiction.web.answer_card import AnswerCard
 from stiction.web.asperity_tab import AsperityTab
 from stiction.web.background import run
@@ -102,7 +102,7 @@ def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
     if not state:
         return solved(query), None
     try:
-        return solved(query.with_tables(unpacked(state))), None
+        return solved(query.with_tables(decoded(state))), None
     except InputError as error:
         return solved(query), error
 
@@ -142,7 +142,7 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
     def moved() -> None:
         show()
         mark()
-        ui.navigate.history.replace(f"/?s={packed(explorer.query.tables)}")
+        ui.navigate.history.replace(f"/?s={encoded(explorer.query.tables)}")
 
     async def see() -> None:
         """Ask the browser whether the page is dark and how wide it is: charts and pictures depend on it."""

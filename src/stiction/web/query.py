@@ -25,7 +25,7 @@ from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
 from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
 from stiction.web.address import refuse_other_files
-from stiction.web.fields import INTERFACE, placed, with_points
+from stiction.web.fields import INTERFACE, with_points, with_value_at
 
 _MAX_POINTS = 20_000  # of a curve that is drawn anew while a slider moves
 _MAX_SAMPLES = 4096  # of uncertain parameters
@@ -153,7 +153,7 @@ def law_names(case: Case) -> dict[str, list[str]]:
 def states_of(query: Query) -> list[str]:
     """Return the interface states that the bodies of a query allow; all states if the bodies are unknown."""
     try:
-        subject = read_query(query.with_tables(placed(query.tables, INTERFACE, None))).subject
+        subject = read_query(query.with_tables(with_value_at(query.tables, INTERFACE, None))).subject
     except InputError:
         return interface_names()
     return allowed_interfaces(*subject.touching, coated=subject.has_film) if isinstance(subject, Contact) else []

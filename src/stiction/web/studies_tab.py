@@ -19,7 +19,7 @@ from stiction.report.view import View
 from stiction.web.background import Progress
 from stiction.web.elements import attributes, upload_button
 from stiction.web.explorer import Explorer
-from stiction.web.fields import ENDINGS, Number, got, numbers_of, parts_of, placed
+from stiction.web.fields import ENDINGS, Number, numbers_of, parts_of, value_at, with_value_at
 from stiction.web.number_fields import label_of
 from stiction.web.pictures import Shown
 from stiction.web.query import Query, read_query
@@ -28,7 +28,7 @@ from stiction.web.study_button import Study
 _NONE = ""  # the choice of no free number
 
 
-def what_matters(query: Query, progress: Progress) -> View:
+def run_sensitivity_study(query: Query, progress: Progress) -> View:
     """Return which input should be measured better. Raises InputError."""
     from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.sensitivity.run import sensitivity
@@ -36,7 +36,7 @@ def what_matters(query: Query, progress: Progress) -> View:
     return sensitivity_view(sensitivity(case_in(query.tables, query.folder), progress=progress))
 
 
-def designed(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
+def run_design_study(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
     """Return values of the free numbers, within their limits, at which mu meets a target at a load. Raises InputError."""
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
@@ -50,7 +50,7 @@ def designed(query: Query, load: str | float, target: float, free: dict[str, Any
     return design_view(run_design(make_design_plan(tables, query.folder), progress.tell))
 
 
-def calibrated(query: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
+def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
     """Fit free numbers of the case to measured series; load: where to predict mu afterwards. Raises InputError."""
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
@@ -105,8 +105,8 @@ class StudiesTab:
         ranges = attributes(ui.switch(label, value=True), aria_label=label)
 
         def work(query: Query, progress: Progress) -> View:
-            varied = placed(query.tables, ("uncertainty", "ranges"), True)
-            return what_matters(query.with_tables(varied) if ranges.value else query, progress)
+            varied = with_value_at(query.tables, ("uncertainty", "ranges"), True)
+            return run_sensitivity_study(query.with_tables(varied) if ranges.value else query, progress)
 
         self._study("Sensitivity", work)
 
@@ -118,7 +118,7 @@ class StudiesTab:
 
         def numbers() -> dict[str, tuple[Number, float]]:
             tables = self._explorer.answer.query.tables
-            each = [(one, one.si(got(tables, one.path))) for part in parts_of(tables) for one in numbers_of(part)]
+            each = [(one, one.si(value_at(tables, one.path))) for part in parts_of(tables) for one in numbers_of(part)]
             named = {".".join(one.path[1:]): (one, value) for one, value in each if value is not None}
             return {name: named[name] for name in (*likely, *named) if name in named}
 
@@ -135,7 +135,7 @@ class StudiesTab:
                 raise InputError("free number", which.value, "a number of the case")
             number, _ = numbers()[which.value]
             limits = {name: number.written(str(text.value)) for name, text in (("low", low), ("high", high))}
-            return placed({}, number.path[1:], limits)
+            return with_value_at({}, number.path[1:], limits)
 
         labels = {_NONE: alone} if alone else {}
         labels |= {name: _human_name(number) for name, (number, _) in numbers().items()}
@@ -155,7 +155,7 @@ class StudiesTab:
 
         def work(query: Query, progress: Progress) -> View:
             value = math.nan if target.value is None else float(target.value)
-            return designed(query, self._load(query), value, free(), progress)
+            return run_design_study(query, self._load(query), value, free(), progress)
 
         self._study("Design", work)
 
@@ -176,7 +176,7 @@ class StudiesTab:
                 raise InputError("measured series", None, "a .csv file with loads and measured values")
             ((path, name),) = uploads
             try:
-                return calibrated(query, self._load(query), Path(path), free(), progress)
+                return run_fit_study(query, self._load(query), Path(path), free(), progress)
             except InputError as error:
                 value = error.value.replace(path, name) if isinstance(error.value, str) else error.value
                 raise InputError(error.field.replace(path, name), value, error.allowed, error.hint) from None

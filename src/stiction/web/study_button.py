@@ -38,7 +38,7 @@ class Study:
             self._text = ui.label().props('role="status"')
         self._old = ui.label(f"Result of earlier numbers: press “{label}” for the present ones.")
         self._old.classes("text-negative font-bold").props('role="status"')
-        self._timer = ui.timer(_EVERY, self._look, active=False)
+        self._timer = ui.timer(_EVERY, self._watch, active=False)
         self._set_running(False)
         if explorer is not None:
             explorer.listen(self._mark)
@@ -96,7 +96,7 @@ class Study:
         self._timer.active = running
         self._mark()
 
-    def _look(self) -> None:
+    def _watch(self) -> None:
         if (progress := self._progress) is not None:
             share = f" {progress.share:.0%}" if progress.share else ""
             self._text.set_text(f"{progress.text or 'waiting for its turn'}{share}, {time.monotonic() - self._began:.0f} s")

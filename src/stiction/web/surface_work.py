@@ -27,7 +27,7 @@ from stiction.surfaces.targets import SelfAffine
 from stiction.web.answer_card import card_on_page
 from stiction.web.background import Progress
 from stiction.web.charts import INK, SHADES, chart, line
-from stiction.web.fields import placed
+from stiction.web.fields import with_value_at
 from stiction.web.pictures import drawing_of
 from stiction.web.query import Query, headline, solved
 
@@ -84,7 +84,7 @@ def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
     """Predict friction at a load [N], with the filtered scan as roughness of the first body; return HTML."""
     if "contact" not in query.tables:
         return "Friction with this surface needs a case in units: choose an example."
-    tables = placed(query.tables, ("contact", "roughness"), scan.roughness(band))
+    tables = with_value_at(query.tables, ("contact", "roughness"), scan.roughness(band))
     try:
         answer = solved(query.with_tables(tables).at_load(f"{load!r} N"))
     except InputError as error:
