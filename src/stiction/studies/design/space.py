@@ -96,7 +96,7 @@ class DesignSpace:
         choice = choice_of(self.case.choice.model, given, subject)
         for name in set(self.names) & set(YIELDED):
             require_states(make_problem(subject, choice), name)
-        solved = solve_batch(subject, choice, load=float(points["load"].values.leaves_of[0]))
+        solved = solve_batch(subject, choice, load=float(points["load"].values.flat[0]))
         for name in [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result of {choice.model_key}, or a group of the contact")
