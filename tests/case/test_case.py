@@ -238,3 +238,13 @@ def test_every_study_with_a_table_has_it_in_the_case_file():
         parse_case({**tomllib.loads(INDICES + "load = [1.0]\n"), "swep": {}})
     with refusal("sweep.precision", "float16", "float64", "float32"):
         parse_case({**tomllib.loads(INDICES + "load = [1.0]\n"), "sweep": {"precision": "float16"}})
+
+
+@pytest.mark.parametrize(
+    ("symbol", "field"), [("Ra", "mean_height"), ("Sa", "mean_height"), ("Sq", "rms_height"), ("Rq", "rms_height")]
+)
+def test_a_symbol_in_place_of_a_field_is_answered_with_the_field(symbol, field):
+    body = {"finish": "ground", symbol: "0.2 um"}
+    with pytest.raises(InputError) as refused:
+        Contact(first="copper", second="copper", nominal_area="1 mm^2", roughness={"first": body, "second": body})
+    assert refused.value.field.endswith(symbol) and refused.value.allowed.startswith(f"{field} for {symbol}")

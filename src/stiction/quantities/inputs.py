@@ -258,6 +258,16 @@ def _drop_null(entry: dict) -> None:
 _KINDS = {"model_type": "a table of named numbers"}  # types of errors whose pydantic text is meant for programmers
 
 
+_PROFILES = {"Rq": "Sq", "Sa": "Ra"}  # the quantities have one symbol for profiles and areas
+
+
+def _by_symbol(key: str, cls: type[Input]) -> str:
+    """Return the field whose quantity has this symbol, with the symbol; "" if none has."""
+    symbol = _PROFILES.get(key, key)
+    names = [name for name in cls.model_fields if name in QUANTITIES and QUANTITIES[name].symbol == symbol]
+    return f"{names[0]} for {key}" if names else ""
+
+
 def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     """Convert the first of pydantic's validation errors into an InputError.
 
@@ -269,7 +279,7 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
     if isinstance(cause, InputError):
         return InputError(".".join([*path, cause.field] if cause.field else path), cause.value, cause.allowed)
     if details["type"] == "extra_forbidden":
-        known = nearest(path[-1], cls.model_fields)
+        known = _by_symbol(path[-1], cls) or nearest(path[-1], cls.model_fields)
         value = InWords("a table") if isinstance(details["input"], dict) else details["input"]
         return InputError(".".join(path), value, f"{known}; {path[-1]} is not a key here")
     if details["type"] == "missing":

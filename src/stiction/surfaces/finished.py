@@ -43,7 +43,7 @@ class Finished(Input):
     skewness, kurtosis, texture_aspect_ratio: as in Roughness. Raises InputError.
     """
 
-    finish: Annotated[str, BeforeValidator(_finish)] = Field(description="the name of a finish class")
+    finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
     rms_height: OptionalNumber = None
     mean_height: OptionalNumber = None
     kind: str | None = Field(default=None, description="gaussian, skewed, worn, lay, two-scale or a finish")
