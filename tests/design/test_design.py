@@ -138,7 +138,7 @@ def test_the_worst_of_several_loads_counts():
     table = case({"target": "friction_coefficient", "value": 0.1}, RADIUS, load=["1 N", "400 N"])
     found = run_design(plan_of_design(table), lambda count, text: None)
     best = found.best()[0]
-    shares, objectives, _, _ = found.evaluations.table()
+    shares, objectives = found.shares, found.answers.objectives
     radius = float(found.plan.free[0].at(shares[best, 0]))
     subject = subject_of(table)
     there = subject.replace(roughness=subject.roughness.replace(asperity_radius=radius))
@@ -241,10 +241,10 @@ def test_what_is_searched_under_a_ceiling_is_best_at_it():
     """Friction is strength times area over load: the most friction under a ceiling of the area has that area."""
     table = case([MOST, {"minimise": "contact_area"}], RADIUS)
     found = run_design(plan_of_design(table | {"design": table["design"] | {"effort": 1}}), lambda count, text: None)
-    before = found.evaluations.count
+    before = len(found.shares)
     found.plan.__dict__["effort"] = 60
     _searched(found, 0, 2e-10, lambda count, text: None)
-    _, objectives, _, _ = found.evaluations.table()
+    objectives = found.answers.objectives
     new = objectives[before:]
     assert new[new[:, 1] <= 2e-10 * (1 + 1e-6), 0].min() == pytest.approx(-STRENGTH * 2e-10 / LOAD, rel=1e-3)
 
@@ -254,7 +254,7 @@ def test_a_front_is_searched_for_one_wish_under_ceilings_of_the_other(monkeypatc
     asked, searched = [], design_module._searched
     monkeypatch.setattr(design_module, "_searched", lambda *given: asked.append(given[1:3]) or searched(*given))
     found = run_design(plan_of_design(case([LEAST, MOST | {"maximise": "contact_area"}], RADIUS, effort=1)), lambda *told: None)
-    _, objectives, worst, _ = found.evaluations.table()
+    objectives, worst = found.answers.objectives, found.answers.worst
     assert [number for number, ceiling in asked if ceiling is None] == [0, 1]
     ceilings = [one for one in asked if one[1] is not None]
     assert len(ceilings) == 12
@@ -369,11 +369,11 @@ def test_an_interruption_keeps_the_best_so_far():
 
     plan = plan_of_design(case(MOST, RADIUS, {"area_fraction": {"high": 0.001}}))
     found = run_design(plan, stop)
-    assert found.stopped and 300 < found.evaluations.count < 400
+    assert found.stopped and 300 < len(found.shares) < 400
     data = found.data()
     assert bool(data["feasible"][0]) and float(data["friction_coefficient"][0]) > 0.19 and data.attrs["stopped"] == 1
     so_far = data["best_so_far"].values
-    assert so_far.size == found.evaluations.count and (so_far[1:] <= so_far[:-1]).all()
+    assert so_far.size == len(found.shares) and (so_far[1:] <= so_far[:-1]).all()
     assert -so_far[-1] == pytest.approx(float(data["friction_coefficient"][0]), rel=1e-12)
     with pytest.raises(KeyboardInterrupt):
         run_design(plan, stop, keep_on_interrupt=False)
@@ -406,7 +406,7 @@ def test_the_largest_number_of_designs_is_told_at_once_and_kept(objective, model
     counts, texts = zip(*told, strict=True)
     assert counts[0] <= 256 and sorted(set(counts)) == list(counts)
     (most,) = {int(text.removeprefix("of at most ").partition(",")[0]) for text in texts}
-    assert counts[-1] == found.evaluations.count <= most <= 1.5 * found.evaluations.count + 400
+    assert counts[-1] == len(found.shares) <= most <= 1.5 * len(found.shares) + 400
 
 
 def test_the_time_left_is_told_where_it_is_long(monkeypatch):
@@ -541,7 +541,7 @@ def test_a_front_of_predictions_reaches_its_ends_in_few_designs():
         }
     )
     found = run_design(plan, lambda count, text: None)
-    assert found.evaluations.count <= 500
+    assert len(found.shares) <= 500
     front = found.data()
     area = front["pareto_contact_area"].values
     smooth, rough = (

@@ -39,9 +39,8 @@ def dataset_of(search: "DesignSearch") -> "xarray.Dataset":
         chosen = front[spread_rows(len(front), _SHOWN)]
         more = {f"pareto_{name}": column for name, column in _columns(search, chosen, "pareto").items()}
         data = data.merge(xarray.Dataset(more, coords={"pareto": np.arange(len(chosen))}))
-    _, objectives, worst, _ = search.evaluations.table()
-    good = np.where(worst <= TOLERANCE, objectives[:, 0], np.inf)
-    every = _columns(search, np.arange(len(worst)), "evaluated")
+    good = np.where(search.answers.worst <= TOLERANCE, search.answers.objectives[:, 0], np.inf)
+    every = _columns(search, np.arange(len(good)), "evaluated")
     data = data.merge(xarray.Dataset({f"evaluated_{name}": column for name, column in every.items()}))
     data["best_so_far"] = (
         "evaluated",
@@ -56,8 +55,7 @@ def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, 
 
     rows: indices of the designs among all evaluated ones; along: name of the dimension.
     """
-    shares, _, worst, known = search.evaluations.table()
-    shares, worst = shares[rows], worst[rows]
+    shares, worst, known = search.shares[rows], search.answers.worst[rows], search.answers.known
     columns: dict[str, tuple] = {}
     for at, one in enumerate(search.plan.unknowns):
         name = "load" if one.path == LOAD else one.name
@@ -85,13 +83,12 @@ def _violated(search: "DesignSearch", rows: np.ndarray) -> np.ndarray:
 
     rows: indices of the designs among all evaluated ones.
     """
-    shares, _, worst, _ = search.evaluations.table()
-    return np.array(["\n".join(search.space.violations(shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
+    worst = search.answers.worst
+    return np.array(["\n".join(search.space.violations(search.shares[at])) if worst[at] > TOLERANCE else "" for at in rows])
 
 
 def _attributes(search: "DesignSearch", best: np.ndarray) -> dict[str, Any]:
-    _, _, worst, known = search.evaluations.table()
-    plan = search.plan
+    plan, answers = search.plan, search.answers
     unknown = ", ".join("load" if one.path == LOAD else one.name for one in plan.unknowns)
     return {
         **({"case": plan.title} if plan.title else {}),
@@ -101,11 +98,11 @@ def _attributes(search: "DesignSearch", best: np.ndarray) -> dict[str, Any]:
         "chosen": unknown,
         "limits": "\n".join(one.words for one in plan.limits),
         "validity": plan.validity,
-        "evaluated": search.evaluations.count,
+        "evaluated": len(search.shares),
         "tolerance": TOLERANCE,
         "uncertain": _uncertain(plan),
-        "verdict": "" if worst[best[0]] <= TOLERANCE else "no design meets all limits; the nearest one is shown",
-        "missed": "\n".join(missed_objectives(plan, known, int(best[0]))),
+        "verdict": "" if answers.worst[best[0]] <= TOLERANCE else "no design meets all limits; the nearest one is shown",
+        "missed": "\n".join(missed_objectives(plan, answers.known, int(best[0]))),
         "stopped": int(search.stopped),
     }
 
@@ -120,7 +117,7 @@ def _uncertain(plan: DesignPlan) -> str:
 def designed_case(search: "DesignSearch", out: Path) -> str:
     plan = search.plan
     best = int(search.best()[0])
-    shares, _, worst, known = search.evaluations.table()
+    shares, worst, known = search.shares, search.answers.worst, search.answers.known
     comments = [f"Designed by stiction {__version__}: {', '.join(one.words for one in plan.objectives)}."]
     comments += [f"It misses the objective: {words}." for words in missed_objectives(plan, known, best)]
     if worst[best] > TOLERANCE:

@@ -5,7 +5,7 @@ Each chosen number is searched as a share: its position between its low end (0) 
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,48 +47,37 @@ _BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks
 
 
 @dataclass
-class EvaluationLog:
-    """Record every evaluated design; each list has one entry for each batch of n designs.
-
-    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1. objectives (n, 1 or 2), lower is
-    better. worst (n,): largest relative constraint violation. known: results by name (n,).
-    """
-
-    shares: list[np.ndarray] = field(default_factory=list)
-    objectives: list[np.ndarray] = field(default_factory=list)
-    worst: list[np.ndarray] = field(default_factory=list)
-    known: list[dict[str, np.ndarray]] = field(default_factory=list)
-    count: int = 0
-
-    def table(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, np.ndarray]]:
-        """Return shares, objectives, worst violations and results of all evaluated designs, as arrays."""
-        names = self.known[0] if self.known else {}
-        known = {name: np.concatenate([one[name] for one in self.known]) for name in names}
-        return np.concatenate(self.shares), np.concatenate(self.objectives), np.concatenate(self.worst), known
-
-
-@dataclass
 class DesignSearch:
     """Hold the state of a design search: its plan, its evaluator of designs, and all designs so far.
 
-    stopped: whether the search was interrupted. started: clock time at its begin, in seconds.
+    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1, of every evaluated design. answers:
+    their results. started: clock time at the begin of the search, in seconds. stopped: whether it was interrupted.
     """
 
     plan: DesignPlan
     space: DesignSpace
-    evaluations: EvaluationLog = field(default_factory=EvaluationLog)
+    shares: np.ndarray
+    answers: Evaluated
+    started: float
     stopped: bool = False
-    started: float = field(default_factory=time.monotonic)
+
+    def evaluate(self, shares: np.ndarray, callback: Callback) -> Evaluated:
+        """Evaluate further designs (m, d) and keep them."""
+        answers = self.space.answers(shares)
+        self.shares = np.concatenate([self.shares, shares])
+        self.answers = self.answers.followed_by(answers)
+        callback(len(self.shares), self.work_left)
+        return answers
 
     @cached_property
     def most(self) -> int:
         """The largest number of designs that are evaluated."""
-        return most_designs(self)
+        return most_designs(self.space)
 
     @property
     def work_left(self) -> str:
         """Return the largest number of designs to evaluate, and the time that those left take, as text."""
-        count = self.evaluations.count
+        count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
         return f"of at most {self.most}{minutes}"
@@ -99,15 +88,13 @@ class DesignSearch:
         The index counts all evaluated designs. number: index of the objective. If no design meets the constraints, those with
         the least violation come first.
         """
-        shares, objectives, worst, _ = self.evaluations.table()
-        order = np.lexsort((objectives[:, number], np.maximum(worst - TOLERANCE, 0.0)))
-        _, first = np.unique(self.space.combination(shares[order]), axis=0, return_index=True)
+        order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
+        _, first = np.unique(self.space.combination(self.shares[order]), axis=0, return_index=True)
         return order[np.sort(first)]
 
     def front(self) -> np.ndarray:
         """Return the indices, among all evaluated designs, of the Pareto front of the designs that meet the constraints."""
-        _, objectives, worst, _ = self.evaluations.table()
-        return _front(objectives, worst)
+        return _front(self.answers.objectives, self.answers.worst)
 
     def data(self) -> "xarray.Dataset":
         return dataset_of(self)
@@ -166,9 +153,11 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
 
     An interruption (Ctrl-C) after the first designs returns the state so far, unless keep_on_interrupt is False.
     """
-    found = DesignSearch(plan, DesignSpace(plan))
+    started, space = time.monotonic(), DesignSpace(plan)
+    drawn = first_designs(space)
+    found = DesignSearch(plan, space, drawn, space.answers(drawn), started)
     try:
-        _evaluate(found, first_designs(found), callback)
+        callback(len(drawn), found.work_left)
         if len(plan.objectives) == 2 and found.space.is_predicted:
             _spread(found, callback)
             return found
@@ -178,25 +167,10 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
         if len(plan.objectives) == 2:
             _search_front(found, callback)
     except KeyboardInterrupt:
-        if not keep_on_interrupt or not found.evaluations.count:
+        if not keep_on_interrupt:
             raise
         found.stopped = True
     return found
-
-
-def _evaluate(search: DesignSearch, shares: np.ndarray, callback: Callback) -> Evaluated:
-    """Evaluate designs and add them to the log.
-
-    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1.
-    """
-    answers, evaluations = search.space.answers(shares), search.evaluations
-    evaluations.shares.append(shares.copy())
-    evaluations.objectives.append(answers.objectives)
-    evaluations.worst.append(answers.worst)
-    evaluations.known.append(answers.known)
-    evaluations.count += len(shares)
-    callback(evaluations.count, search.work_left)
-    return answers
 
 
 def _searched(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
@@ -206,11 +180,11 @@ def _searched(search: DesignSearch, number: int, ceiling: float | None, callback
     all others (Deb 2000). The search continues from the best known designs, once for each of the best combinations of list
     entries.
     """
-    if not search.plan.free and search.evaluations.count:
+    if not search.plan.free:
         return  # every design was asked
     from scipy.optimize import differential_evolution
 
-    rng = np.random.default_rng([search.plan.seed, search.evaluations.count])
+    rng = np.random.default_rng([search.plan.seed, len(search.shares)])
     for members in _seeds(search, number, ceiling, rng):
         ends = np.tile([0.0, 1.0], (members.shape[1], 1))
         ends[search.space.named] = members[0, search.space.named, None]
@@ -218,7 +192,7 @@ def _searched(search: DesignSearch, number: int, ceiling: float | None, callback
             lambda shares: _cost(search, number, ceiling, shares.T, callback),
             ends,
             strategy="randtobest1bin",
-            maxiter=search.plan.effort if ceiling is None else front_generations(search),
+            maxiter=search.plan.effort if ceiling is None else front_generations(search.space),
             tol=_ALIKE,
             mutation=(0.4, 0.9),
             recombination=0.8,
@@ -266,7 +240,7 @@ def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.n
     number: index of the objective; ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
     1.
     """
-    answers = _evaluate(search, shares, callback)
+    answers = search.evaluate(shares, callback)
     broken = _beyond(answers.objectives, answers.worst, number, ceiling)
     return np.where(broken > 0.0, _BEYOND_ALL * (1.0 + broken), answers.objectives[:, number])
 
@@ -291,9 +265,9 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 
     It holds the best known designs of this combination and random ones.
     """
-    shares, objectives, worst, _ = search.evaluations.table()
-    order = np.lexsort((objectives[:, number], _beyond(objectives, worst, number, ceiling)))
-    size = population(search)
+    shares, objectives = search.shares, search.answers.objectives
+    order = np.lexsort((objectives[:, number], _beyond(objectives, search.answers.worst, number, ceiling)))
+    size = population(search.space)
     _, first, which = np.unique(search.space.combination(shares[order]), axis=0, return_index=True, return_inverse=True)
     members = []
     for combination in np.argsort(first)[:WAYS]:
@@ -311,9 +285,8 @@ def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
     """
     if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
         return
-    shares = search.evaluations.table()[0]
     for at in search.best(number)[:REFINED]:
-        _refine(search, number, shares[at], callback)
+        _refine(search, number, search.shares[at], callback)
 
 
 def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Callback) -> None:
@@ -324,7 +297,7 @@ def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Call
     def at(x: np.ndarray) -> Evaluated:
         whole = np.concatenate([start[:first], np.clip(x, 0.0, 1.0)])
         if whole.tobytes() not in known:  # the objective and the limits are asked for one after the other
-            known[whole.tobytes()] = _evaluate(search, whole[None, :], callback)
+            known[whole.tobytes()] = search.evaluate(whole[None, :], callback)
         return known[whole.tobytes()]
 
     size = abs(float(at(start[first:]).objectives[0, number])) or 1.0
@@ -334,7 +307,7 @@ def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Call
         method="COBYQA",
         bounds=[(0.0, 1.0)] * (len(start) - first),
         constraints=NonlinearConstraint(lambda x: np.clip(at(x).excess[0], -1e3, 1e3), -np.inf, 0.0),
-        options={"maxfev": refinements(search), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
+        options={"maxfev": refinements(search.space), "initial_tr_radius": 0.02, "final_tr_radius": 1e-8},
     )
 
 
@@ -346,8 +319,8 @@ def _search_front(search: DesignSearch, callback: Callback) -> None:
     front = search.front()
     if not front.size or not search.plan.free:
         return
-    _, objectives, _, _ = search.evaluations.table()
-    low, high = objectives[front, 1].min(), objectives[front, 1].max()
+    others = search.answers.objectives[front, 1]
+    low, high = others.min(), others.max()
     count = 2 + FRONT
     ends = np.geomspace(low, high, count) if low > 0.0 and high > 10.0 * low else np.linspace(low, high, count)
     for ceiling in ends[1:-1]:
@@ -364,14 +337,13 @@ def _spread(search: DesignSearch, callback: Callback) -> None:
     step, named = _FIRST_STEP, search.space.named
     if not search.plan.free:
         return  # every design was asked
-    for _ in range(front_rounds(search)):
-        shares, _, worst, _ = search.evaluations.table()
+    for _ in range(front_rounds(search.space)):
         front = search.front()
-        parents = shares[front if front.size else np.argsort(worst)[:FEW]]
+        parents = search.shares[front if front.size else np.argsort(search.answers.worst)[:FEW]]
         parents = parents[rng.integers(len(parents), size=TOGETHER)]
         children = np.clip(parents + step * rng.standard_normal(parents.shape), 0.0, 1.0)
         children[:, named] = parents[:, named]
-        _evaluate(search, children, callback)
+        search.evaluate(children, callback)
         step *= _SHRUNK
 
 

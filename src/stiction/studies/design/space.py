@@ -52,6 +52,12 @@ class Evaluated:
         """Largest constraint violation of each design (n,); 0 if it meets all."""
         return np.maximum(self.excess, 0.0).max(axis=1, initial=0.0)
 
+    def followed_by(self, more: "Evaluated") -> "Evaluated":
+        """Return the answers of these designs, followed by those of other designs."""
+        known = {name: np.concatenate([values, more.known[name]]) for name, values in self.known.items()}
+        objectives, excess = np.concatenate([self.objectives, more.objectives]), np.concatenate([self.excess, more.excess])
+        return Evaluated(objectives, excess, known)
+
 
 @dataclass
 class DesignSpace:

@@ -1,13 +1,9 @@
 """How many designs each part of a search evaluates, and which it begins with."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from stiction.quantities.sampling import sobol_points
-
-if TYPE_CHECKING:
-    from stiction.studies.design.run import DesignSearch
+from stiction.studies.design.space import DesignSpace
 
 FRONT = 12  # designs between the two ends of a front that are searched, of a model
 _DRAWN, _FEW_DRAWN = 256, 32  # designs that a search begins with, of a model and of a prediction with one objective
@@ -17,44 +13,44 @@ WAYS = 12  # ways to choose from lists that are searched
 REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
-def most_designs(search: "DesignSearch") -> int:
+def most_designs(space: DesignSpace) -> int:
     """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
-    drawn, plan = first_designs(search), search.plan
+    drawn, plan = first_designs(space), space.plan
     if not plan.free:
         return len(drawn)
-    if len(plan.objectives) == 2 and search.space.is_predicted:
-        return len(drawn) + TOGETHER * front_rounds(search)
+    if len(plan.objectives) == 2 and space.is_predicted:
+        return len(drawn) + TOGETHER * front_rounds(space)
     generations = len(plan.objectives) * (plan.effort + 1)
     if len(plan.objectives) == 2:
-        generations += FRONT * (front_generations(search) + 1)
-    ways = len(np.unique(search.space.combination(drawn), axis=0))
-    refined = 0 if search.space.is_predicted else len(plan.objectives) * min(ways, REFINED) * (refinements(search) + 1)
-    return len(drawn) + min(ways, WAYS) * population(search) * generations + refined
+        generations += FRONT * (front_generations(space) + 1)
+    ways = len(np.unique(space.combination(drawn), axis=0))
+    refined = 0 if space.is_predicted else len(plan.objectives) * min(ways, REFINED) * (refinements(space) + 1)
+    return len(drawn) + min(ways, WAYS) * population(space) * generations + refined
 
 
-def population(search: "DesignSearch") -> int:
-    few = search.space.is_predicted
-    return max(FEW if few else _POPULATION, (3 if few else 6) * search.space.dimension)
+def population(space: DesignSpace) -> int:
+    few = space.is_predicted
+    return max(FEW if few else _POPULATION, (3 if few else 6) * space.dimension)
 
 
-def front_generations(search: "DesignSearch") -> int:
-    return max(1, search.plan.effort // 3)
+def front_generations(space: DesignSpace) -> int:
+    return max(1, space.plan.effort // 3)
 
 
-def front_rounds(search: "DesignSearch") -> int:
-    return max(1, search.plan.effort // _PER_ROUND)
+def front_rounds(space: DesignSpace) -> int:
+    return max(1, space.plan.effort // _PER_ROUND)
 
 
-def refinements(search: "DesignSearch") -> int:
-    return 60 * (1 + len(search.plan.free))
+def refinements(space: DesignSpace) -> int:
+    return 60 * (1 + len(space.plan.free))
 
 
-def first_designs(search: "DesignSearch") -> np.ndarray:
+def first_designs(space: DesignSpace) -> np.ndarray:
     """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
 
     Without numbers to choose, each combination once.
     """
-    plan, most = search.plan, _FEW_DRAWN * len(search.plan.objectives) ** 2 if search.space.is_predicted else _DRAWN
+    plan, most = space.plan, _FEW_DRAWN * len(space.plan.objectives) ** 2 if space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]
     if not counts:
         return sobol_points(len(plan.free), most, plan.seed)
