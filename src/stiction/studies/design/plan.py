@@ -86,6 +86,11 @@ class DesignPlan:
     uncertain: tuple[Uncertain, ...]
 
     @property
+    def quantities(self) -> list[str]:
+        """Return the names of the results that are objectives or have limits."""
+        return [*(one.quantity for one in self.objectives), *(one.quantity for one in self.limits)]
+
+    @property
     def unknowns(self) -> tuple[Free | Options, ...]:
         return (*self.options, *self.free)
 

@@ -73,8 +73,7 @@ class DesignSpace:
     is_predicted: bool = field(init=False)
 
     def __post_init__(self):
-        wanted = [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]
-        self.names = list(dict.fromkeys([*wanted, "friction_coefficient"]))
+        self.names = list(dict.fromkeys([*self.plan.quantities, "friction_coefficient"]))
         self.case = case_of(self.plan.content)
         self.is_predicted = is_predicted(self.case)
         if self.is_predicted:
@@ -103,7 +102,7 @@ class DesignSpace:
         for name in set(self.names) & set(YIELDED):
             require_states(make_problem(subject, choice), name)
         solved = solve_batch(subject, choice, load=float(points["load"].values.flat[0]))
-        for name in [*(one.quantity for one in self.plan.objectives), *(one.quantity for one in self.plan.limits)]:
+        for name in self.plan.quantities:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result of {choice.model_key}, or a group of the contact")
         return choice

@@ -198,26 +198,21 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
     reach = 2.0 * np.sqrt(threshold * best.bounded[at, at])
     below = above = max(reach, 1e-6)
     for _ in range(_ROUNDS):
-        grid = np.unique(
-            np.concatenate(
-                [
-                    np.linspace(max(0.0, centre - below), centre, _GRID // 2 + 1),
-                    np.linspace(centre, min(1.0, centre + above), _GRID // 2 + 1),
-                ]
-            )
-        )
+        ends = [max(0.0, centre - below), min(1.0, centre + above)]
+        grid = np.unique(np.linspace(ends, centre, _GRID // 2 + 1))
         others, rise = _along(residuals, best, at, grid)
-        low, open_low = _crossing(grid[grid <= centre][::-1], rise[grid <= centre][::-1], threshold)
-        high, open_high = _crossing(grid[grid >= centre], rise[grid >= centre], threshold)
+        under, over = grid <= centre, grid >= centre
+        down, up = (grid[under][::-1], rise[under][::-1]), (grid[over], rise[over])
+        (low, open_low), (high, open_high) = _crossing(*down, threshold), _crossing(*up, threshold)
         wanted_below = _wanted(centre - low, below, open_low, centre - grid[0] < centre)
         wanted_above = _wanted(high - centre, above, open_high, grid[-1] < 1.0)
         if wanted_below == below and wanted_above == above:
             break
         below, above = wanted_below, wanted_above
     if not open_low:
-        low = _narrowed(residuals, best, at, grid[grid <= centre][::-1], rise[grid <= centre][::-1], threshold)
+        low = _narrowed(residuals, best, at, *down, threshold)
     if not open_high:
-        high = _narrowed(residuals, best, at, grid[grid >= centre], rise[grid >= centre], threshold)
+        high = _narrowed(residuals, best, at, *up, threshold)
     return Profile(grid, rise, others, 0.0 if open_low else low, 1.0 if open_high else high, open_low, open_high)
 
 
