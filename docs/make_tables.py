@@ -26,7 +26,7 @@ import numpy as np
 
 import stiction as st
 from stiction.contact.materials import material_names, symbols_of
-from stiction.laws.asperity.shared import letting_go as unloading
+from stiction.laws.asperity.shared import unloading
 from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.registry import GRADES, AsperityMethod, Criterion, FilmLaw, Record, TangentialLaw, kinds, records
@@ -286,8 +286,8 @@ def film_errors_on_maps() -> str:
     return table(("law", "area over that of the map, geometric mean", "rms of its logarithm"), rows)
 
 
-def letting_go() -> str:
-    """How asperities that have yielded are let go, where their law says nothing of that."""
+def unloading_of_yielded() -> str:
+    """How yielded asperities unload if their law does not describe it."""
     files = {model["key"]: file_of(model) for model in of_kind("asperity")}
     return re.sub(r"\]\(#(\w+)\)", lambda found: f"](../../{files[found[1]].as_posix()})", inspect.getdoc(unloading) or "")
 
@@ -339,7 +339,7 @@ NAMES = {
 
 TABLES = {
     "reference/models.md": {"grades": grades, **{name: partial(overview, kind) for name, kind in NAMES.items()}},
-    "explanation/combining-laws.md": {"letting go": letting_go},
+    "explanation/combining-laws.md": {"unloading": unloading_of_yielded},
     "how-to/surfaces.md": {"formats": formats},
     "reference/surface-statistics.md": {"methods": ways},
     "explanation/which-film-law.md": {"errors on a sphere": film_errors_on_a_sphere, "errors on maps": film_errors_on_maps},

@@ -33,7 +33,7 @@ _NAMED = re.compile(r"\[([a-z_]+_\d{4}\w*)\](?!\()")
 _SOURCE = re.compile(r"^- Source: (\w+)", re.MULTILINE)
 _SHORT = re.compile(r"\]\((?:(?P<stem>[\w-]+)\.md)?(?:#(?P<place>[\w-]+))?\)")
 # What docstrings of laws call sections that have moved.
-MOVED = {"1-units": "units", "5-film-and-substrate-as-one-body": "film-and-substrate-as-one-body", "letting-go": "unloading"}
+MOVED = {"1-units": "units", "5-film-and-substrate-as-one-body": "film-and-substrate-as-one-body"}
 _AUTHOR = re.compile(r"^\s*author\s*=\s*\{(.*)\},?$", re.MULTILINE)
 
 

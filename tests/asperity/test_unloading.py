@@ -12,7 +12,7 @@ from test_elastic_plastic import LAWS, bke, contact, ends, jg, load_and_area, zm
 from stiction.engine.heights import gaussian
 from stiction.engine.summation import scattered
 from stiction.laws.asperity import kogut_etsion_2002 as ke
-from stiction.laws.asperity.shared import letting_go as unloading
+from stiction.laws.asperity.shared import unloading
 from stiction.laws.joining import Law
 
 GROUPS = contact(sharpness=0.01)
@@ -60,11 +60,11 @@ def test_continuous_at_the_turning_point_and_zero_at_the_end(law):
         w = ratio * first
         for w_res in (unloading.residual(w, load, area), residual_etsion(w, first)):
             assert 0.0 <= w_res < w
-            assert unloading.let_go(w, w, w_res, load, area) == (load, area)
-            assert unloading.let_go(w * (1 - 1e-9), w, w_res, load, area) == pytest.approx((load, area), rel=1e-6)
-            assert unloading.let_go(w_res, w, w_res, load, area) == (0.0, 0.0)
-            assert unloading.let_go(0.5 * w_res, w, w_res, load, area) == (0.0, 0.0)
-            load_half, area_half = unloading.let_go(0.5 * (w + w_res), w, w_res, load, area)
+            assert unloading.unloading_response(w, w, w_res, load, area) == (load, area)
+            assert unloading.unloading_response(w * (1 - 1e-9), w, w_res, load, area) == pytest.approx((load, area), rel=1e-6)
+            assert unloading.unloading_response(w_res, w, w_res, load, area) == (0.0, 0.0)
+            assert unloading.unloading_response(0.5 * w_res, w, w_res, load, area) == (0.0, 0.0)
+            load_half, area_half = unloading.unloading_response(0.5 * (w + w_res), w, w_res, load, area)
             assert load_half == pytest.approx(load * 0.5**1.5) and area_half == pytest.approx(area * 0.5)
 
 
@@ -88,7 +88,7 @@ def test_energy_is_lost(law):
 def test_recovered_energy_is_the_integral():
     w, load, area = 20.0, 61.0, 29.0
     w_res = unloading.residual(w, load, area)
-    found = quad(lambda x: unloading.let_go(x, w, w_res, load, area)[0], w_res, w, epsrel=1e-12)[0]
+    found = quad(lambda x: unloading.unloading_response(x, w, w_res, load, area)[0], w_res, w, epsrel=1e-12)[0]
     assert recovered(w, w_res, load) == pytest.approx(found, rel=1e-10)
 
 
@@ -104,7 +104,7 @@ def test_flattened_sphere_is_hertzian():
         w_res = unloading.residual(ratio * first, load, area)
         assert w_res * sigma == pytest.approx(stays, rel=1e-9, abs=1e-12 * w_max)
         w = stays + 0.3 * (w_max - stays)
-        found = unloading.let_go(w / sigma, ratio * first, w_res, load, area)
+        found = unloading.unloading_response(w / sigma, ratio * first, w_res, load, area)
         assert found[0] * unit == pytest.approx(K * math.sqrt(flat) * (w - stays) ** 1.5, rel=1e-9)
         assert found[1] * R * sigma == pytest.approx(flat * (w - stays), rel=1e-9)
 
@@ -114,10 +114,10 @@ def test_elastic_asperity_comes_back():
         assert unloading.residual(w, w**1.5, w) == pytest.approx(0.0, abs=1e-14 * w)
         assert flattened_radius(w**1.5, w) == pytest.approx(1.0)
         assert residual_etsion(w, w) == residual_etsion(w, 2.0 * w) == 0.0
-        found = unloading.let_go(0.25 * w, w, 0.0, w**1.5, w)
+        found = unloading.unloading_response(0.25 * w, w, 0.0, w**1.5, w)
         assert found == (pytest.approx((0.25 * w) ** 1.5), pytest.approx(0.25 * w))
     assert unloading.residual(0.0, 0.0, 0.0) == residual_etsion(0.0, 1.0) == 0.0
-    assert unloading.let_go(0.0, 0.0, 0.0, 0.0, 0.0) == (0.0, 0.0)
+    assert unloading.unloading_response(0.0, 0.0, 0.0, 0.0, 0.0) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("ratio", (1.2, 5.0, 50.0, 110.0, 170.0))
@@ -139,7 +139,7 @@ def test_surface_that_is_drawn_apart(law):
     turn, distances = 0.5, np.array([0.0, 0.02, 0.1, 0.4, 2.0, 40.0])
     one = {"theta": 40.0, "lam": 3.0, "nu": 0.3, "hardness_to_yield": 2.8, "sharpness": 0.01}
     groups = contact(**{name: np.full(distances.size, value) for name, value in one.items()})
-    record = replace(law.RECORD, segments=lambda groups: unloading.drawn_apart(law.segments(groups), distances))
+    record = replace(law.RECORD, segments=lambda groups: unloading.unloaded_segments(law.segments(groups), distances))
     found = scattered(Law(record).regimes(groups), turn + distances, gaussian()).sum(axis=0)
     pressed = scattered(Law(law.RECORD).regimes(groups), turn + distances, gaussian()).sum(axis=0)
     assert_allclose(found[0], pressed[0], rtol=1e-9)
@@ -166,5 +166,5 @@ def held_at(segments, touch, turn, distance):
     density = np.exp(-((turn + touch) ** 2) / 2.0) / math.sqrt(2.0 * math.pi)
     states = [load_and_area(segments, w) for w in touch]
     residual = [unloading.residual(w, *state) for w, state in zip(touch, states, strict=True)]
-    held = [unloading.let_go(w - distance, w, res, *s) for w, res, s in zip(touch, residual, states, strict=True)]
+    held = [unloading.unloading_response(w - distance, w, res, *s) for w, res, s in zip(touch, residual, states, strict=True)]
     return np.array(held) * density[:, None]

@@ -19,7 +19,7 @@ from stiction.contact.subject import Subject, as_subject
 from stiction.engine.blocks import in_blocks
 from stiction.engine.heights import Heights
 from stiction.engine.summation import FARTHEST
-from stiction.laws.asperity.shared.letting_go import drawn_apart
+from stiction.laws.asperity.shared.unloading import unloaded_segments
 from stiction.laws.joining import coordinates, within
 from stiction.laws.segment import NormalSegment
 from stiction.laws.validity import with_warnings
@@ -262,7 +262,7 @@ def _released(law: AsperityLaw, problem: AsperitySum) -> tuple[Callable, str]:
         return partial(_held_on, law), how
     if "no adhesion" in law.traits:
         how = "elastic spheres whose flattened shape gives the load and area of each asperity at its deepest compression"
-        return (lambda groups, distance, **options: drawn_apart(law.segments(groups, **options), distance)), how
+        return (lambda groups, distance, **options: unloaded_segments(law.segments(groups, **options), distance)), how
     reason = f"the source of {law.key} does not describe unloading"
     raise InputError("asperity", law.key, f"a law that is elastic, without adhesion, or has an unloading law: {reason}")
 

@@ -43,7 +43,7 @@ def area_at_load(load: np.ndarray, groups: Groups, surface: "HeightMap | None" =
     """
     ratio = elastic_over_adhesion(groups, surface)
     if not (ratio < 1.0).any():
-        allowed = f"{ratio.min():.3g} times as much or more: flattening the roughness takes that energy"
+        allowed = f"at least {ratio.min():.3g} times this value, the elastic energy needed to flatten the roughness"
         raise InputError("work_of_adhesion", InWords("too small for full contact"), allowed)
     full = np.where(ratio < 1.0, 1.0 / (math.pi * groups.roughness_parameter), np.nan)
     return np.broadcast_to(full[:, None], load.shape).copy()

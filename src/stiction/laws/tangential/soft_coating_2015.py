@@ -42,10 +42,10 @@ from stiction.contact.indices import Groups
 from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
-from stiction.laws.tangential.shared.edge_yield import lesser, yield_resistance
-from stiction.laws.tangential.shared.lesser import Force, lesser_of
+from stiction.laws.tangential.shared.edge_yield import keep_smaller, yield_resistance
 from stiction.laws.tangential.shared.plastic_junctions import LAWS, of_whole_segment
 from stiction.laws.tangential.shared.slip_or_yield import kinks_of
+from stiction.laws.tangential.shared.smaller_force import Force, smaller_force
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw
 from stiction.records.sources import Source
 
@@ -58,7 +58,7 @@ def resistance(u, w, load, area, *row):
     """
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance(load, theta, K_beta)
-    return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+    return keep_smaller(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
 @formula
@@ -66,7 +66,7 @@ def resistance_printed(u, w, load, area, *row):
     """Return the smaller of slip-limited and yield-limited force with eq (10) as printed; row: as in `resistance`."""
     theta, eta, K_beta, nu, k = row
     slip_limited = slip_resistance_printed(area, theta, K_beta)
-    return lesser(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
+    return keep_smaller(slip_limited, yield_resistance(load, eta * area / (math.pi * k), nu))
 
 
 def tangential_resistance(
@@ -90,7 +90,7 @@ def _on_a_film(segment: NormalSegment, groups: Groups) -> TangentialResistance:
 
     resolved = groups.resolved()
     own, vanishes = peeling_columns(segment, resolved)
-    return lesser_of(segment, Force(peeling_force, own), Force(edge_root, edge_columns(resolved)), vanishes)
+    return smaller_force(segment, Force(peeling_force, own), Force(edge_root, edge_columns(resolved)), vanishes)
 
 
 def grip_printed(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:

@@ -35,7 +35,7 @@ def yield_resistance(load, strength, nu):
 
 
 @formula
-def lesser(slip_limited, yield_limited):
+def keep_smaller(slip_limited, yield_limited):
     """Return both forces with the larger one set to zero, so that only the smaller, decisive one remains."""
     slips = slip_limited <= yield_limited
     return slip_limited if slips else 0.0, 0.0 if slips else yield_limited

@@ -48,7 +48,7 @@ def residual(w_max, load_max, area_max):
 
 
 @formula
-def let_go(w, w_max, w_res, load_max, area_max):
+def unloading_response(w, w_max, w_res, load_max, area_max):
     """Return load and area at the displacement w <= w_max of an asperity in unloading; both are 0 below w_res.
 
     w_max, load_max, area_max: values at the turning point, where unloading begins. w_res: displacement that remains. With
@@ -81,7 +81,7 @@ def _overshoots(state):
 
 
 @cache
-def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
+def _unloading_formulas(normal: Callable, coordinate: Callable, parameters: int) -> tuple[Any, Any]:
     """Return the formulas `normal` and `coordinate` of an asperity after unloading, built from those of its loading law.
 
     parameters: number of parameters of the loading law. Two parameters follow them: the increase in separation, and the
@@ -96,7 +96,7 @@ def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple
         """
         w_max, stretch, load_max, area_max = normal(row[parameters + 1] + v * v, *row[:parameters])
         w = w_max - row[parameters]
-        load, area = let_go(w, w_max, residual(w_max, load_max, area_max), load_max, area_max)
+        load, area = unloading_response(w, w_max, residual(w_max, load_max, area_max), load_max, area_max)
         return w, 2.0 * v * stretch, load, area
 
     @formula
@@ -107,7 +107,7 @@ def _let_go_by(normal: Callable, coordinate: Callable, parameters: int) -> tuple
 
 
 @cache
-def _freeing(normal: Callable, parameters: int) -> Any:
+def _contact_loss(normal: Callable, parameters: int) -> Any:
     @formula
     def lost_contact(u, arguments):
         row, distance = arguments
@@ -141,7 +141,7 @@ def _freeing(normal: Callable, parameters: int) -> Any:
 
 
 @cache
-def _clamping(normal: Callable, parameters: int) -> Any:
+def _residual_limit(normal: Callable, parameters: int) -> Any:
     @formula
     def clamped(u, row):
         return _overshoots(normal(u, *row))
@@ -162,7 +162,7 @@ def _clamping(normal: Callable, parameters: int) -> Any:
     return fill_clamped
 
 
-def drawn_apart(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
+def unloaded_segments(segments: list[NormalSegment], distance: np.ndarray) -> list[NormalSegment]:
     """Return the asperity law after loading and an increase of the separation by `distance` (n,), over sigma.
 
     segments: the loading law of asperities without adhesion, a list of NormalSegment. Summed over heights at the separation
@@ -172,14 +172,14 @@ def drawn_apart(segments: list[NormalSegment], distance: np.ndarray) -> list[Nor
     unloaded = []
     for segment in segments:
         laws, count = len(segment.edges), len(segment.parameters)
-        released, released_coordinate = _let_go_by(segment.normal, segment.coordinate, count)
+        released, released_coordinate = _unloading_formulas(segment.normal, segment.coordinate, count)
         table, clamped, free = columns(segment.parameters, laws), np.empty(laws), np.empty(laws)
-        _clamping(segment.normal, count)(table, np.ascontiguousarray(segment.edges), clamped)
+        _residual_limit(segment.normal, count)(table, np.ascontiguousarray(segment.edges), clamped)
         first, last = segment.edges[:, 0], segment.edges[:, -1]
         parts = [within(segment, first, clamped), within(segment, clamped, last)] if (clamped > first).any() else [segment]
         for part in parts:
             edges = np.ascontiguousarray(part.edges)
-            _freeing(segment.normal, count)(far, table, edges, free)
+            _contact_loss(segment.normal, count)(far, table, edges, free)
             empty = np.isinf(free) | ~(edges[:, -1] > edges[:, 0])
             origin = np.where(empty, 0.0, free)
             edges = np.where(empty[:, None], 0.0, np.sqrt(np.maximum(edges - origin[:, None], 0.0)))

@@ -48,7 +48,9 @@ def _finding(signed: Callable, parameters: int) -> Any:
     return fill
 
 
-def turns(signed: Callable, segment: NormalSegment, parameters: tuple[np.ndarray, ...], numbers: int, most: int) -> np.ndarray:
+def sign_changes(
+    signed: Callable, segment: NormalSegment, parameters: tuple[np.ndarray, ...], numbers: int, most: int
+) -> np.ndarray:
     """Return the coordinates (n, numbers, most) at which numbers change sign along a segment.
 
     signed(u, row) returns these numbers; row: parameters of the segment, followed by `parameters` (n,). numbers: how many there

@@ -8,8 +8,8 @@ import numpy as np
 
 from stiction.engine.compiled import formula
 from stiction.laws.segment import NormalSegment, TangentialResistance
-from stiction.laws.tangential.shared.edge_yield import lesser
-from stiction.laws.tangential.shared.turns import turns
+from stiction.laws.tangential.shared.edge_yield import keep_smaller
+from stiction.laws.tangential.shared.sign_changes import sign_changes
 
 # Turns of each number that are looked for.
 _MOST = 5
@@ -31,7 +31,7 @@ def _resistance(peels: Callable, width: int, yields: Callable) -> Any:
     @formula
     def resistance(u, w, load, area, *row):
         real, force = yields(u, load, area, row[width:])
-        return lesser(peels(u, load, area, row), max(force, 0.0) if real >= 0.0 else 0.0)
+        return keep_smaller(peels(u, load, area, row), max(force, 0.0) if real >= 0.0 else 0.0)
 
     return resistance
 
@@ -56,11 +56,13 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
     return signed
 
 
-def lesser_of(segment: NormalSegment, peeling: Force, yielding: Force, kinks: np.ndarray | None = None) -> TangentialResistance:
+def smaller_force(
+    segment: NormalSegment, peeling: Force, yielding: Force, kinks: np.ndarray | None = None
+) -> TangentialResistance:
     """Return the smaller of both forces on the elastic segment of an adhesive asperity; kinks (n, k): further kinks."""
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))
-    crossings = turns(signed, segment, own, 2, _MOST)
+    crossings = sign_changes(signed, segment, own, 2, _MOST)
     branch = np.where(crossings[:, 1] > segment.edges[:, :1], crossings[:, 1], -np.inf)
     all_kinks = np.concatenate([crossings.reshape(len(crossings), -1), *([] if kinks is None else [kinks])], axis=1)
     return TangentialResistance(_resistance(peeling.formula, width, yielding.formula), own, all_kinks, branch)
