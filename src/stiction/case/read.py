@@ -54,7 +54,7 @@ class Case:
     points to solve; one is an array (n,), the other is None. They are in m and N for a Contact; for Indices they are h =
     d/sigma and the load over K R^(1/2) sigma^(3/2) per asperity. If sigma is swept, separations given over sigma are a
     labelled array. choice: the model and its options. uncertain: uncertain numbers; the subject has their nominal values.
-    uncertainty: how they are sampled. several: swept numbers by address. points: separations as the file states them.
+    uncertainty: how they are sampled. swept: swept numbers by address. points: separations as the file states them.
     """
 
     title: str

@@ -26,7 +26,7 @@ def surface(
     shortest: str | None = option('Shortest wavelength kept, e.g. "200 nm".'),
     longest: str | None = option('Longest wavelength kept, e.g. "5 um".'),
     tip_radius: str | None = option('Radius of the stylus tip, e.g. "2 um"; it limits the reliable band.'),
-    case: Path | None = option("Case file whose mu the resolution study draws, with this surface in it."),
+    case: Path | None = option("Case file: the resolution study draws its mu with this surface."),
     load: str | None = option('Load of --case, e.g. "1 N"; by default its middle load.'),
     contact: str | None = option(
         "Solve its contact at these nominal pressures over E* h' (h': rms gradient), e.g. \"0.01 0.1\"."

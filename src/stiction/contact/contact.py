@@ -56,7 +56,7 @@ class Contact(Subject):
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
         Slip over which the strength of the interface falls, and the fraction of it that stays; the slip needs the fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
-        Liquid that condenses between asperities; strengthening of the interface at rest, all three or none.
+        Liquid that condenses between asperities; ageing of the interface at rest: three numbers, all or none.
 
     Raises
     ------
@@ -338,7 +338,7 @@ class Contact(Subject):
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
-        """Return tau_0 [Pa], not capped, and the pressure coefficient of the interface; None for an unknown one.
+        """Return tau_0 [Pa], not capped by the bodies, and the pressure coefficient of the interface; None if unknown.
 
         level: quantile levels of the state of the interface, between 0 and 1; stated numbers have one value. A strength over
         hardness or shear modulus is relative to the softer touching body. Raises InputError for other levels.
@@ -385,7 +385,10 @@ class Contact(Subject):
 
     @property
     def size_effect(self):
-        """Return the largest R*/R of all bodies (see `size_effect`); None if no hardness depends on size."""
+        """Return the largest R*/R of all bodies; None if no hardness depends on size.
+
+        R*/R is the square of (hardness under asperities over hardness of large imprints), less 1.
+        """
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 

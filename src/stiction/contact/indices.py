@@ -74,8 +74,8 @@ class Indices(Subject):
         is n_H, layer_nu film_nu, coated_nu and counter_nu nu; film_friction_constant follows from strength and hardness.
     nominal_width, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : float or array, optional
         Groups that some laws use.
-    waiting, strengthening, meniscus_index, meniscus_height : float or array, optional
-        Waiting and ageing_rate, meniscus_index and meniscus_height are given together.
+    waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
+        Time at rest over the reference time, and ageing rate, both or none; groups of menisci, both or none.
 
     Raises
     ------
@@ -184,7 +184,7 @@ class Indices(Subject):
 
     @property
     def eta(self) -> Any:
-        """Return the hardness group eta = pi H sqrt(R/sigma)/K: area x at mean pressure H carries the load eta x."""
+        """Return the hardness group eta = pi H sqrt(R/sigma)/K: a normalised area x at pressure H carries the load eta x."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
@@ -283,7 +283,7 @@ class Indices(Subject):
     def film(self) -> Self:
         """Return the groups of the film as a half-space.
 
-        theta n_E/n_g and lambda n_H^4/(n_E n_g)^2, with nu and K beta of the film.
+        Its adhesion indices are theta n_E/n_g and lambda n_H^4/(n_E n_g)^2; its nu and K beta are those of the film.
 
         Source: section 2 of the 2015 paper (theory 4); n_g is an addition of this project. Forces are then normalised with
         the film's unit of force, which is n_E times smaller. Raises InputError without a film.

@@ -93,7 +93,7 @@ class Liquid(Input):
     def kelvin_radius(self):
         """Return the Kelvin radius [m], the radius of a meniscus in equilibrium with the vapour.
 
-        gamma_L V/(R_g T ln(p_s/p)) (Thomson 1871).
+        It is gamma_L V/(R_g T ln(p_s/p)), with surface tension, molar volume, gas constant and 1/humidity p_s/p (Thomson 1871).
         """
         volume = WATER if self.molar_volume is None else self.molar_volume
         return self.tension * volume / (GAS_CONSTANT * self.temperature * -np.log(self.relative_humidity))
@@ -109,15 +109,15 @@ class Liquid(Input):
 
     @property
     def height(self):
-        """Return the largest gap that a meniscus bridges [m], 2 r c."""
+        """Return the largest gap that a meniscus bridges [m]: 2 r c, with Kelvin radius r and wetting factor c."""
         return 2 * self.kelvin_radius * self.wetting
 
     @property
     def suction(self):
-        """Return the Laplace pressure of a meniscus [Pa], gamma_L/r."""
+        """Return the Laplace pressure of a meniscus [Pa]: surface tension over Kelvin radius."""
         return self.tension / self.kelvin_radius
 
     @property
     def work(self):
-        """Return the energy to separate a wetted area [J/m^2], 2 gamma_L c."""
+        """Return the energy to separate a wetted area [J/m^2]: 2 gamma_L c, with surface tension and wetting factor c."""
         return 2 * self.tension * self.wetting

@@ -40,8 +40,8 @@ class Material(Input):
     surface_energy : float [J/m^2], str with a unit, or array, optional
         Energy of a clean surface.
     characteristic_depth : float [m], str with a unit, or array, optional
-        h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a pyramid; hardness is then of large
-        imprints, and asperities find more (stiction.contact.size_effect), but for a map solved point by point.
+        h* of a hardness that grows as imprints get smaller (Nix and Gao 1998), under a pyramid. hardness is then the value of
+        large imprints; small asperities use a larger one, except on a map solved point by point.
     name : str, optional
         Name in results.
     source : str or dict, optional

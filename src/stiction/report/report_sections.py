@@ -294,7 +294,9 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
     if "uncertain_inputs" not in used:
         return ["No input of the case is uncertain, so the effect of input errors on μ is unknown."]
     lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]
-    lines.append("± is one standard deviation, a factor is one standard deviation of the logarithm, and a range is uniform.")
+    lines.append(
+        "± is one standard deviation, a factor is exp of one standard deviation of the logarithm, and a range is uniform."
+    )
     if "uncertainty" in used:
         lines.append(f"R{draws_in_words(used)[1:]} (Sobol's sequence, scrambled).")
     shares: dict[str, float] = json.loads(used.get("validity_warnings_of_points", "{}"))

@@ -114,5 +114,5 @@ def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
     if folder is not None:
         files["designed.toml"] = lambda path: path.write_text(design.case_text(folder), encoding="utf-8")
     missed = [f"Objective missed: {words}." for words in data.attrs["missed"].split("\n") if words]
-    pictures = {"design.png": picture("designs by how near they come to the objective", "design_pictures.design_figure", data)}
+    pictures = {"design.png": picture("designs, the nearest to the objective first", "design_pictures.design_figure", data)}
     return View("design", data, parts, lambda: record(data.drop_dims("evaluated"), {}), files, pictures, tuple(missed))

@@ -49,9 +49,13 @@ def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", point: Mapping
     rows = summary(claims, theta, lam)
 
     def parts() -> Iterator[Any]:
-        yield from (claims_meaning(rows), "", "Shares of the plane theta 1 to 1e4, lambda 1e-3 to 1e4, logarithmic:")
+        yield from (
+            claims_meaning(rows),
+            "",
+            "Fraction of the plane theta 1 to 1e4, lambda 1e-3 to 1e4 (logarithmic) where each claim holds:",
+        )
         yield claims_table(rows, f"theta {theta:g}\nlambda {lam:g}")
-        yield "theta and lambda of the figures are not printed in the paper: those used were chosen."
+        yield "The paper does not state theta and lambda of its figures; the values above were chosen."
 
     files = {
         "curves.csv": lambda path: write_rows(path, *curve_rows(panels)),

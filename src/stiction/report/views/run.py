@@ -32,7 +32,7 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
     """Return a table of the nominal result, its quantiles and their largest sampling error, for about twelve points."""
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:
-        return Text(f"{name} does not vary with what is uncertain", style="dim")
+        return Text(f"{name} does not vary with the uncertain inputs", style="dim")
     dim, several = points_dimension(data), varied(data)
     heads = numbers("at", "nominal", *(f"{share:.0%}" for share in data["quantile"].values), "sampling\nerror")
     rows = []

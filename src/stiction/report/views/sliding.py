@@ -37,9 +37,9 @@ def sliding_table(data: "xarray.Dataset") -> Table:
 def sliding_notes(data: "xarray.Dataset") -> Iterator[str]:
     """Yield notes on a result of `slide`, one line each."""
     used = data.attrs
-    yield f"mu: the whole contact at its strength together; {used['sliding']}"
+    yield f"mu: all contacts at full strength at once; {used['sliding']}"
     if used["residual_strength"] == 1.0:
-        yield "the force then tends to that, and the displacement is where it has come to 99 % of it"
+        yield "the tangential force approaches mu times the load; the displacement is where it reaches 99 % of that"
     yield from run_notes(data)
 
 

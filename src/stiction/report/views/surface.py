@@ -172,7 +172,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
         )
     lines += [f"spectrum and its moments: {analysis.of_spectrum}"] if analysis.of_spectrum else []
     lines += [f"{method}: {result.note}; {analysis.heights[method].reason}" for method, result in analysis.asperities.items()]
-    lines += [f"{method} found nothing: {why}" for method, why in analysis.failures.items()]
+    lines += [f"{method} found no asperities: {why}" for method, why in analysis.failures.items()]
     return notes(lines)
 
 
@@ -198,7 +198,7 @@ def roughness_notes(measured: "Measured") -> list[Table]:
     counted = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the range over all methods" if len(measured.by_method) > 1 else ""
     lines = [f"method: {measured.method}{counted}{band}"]
-    lines += [f"{name} found nothing: {why}" for name, why in measured.failures.items()]
+    lines += [f"{name} found no asperities: {why}" for name, why in measured.failures.items()]
     lines += [f"{body} body: {step}" for body, steps in measured.history.items() for step in steps]
     return notes(lines)
 
@@ -211,10 +211,11 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
         *data.attrs["scans"].splitlines(),
         f"solved: {'every point' if every == 1 else f'every {every}th point along rows and columns'}, "
         f"{float(last['points_in_shortest_wave']):.3g} points of the map per shortest wavelength, "
-        f"{float(last['longest_waves_on_a_side']):.3g} of its longest on a side, gradient {float(last['map_gradient']):.3g}",
+        f"{float(last['longest_waves_on_a_side']):.3g} longest wavelengths on a side, "
+        f"gradient {float(last['map_gradient']):.3g}",
         f"at {shown(float(last['load']), 'load', 3)}: area {shown(float(last['contact_area']), 'contact_area', 3)}, "
         f"{shown(float(last['contact_area_pixels']), 'contact_area', 3)} counted in points; "
-        f"{float(last['load_share_plastic']):.1%} of the load on points that bear the hardness",
+        f"{float(last['load_share_plastic']):.1%} of the load on points at the hardness",
     ]
     return notes(lines)
 
@@ -231,8 +232,9 @@ def contact_notes(contact: "ContactOfMap") -> list[Text]:
     yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
     of_map = contact.curve.of_map
     solved = (
-        f"contact: {yields}, h' = {contact.gradient:.3g}, {of_map['points_in_shortest_wave']:.3g} points in the shortest, "
-        f"{of_map['longest_waves_on_a_side']:.3g} of the longest waves on a side"
+        f"contact: {yields}, h' = {contact.gradient:.3g}, "
+        f"{of_map['points_in_shortest_wave']:.3g} points per shortest wavelength, "
+        f"{of_map['longest_waves_on_a_side']:.3g} longest wavelengths on a side"
     )
     lines = [
         Text(solved, style="dim"),

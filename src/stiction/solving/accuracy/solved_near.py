@@ -239,7 +239,7 @@ def squared_distance(found: Iterable[Difference]) -> np.ndarray:
 def nearest_in_words(found: Sequence[Difference], point: int, at: int) -> str:
     """Describe the largest differences between a point and one solved surface.
 
-    at: flat index of the surface. For example "the nearest has Nayak's alpha 5 where this has 24".
+    at: flat index of the surface. For example "the nearest has Nayak's alpha 5 instead of 24".
     """
     shape = np.broadcast_shapes(*(one.squared.shape[1:] for one in found))
 
