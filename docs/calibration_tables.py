@@ -22,10 +22,7 @@ sys.path.append(str(VALIDATION / "maps"))
 import score  # noqa: E402 - of the maps
 
 CONTACTS = VALIDATION / "contacts" / "results.csv"
-SETS = {
-    "first": "before", "second": "after", "third": "after, error of maps doubled", "fourth": "scatter of spots counted once",
-    "fifth": "shape in numbers", "sixth": "areas along a lay",
-}  # fmt: skip
+SETS = ("first", "second", "third", "fourth", "fifth", "sixth")  # the page lists what was corrected after each
 KNOWN = {
     "map": "the map", "kind and shape": "numbers, kind, shape", "shape": "numbers and shape", "kind": "numbers and kind",
     "numbers": "numbers alone", "finish": "Sq and the finish",
@@ -34,22 +31,22 @@ _COLOURS = (BLUE, SKY, GREY, GREEN, RED, ORANGE)
 
 
 def coverage() -> str:
-    """How often the intervals hold the solved area, before and after errors were mended."""
+    """Return the table of how often the intervals contain the solved area, for each set of maps."""
     rows = []
-    for name, when in SETS.items():
+    for name in SETS:
         scored = score.read_scored(name)
         for known, words in KNOWN.items():
             some = [row for row in scored if row["known"] == known]
-            if not some:  # not asked of that set
+            if not some:  # this set was not predicted from these inputs
                 continue
             left = score.open_rows(some)
-            rows.append((f"{name}, {when}", words, f"{len(some)}", *_cells(some), f"{len(left)}", *_cells(left)[:2]))
-    head = ("maps", "known", "areas", "50 %", "90 %", "width", "not certain", "50 %", "90 %")
+            rows.append((name, words, f"{len(some)}", *_cells(some), f"{len(left)}", *_cells(left)[:2]))
+    head = ("set", "known input", "areas", "in 50 %", "in 90 %", "width", "areas, width above 2 %", "in 50 %", "in 90 %")
     return table(head, rows)
 
 
 def by_class() -> str:
-    """The same of the last set, by state and by kind of surface: 50 %, 90 %, width."""
+    """Return the same for the last set, by state and by kind of surface: 50 %, 90 %, width."""
     scored = _mended()
     classes = [("state", value) for value in dict.fromkeys(row["state"] for row in scored)]
     classes += [("kind", value) for value in dict.fromkeys(row["kind"] for row in scored)]
@@ -58,7 +55,7 @@ def by_class() -> str:
         mine = [row for row in scored if row[column] == value]
         each = ([row for row in mine if row["known"] == known] for known in KNOWN)
         rows.append((value, *(", ".join(_cells(some)) if some else "-" for some in each)))
-    return table(("areas", *KNOWN.values()), rows)
+    return table(("state or kind", *KNOWN.values()), rows)
 
 
 def _mended() -> list[dict[str, str]]:
@@ -67,7 +64,7 @@ def _mended() -> list[dict[str, str]]:
 
 
 def by_numbers() -> str:
-    """How often the 90 % interval of a contact by numbers holds in the last two sets, and its width, by kind of surface."""
+    """Return how often the 90 % interval from numbers contains the area in the last two sets, and its width, by kind."""
     scored = [row for name in ("fifth", "sixth") for row in score.read_scored(name)]
     known = {name: words for name, words in KNOWN.items() if name not in ("map", "finish")}
     rows = []
@@ -84,7 +81,7 @@ def _cells(rows: list[dict]) -> tuple[str, str, str]:
 
 
 def contacts() -> str:
-    """Every contact with printed friction."""
+    """Return the table of all contacts with printed friction."""
     rows = [
         (
             row["contact"].replace("_", " "), row["interface"], _span(row, "printed_low", "printed_high"), row["median"],
@@ -92,16 +89,16 @@ def contacts() -> str:
         )
         for row in _contacts()
     ]  # fmt: skip
-    return table(("contact", "state", "printed", "median", "90 % interval", "held"), rows)
+    return table(("contact", "interface", "printed friction", "median", "90 % interval", "inside"), rows)
 
 
 def contacts_together() -> str:
-    """How often the intervals hold the printed friction."""
+    """Return the table of how often the intervals contain the printed friction."""
     rows = _contacts()
     widths = np.array([float(row["high_90"]) / float(row["low_90"]) for row in rows])
     held = (f"{np.mean([_held(row, level) for row in rows]):.0%}" for level in (0.5, 0.9))
     cells = (f"{len(rows)}", *held, f"{np.median(widths):.2g}", f"{np.mean(widths < 10.0):.0%}")
-    return table(("contacts", "50 %", "90 %", "width", "narrower than a factor 10"), [cells])
+    return table(("contacts", "in 50 %", "in 90 %", "median width", "width below 10"), [cells])
 
 
 def _contacts() -> list[dict[str, str]]:
@@ -123,7 +120,7 @@ TABLES: dict[str, Callable[[], str]] = {
 
 
 def figure() -> Figure:
-    """Share of areas and contacts within intervals of every level, where something is left to predict."""
+    """Draw the fraction of areas and contacts inside intervals of every level, without areas that are certain."""
     picture = Figure(figsize=(9.5, 4.6), layout="constrained")
     panels = picture.subplots(1, 2)
     levels = np.linspace(0.0, 1.0, 101)
@@ -137,11 +134,11 @@ def figure() -> Figure:
             below = np.array([float(row["draws_below"]) for row in _contacts()])
             axes.plot(levels, _within(below, levels), "k--", label="contacts with printed friction")
         axes.plot((0.0, 1.0), (0.0, 1.0), color="0.6", linewidth=1.0)
-        axes.set(xlabel="level of the interval", title="after mending" if mended else "before mending")
+        axes.set(xlabel="nominal probability of the interval", title="sixth set" if mended else "first set")
         axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
         axes.set_aspect("equal")
         finish(axes)
-    panels[0].set_ylabel("share that it holds")
+    panels[0].set_ylabel("fraction inside the interval")
     panels[1].legend(fontsize=8, loc="upper left", frameon=False)
     return picture
 
