@@ -63,7 +63,7 @@ def ways() -> str:
     """One line for each way of finding asperities, in the order of pictures."""
     rows = {model["key"]: model for model in of_kind("asperity method")}
     return table(
-        ("key", "an asperity is", "grade", "found in profiles too", "options, the default first"),
+        ("key", "an asperity is", "grade", "also in profiles", "options, the default first"),
         [
             (link(rows[key]), one.title, one.grade, "yes" if one.of_profiles else "no",
              "; ".join(options_of(rows[key])))
@@ -82,14 +82,14 @@ def options_of(model: dict) -> list[str]:
 def formats() -> str:
     """One line for each format of files."""
     rows = [(", ".join(f"`{end}`" for end in one.endings) or "any other", one.holds, one.given) for one in readers()]
-    return table(("file", "what it holds", "must be given"), rows)
+    return table(("file", "contents", "you must state"), rows)
 
 
 def overview(kind: str) -> str:
     """One line for each model of a kind."""
     names, cells = COLUMNS.get(kind, ((), lambda model: ()))
     rows = [(link(model), model["title"], model["grade"], *cells(model)) for model in of_kind(kind)]
-    return table(("key", "what it is", "grade", *names), rows)
+    return table(("key", "description", "grade", *names), rows)
 
 
 def record_of(model: dict) -> Record:
@@ -108,10 +108,10 @@ def takes(model: dict) -> tuple[str, ...]:
 
 def asperities_of(model: dict) -> str:
     """Which asperity laws a tangential or film law goes with."""
-    marked = f"those marked {', '.join(model['wants'])}" if model["wants"] else "any"
+    marked = f"with the properties {', '.join(model['wants'])}" if model["wants"] else "any"
     if not getattr(record_of(model), "own_asperity", False):
         return marked
-    return f"its own, in place of {marked}" if model["wants"] else "its own"
+    return f"its own, in place of those {marked}" if model["wants"] else "its own"
 
 
 def friction_of(model: dict) -> str:
@@ -125,7 +125,7 @@ def friction_of(model: dict) -> str:
 # What the overview of a kind has beyond key, title and grade: heads, and the cells of a row.
 COLUMNS = {
     "rough surface": (("asperity law", "tangential law", "film law"), takes),
-    "asperity": (("marked",), lambda model: (", ".join(model["traits"]),)),
+    "asperity": (("properties",), lambda model: (", ".join(model["traits"]),)),
     "tangential": (
         ("asperity laws", "of the interface"),
         lambda model: (asperities_of(model), "yes" if model["interfacial"] else ""),
@@ -165,13 +165,17 @@ def record_lines(model: dict) -> str:
     lines += [f"- Source: {source}" for source in model["source"]]
     lines += [f"- Checked against: {model['verified']}"]
     lines += [f"- Reference values: [`{name}`](../../../reference/{name})" for name in reference_tables(record)]
-    good = "Sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "Sums"
-    lines += [f"- {good} are good to: {model['accuracy']:.0e}"] if record.keyword else []
+    good = "sigma and R of wide paraboloids" if model["kind"] == "asperity method" else "sums"
+    lines += [f"- Relative error of {good}: at most {model['accuracy']:.0e}"] if record.keyword else []
     lines += [f"- Jumps {jump}" for jump in model.get("jumps", ())]
     lines += [f"- In the limit: {departure}" for departure in model.get("departures", ())]
-    lines += [f"- Only with asperity laws marked {trait}: {why}" for trait, why in model.get("wants", {}).items()]
-    lines += [f"- On a sphere, area at given load and load at given approach are off by: {one}" for one in off_by(model)]
-    lines += [f"- Marked: {', '.join(model['traits'])}"] if model.get("traits") else []
+    lines += [
+        f"- Only with asperity laws that have the property {trait}: {why}" for trait, why in model.get("wants", {}).items()
+    ]
+    lines += [
+        f"- Error on a sphere, of the area at a given load and of the load at a given approach: {one}" for one in off_by(model)
+    ]
+    lines += [f"- Properties: {', '.join(model['traits'])}"] if model.get("traits") else []
     lines += more(record)
     lines += [f"- Valid for: {rule}" for rule in model["validity"] or ["no range is stated"]]
     lines += [f"- Depends on: {', '.join(f'`{name}`' for name in model['needs'])}"] if model["needs"] else []
@@ -189,24 +193,26 @@ def more(record: Record) -> list[str]:
     """What is not in the rows of `st.models()`: what a film goes with, what a criterion says, and what a law becomes."""
     lines = []
     if isinstance(record, FilmLaw) and record.own_asperity:
-        lines.append("- Brings its own asperity law")
+        lines.append("- Has its own asperity law")
     if isinstance(record, FilmLaw) and record.tangential:
         others = "of the interface" if record.tangential == "interface" else f"`{record.tangential}`, which is built into it"
         others += " and those of a film and its body as one" * record.solved_as_one
         lines.append(f"- Only with the tangential law{'s' if record.tangential == 'interface' else ''} {others}")
     if isinstance(record, TangentialLaw) and record.layered:
-        lines.append("- Of a film and its body as one, with film laws that solve them so; else of half-spaces")
+        lines.append("- Uses the stresses of the layered body if the film law computes them, otherwise those of a half-space")
     if isinstance(record, AsperityMethod):
-        lines += ["- Of maps only"] * (not record.of_profiles)
-        lines += ["- May stand for the surface: it finds the summits of a Gaussian surface"] * record.of_summits
-        lines += ["- Theories of the whole surface take its numbers: they have the moments of the surface"] * record.of_moments
+        lines += ["- Only for maps"] * (not record.of_profiles)
+        lines += ["- Can be chosen if the user names no method: it finds the summits of a Gaussian surface"] * record.of_summits
+        lines += [
+            "- Theories without asperities use its numbers, because these have the moments of the surface"
+        ] * record.of_moments
     if isinstance(record, Criterion):
         lines += [f"- Below 1: {record.below}", f"- Above 1: {record.above}"]
     for limit in record.limits:
         values = [f"`{name}` = {value:g}" for name, value in limit.groups.items()]
         chosen = [f"`{name}` `{value}`" for name, value in limit.options.items()]
         where = f"at {', '.join(values + chosen)}" if values else "everywhere"
-        lines.append(f"- Becomes `{limit.parent}` {where}: {' and '.join(limit.quantities)} to {limit.within:.0e}")
+        lines.append(f"- Agrees with `{limit.parent}` {where}: {' and '.join(limit.quantities)} to {limit.within:.0e}")
     return lines
 
 

@@ -61,7 +61,7 @@ def _humid(humidity: float) -> Switch:
 
 def _sized(depth: str) -> Switch:
     copper = CONTACT.first.replace(characteristic_depth=depth)
-    return Switch(f"copper harder where small, h* = {depth}", contact={"first": copper, "second": copper})
+    return Switch(f"size effect of hardness, h* = {depth}", contact={"first": copper, "second": copper})
 
 
 def _waited(time: str) -> Switch:
@@ -83,25 +83,25 @@ def assumptions() -> dict[str, list[Switch]]:
     growth, stick = {"tangential": "junction_growth"}, {"tangential": "brizmer_kligerman_etsion_2007"}
     yields = {"asperity": "kogut_etsion_2002", "tangential": "kogut_etsion_2003"}
     return {
-        "plastic junctions resist": [
-            Switch("nothing: kogut_etsion_2003", yields),
-            Switch("nothing: chang_etsion_bogy_1988", {"model": "chang_etsion_bogy_1988", "asperity": "", "tangential": ""}),
-            *(Switch(f"junction growth, interface {share:.0%} of the bulk", growth, _strength(share))
+        "resistance of plastic junctions": [
+            Switch("none: kogut_etsion_2003", yields),
+            Switch("none: chang_etsion_bogy_1988", {"model": "chang_etsion_bogy_1988", "asperity": "", "tangential": ""}),
+            *(Switch(f"junction growth, tau_0 {share:.0%} of the bulk strength", growth, _strength(share))
               for share in (0.5, 0.8, 0.95)),
-            Switch("growth without end, interface 99.9 % of the bulk", {"tangential": "tabor_1959"}, _strength(0.999)),
+            Switch("growth without limit, tau_0 99.9% of the bulk strength", {"tangential": "tabor_1959"}, _strength(0.999)),
             Switch("full stick", stick),
         ],
         "interface": [
-            Switch("contaminated, 5 % of the bulk", contact=_strength(0.05)),
-            Switch("clean, as strong as the bulk, without growth", contact=_strength(1.0)),
-            Switch("clean, as strong as the bulk, with growth", growth, _strength(1.0)),
-            Switch("varies by half from junction to junction, one contact of 0.01 mm^2",
+            Switch("contaminated: tau_0 5% of the bulk strength", contact=_strength(0.05)),
+            Switch("clean: tau_0 equal to the bulk strength, without growth", contact=_strength(1.0)),
+            Switch("clean: tau_0 equal to the bulk strength, with growth", growth, _strength(1.0)),
+            Switch("tau_0 varies by 50% between junctions, contact of 0.01 mm^2",
                    contact={"strength_variation": 0.5, "nominal_area": "0.01 mm^2"}, load="10 mN", spread=True),
         ],
-        "asperities slide alone": [
-            Switch(f"one after another, {residual:.0%} kept in sliding", residual=residual) for residual in (1.0, 0.7, 0.4)
+        "simultaneous sliding": [
+            Switch(f"one after another, residual strength {residual:.0%}", residual=residual) for residual in (1.0, 0.7, 0.4)
         ],
-        "peeling, elastic": [
+        "elastic junctions that peel": [
             *(_peeling("savkoor_briggs_1977", zeta, "savkoor_briggs_1977") for zeta in (1.0, 0.1)),
             *(_peeling("waters_guduru_2010", zeta, "mode mixity, waters_guduru_2010") for zeta in (0.5, 0.1)),
         ],
@@ -174,10 +174,10 @@ def ends(some: list[Answer]) -> tuple[float, float]:
 def table() -> str:
     """Every choice, with its friction, and how much that is of the base; * where a result is outside what its laws claim."""
     lines = [
-        "| assumption, and the factor between its ends | in its place | mu | over that of the case |",
+        "| assumption: largest over smallest mu | alternative | mu | mu over mu of the case |",
         "| --- | --- | --- | --- |",
     ]
-    lines.append(f"| none | as in the case | {base():.3g} | 1 |")
+    lines.append(f"| none | the case itself | {base():.3g} | 1 |")
     for name, some in answers().items():
         low, high = ends(some)
         for at, one in enumerate(some):
@@ -208,7 +208,7 @@ def figure() -> Figure:
     for text in axes.get_yticklabels():
         text.set_fontweight("bold" if ": a factor of" in text.get_text() else "normal")
     axes.set(xscale="log", xlim=(0.5 * min(ends(some)[0] for some in answers().values()), None), ylim=(row - 0.4, -0.9))
-    axes.set(xlabel="static friction coefficient (hollow: outside what its laws claim)")
+    axes.set(xlabel="static friction coefficient (hollow: outside the range of validity)")
     axes.grid(axis="x", linewidth=0.3)
     return picture
 

@@ -35,9 +35,9 @@ def test_the_base_is_the_example():
 def test_the_assumption_of_plastic_junctions_weighs_most():
     """Three orders of magnitude and more between nothing and full stick."""
     factors = {name: np.divide(*rests.ends(some)[::-1]) for name, some in rests.answers().items()}
-    assert max(factors, key=factors.get) == "plastic junctions resist"
-    by_words = {one.words: one.mu[0] for one in rests.answers()["plastic junctions resist"]}
-    assert by_words["full stick"] > 1e3 * by_words["nothing: chang_etsion_bogy_1988"]
+    assert max(factors, key=factors.get) == "resistance of plastic junctions"
+    by_words = {one.words: one.mu[0] for one in rests.answers()["resistance of plastic junctions"]}
+    assert by_words["full stick"] > 1e3 * by_words["none: chang_etsion_bogy_1988"]
 
 
 def test_worn_heights_are_skewed_down():

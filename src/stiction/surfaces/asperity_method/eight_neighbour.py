@@ -45,7 +45,7 @@ def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
 
 RECORD = AsperityMethod(
     key="eight_neighbour",
-    title="Points of a map that are higher than all eight neighbours, with the least-squares paraboloid around each",
+    title="Points of a map that are higher than all eight neighbours; curvature of the least-squares paraboloid around each",
     label="eight-neighbour summits",
     grade="B",
     sources=(
@@ -58,7 +58,7 @@ RECORD = AsperityMethod(
     order=2,
     of_profiles=False,
     of_summits=True,
-    parameters={"fit_points": Parameter("points of the fitted paraboloid; 5 are along the two axes only", 9, tuple(FITS))},
-    notes="Plateaus are not counted. With 4 points to the shortest wave the radius is some 20 % too large, with 2 it means "
-    "little. Of a lay aslant of the scan several times too many are found.",
+    parameters={"fit_points": Parameter("points of the fitted paraboloid; 5: along the two axes only", 9, tuple(FITS))},
+    notes="Plateaus are not counted. With 4 points in the shortest wavelength the radius is about 20 % too large, with "
+    "2 points it is wrong. If a lay is oblique to the scan, two to three times too many asperities are found.",
 )

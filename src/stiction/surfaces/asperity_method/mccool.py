@@ -43,7 +43,7 @@ def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
 
 RECORD = AsperityMethod(
     key="mccool",
-    title="Summits that a Gaussian surface with the measured spectral moments has, isotropic or stretched; none is looked for",
+    title="Summits of the Gaussian surface with the measured spectral moments, isotropic or stretched; the map is not searched",
     label="moments (McCool)",
     grade="B",
     sources=(
@@ -61,6 +61,6 @@ RECORD = AsperityMethod(
             "shortest wavelength: differences span half of it; default: twice the larger pitch", None, lower=0.0
         ),
     },
-    notes="Heights are taken for Gaussian: there are averages only. Differences see less of the shortest waves than there is: "
-    "with 4 points to them the radius is 6 to 10 % too large.",
+    notes="The heights are assumed Gaussian, because only averages are known. Finite differences underestimate short "
+    "waves: with 4 points in the shortest wavelength the radius is 6 to 10 % too large.",
 )

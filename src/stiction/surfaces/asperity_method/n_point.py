@@ -83,7 +83,7 @@ def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
 
 RECORD = AsperityMethod(
     key="n_point",
-    title="Neighbouring points of a profile above a level, with the parabola of their height over their chord",
+    title="Runs of neighbouring profile points above a level; radius of the parabola through height and length of a run",
     label="n-point asperities",
     grade="C",
     sources=(
@@ -101,10 +101,10 @@ RECORD = AsperityMethod(
     order=4,
     accuracy=0.02,
     parameters={
-        "level": Parameter("over the mean plane, above which points are counted", 0.0),
+        "level": Parameter("height above the mean plane; points above it are counted", 0.0),
         "directions": DIRECTIONS,
     },
-    notes="An asperity at the level of the mean plane is a hill that carries many summits, and its radius that of the hill. "
-    "Rows of points above a level are no summits, so that N rests on a convention. The chord ends at the points below the "
-    "level: of a row of n points the radius is up to 4/n too large.",
+    notes="An asperity at the level of the mean plane is a hill with many summits, and the radius is that of the hill. "
+    "Runs of points above a level are not summits, so N follows by a convention. The length of a run is measured "
+    "between the points below the level: for a run of n points the radius is up to 4/n too large.",
 )

@@ -168,7 +168,7 @@ def _joined(heights, columns, parent, ascending, threshold):
 
 RECORD = AsperityMethod(
     key="persistence",
-    title="Hills of a map that stand out by more than a threshold, with the least-squares paraboloid around their tops",
+    title="Hills of a map that stand out by more than a threshold; curvature of the least-squares paraboloid around their tops",
     label="persistent summits",
     grade="C",
     sources=(
@@ -183,13 +183,12 @@ RECORD = AsperityMethod(
     of_profiles=False,
     parameters={
         "threshold": Parameter(
-            f"by how much a hill stands out over the saddle to a higher one; by default {100.0 * PRUNING:g} % of the largest "
-            "difference in height, Sz",
+            f"height of a hill above the saddle to a higher hill; default: {100.0 * PRUNING:g} % of the range of heights, Sz",
             None,
             lower=0.0,
             lower_included=True,
         ),
-        "fit_points": Parameter("points of the fitted paraboloid; 5 are along the two axes only", 25, tuple(FITS)),
+        "fit_points": Parameter("points of the fitted paraboloid; 5: along the two axes only", 25, tuple(FITS)),
     },
     limits=(
         Limit(
@@ -200,6 +199,7 @@ RECORD = AsperityMethod(
             {"threshold": 0.0, "fit_points": 9},
         ),
     ),
-    notes="It does not want all summits but those that stand out: fewer, higher and, where the pitch is fine, sharper. The "
-    "default threshold grows with the map, which has higher extremes, and with spikes. A plateau is one summit.",
+    notes="It finds only summits that stand out: fewer, higher and, if the pitch is fine, sharper ones than other "
+    "methods. The default threshold grows with the size of the map, which has higher extremes, and with spikes. A "
+    "plateau is one summit.",
 )

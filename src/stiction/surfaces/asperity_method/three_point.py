@@ -60,7 +60,7 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
 
 RECORD = AsperityMethod(
     key="three_point",
-    title="Points of a profile that are higher than both neighbours, with the second difference for their curvature",
+    title="Points of a profile that are higher than both neighbours; curvature by the second difference",
     label="three-point peaks",
     grade="B",
     sources=(
@@ -74,7 +74,7 @@ RECORD = AsperityMethod(
     find=three_point,
     order=1,
     parameters={"directions": DIRECTIONS},
-    notes="Peaks of profiles pass over the shoulders of summits: radii are at least 1.20 times too large. Where there are "
-    "waves shorter than the pitch, a fixed share of all points are peaks, so that N and R are of the instrument. Plateaus are "
-    "not counted. From peaks per length to N, the surface is taken for isotropic and Gaussian.",
+    notes="A profile crosses the shoulders of summits, so the radii are at least 1.20 times too large. If there are "
+    "waves shorter than the pitch, a fixed fraction of all points are peaks, so N and R depend on the instrument. "
+    "Plateaus are not counted. The conversion from peaks per length to N assumes an isotropic Gaussian surface.",
 )

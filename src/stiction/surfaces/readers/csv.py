@@ -9,10 +9,10 @@ from stiction.surfaces.raw_scan import RawScan, Reader
 from stiction.surfaces.readers.shared.text import matrix, read_text
 
 HOLDS = (
-    "a matrix of heights, rows along x, or columns x z of a profile, or x y z of points on a grid, below at most one line of "
-    "words"
+    "a matrix of heights, in which each row runs along x; or columns x z of a profile; or columns x y z of points on a grid. "
+    "One header line is allowed"
 )
-GIVEN = "of a matrix size and unit, else unit"
+GIVEN = "for a matrix size and unit, for columns the unit"
 
 
 def read(path: Path, channel) -> RawScan | None:

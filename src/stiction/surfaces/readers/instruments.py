@@ -94,7 +94,6 @@ def _channel(reader, wanted):
 READER = Reader(
     endings=(),
     read=read,
-    holds="what instruments write (.di, .sur, .al3d, .opdx, .stp and many more), as the library SurfaceTopography reads it, "
-    "whatever its name",
-    given="nothing, mostly",
+    holds="instrument files (.di, .sur, .al3d, .opdx, .stp and many more), read with the library SurfaceTopography",
+    given="usually nothing",
 )

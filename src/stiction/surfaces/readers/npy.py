@@ -23,4 +23,4 @@ def read(path: Path, channel) -> RawScan:
     return RawScan(checked(heights, path.name), "npy")
 
 
-READER = Reader(endings=(".npy",), read=read, holds="an array of heights, rows along y", given="size and unit")
+READER = Reader(endings=(".npy",), read=read, holds="an array of heights; each row runs along x", given="size and unit")

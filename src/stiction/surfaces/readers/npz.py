@@ -33,6 +33,6 @@ def read(path: Path, channel) -> RawScan:
 READER = Reader(
     endings=(".npz",),
     read=read,
-    holds="arrays of heights, rows along y; `channel` names the one to read",
+    holds="arrays of heights; each row runs along x; `channel` selects an array",
     given="size and unit",
 )

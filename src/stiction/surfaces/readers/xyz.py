@@ -27,6 +27,6 @@ def _no_positions(table: np.ndarray, notes: tuple[str, ...], name: str) -> RawSc
 READER = Reader(
     endings=(".xyz",),
     read=read,
-    holds="columns x z of a profile, or x y z of points on a grid, below at most one line of words",
+    holds="columns x z of a profile, or columns x y z of points on a grid. One header line is allowed",
     given="unit",
 )

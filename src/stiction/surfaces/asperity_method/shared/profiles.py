@@ -19,7 +19,7 @@ from stiction.surfaces.heightmap import HeightMap
 _SUMMITS_PER_PEAKS_SQUARED = 2.0 * math.pi / (3.0 * math.sqrt(3.0))  # of equation (1)
 RELATION = f"N = {_SUMMITS_PER_PEAKS_SQUARED:.4f} D_x D_y (one direction: D^2) of an isotropic Gaussian surface"
 
-DIRECTIONS = Parameter("along which the profiles run; of a single profile only x is used", "xy", ("xy", "x", "y"))
+DIRECTIONS = Parameter("directions of the profiles; a single profile has only x", "xy", ("xy", "x", "y"))
 
 
 def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
