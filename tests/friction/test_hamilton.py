@@ -246,7 +246,7 @@ def test_sum_over_heights(asperity, nu):
 
 
 def test_load_is_untouched_by_the_kinks():
-    """Hertz: Int_0^inf w^(3/2) phi(h + w) dw in parabolic cylinder functions; the last piece reaches to infinity."""
+    """Hertz: Int_0^inf w^(3/2) phi(h + w) dw in parabolic cylinder functions; the last segment reaches to infinity."""
     given, h = groups(theta=100.0, lam=[1e-3, 1.0, 40.0], nu=[0.0, 0.3, 0.45]), np.array([0.5, 1.0, 2.0])
     sums = scattered(Law(hertz.RECORD, law.RECORD).regimes(given), h, gaussian())[0]
     expected = np.exp(-h * h / 4.0) * math.gamma(2.5) * pbdv(-2.5, h)[0] / math.sqrt(2.0 * math.pi)
@@ -257,7 +257,7 @@ def test_record():
     """Found by its key; of many laws each has its own Poisson's ratio; a plastic asperity bears nothing."""
     assert of_kind(TangentialLaw)["hamilton_1983"] is law.RECORD
     rough = groups(theta=100.0, lam=40.0, nu=[0.3, 0.1, 0.3])
-    elastic, plastic = chang_etsion_bogy_1987.pieces(rough)
+    elastic, plastic = chang_etsion_bogy_1987.segments(rough)
     assert law.tangential_resistance(plastic, rough) is None
     kinks = law.tangential_resistance(elastic, rough).kinks
     assert np.all(kinks[0] == kinks[2]) and np.all(kinks[0] != kinks[1])
