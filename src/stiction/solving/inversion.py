@@ -71,6 +71,10 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
     The tension is 0, and the separation NaN, for contacts that carry no tension. Only the branch of the problem is
     searched. Source: the minimum of the load over separation (Fuller & Tabor 1975).
     """
+    if isinstance(problem, AsperitySum) and problem.heights.density is gaussian_density and len(problem.groups) == 1:
+        tension, where, holds = problem.largest_tension
+        if holds.all():
+            return tension, where
     found = separations_at(problem, np.empty((len(problem.groups), 0)))
     return found.tension, found.where
 
@@ -157,10 +161,16 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
     x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
     h[known], excess[known] = x, left
-    sums = np.full((len(of_each), *known.shape, of_each.shape[-1]), np.nan)
-    sums[:, known] = of_each
+    sums = of_each.reshape(len(of_each), *known.shape, -1) if known.all() else _where(known, of_each)
     good = holds & ~np.isnan(excess).any(axis=1)
     return Inversion(h, _relative(excess, targets, tension), tension.copy(), where.copy(), evaluations), good, sums
+
+
+def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
+    """Return sums (regimes, n, m, 5) with those (regimes, k, 5) of the known pairs (n, m), NaN elsewhere."""
+    found = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
+    found[:, known] = sums
+    return found
 
 
 def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:

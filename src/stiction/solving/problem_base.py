@@ -3,6 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, NoReturn
 
 import numpy as np
@@ -32,6 +33,11 @@ class Problem(ABC):
     coords: dict[str, Any]
     subject: Any = None
     threads: int = 1
+
+    @cached_property
+    def description(self) -> dict[str, str]:
+        """Return the attributes of results that follow from the problem alone; `results.summary_of` fills them in once."""
+        return {}
 
     @property
     def record(self) -> RoughSurface:

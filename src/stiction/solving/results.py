@@ -142,6 +142,19 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Return the attributes of a result: laws, sources, and validity warnings."""
+    if not problem.description:
+        problem.description.update(_description(subject, problem))
+    return {
+        **problem.description,
+        **_change_by_junctions(problem, tables),
+        **as_attributes(warnings_of_results(problem, tables)),
+        **measured_error.as_attributes(measured_error.measured_errors(problem, tables)),
+        **film_errors.as_attributes(problem, tables),
+    }
+
+
+def _description(subject: Subject, problem: Problem) -> dict[str, str]:
+    """Return the attributes of results that follow from the problem alone."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
     laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}
@@ -154,12 +167,8 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,
         **({"area_by": problem.way} if problem.way else {}),
-        **_change_by_junctions(problem, tables),
         "grade": max(record.grade for record in records),
         "sources": " ".join(used),
-        **as_attributes(warnings_of_results(problem, tables)),
-        **measured_error.as_attributes(measured_error.measured_errors(problem, tables)),
-        **film_errors.as_attributes(problem, tables),
         **unused.as_attributes(unused.unused_inputs(problem)),
         "remarks": "; ".join(subject.remarks()),
         "inputs": "\n".join(f"{name} = {text}" for name, text in subject.inputs()),

@@ -177,8 +177,9 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     column = column_of(problem)
     if isinstance(problem, MapProblem):
         return _of_solution(problem, load, area, most_points)
+    if why := _why_not(problem, column, load.size, most_points):
+        return _unknown(column, load.size, why)
     near_none, why = _adhesion(problem, results)
-    why = _why_not(problem, column, load.size, most_points) or why
     if why:
         return _unknown(column, load.size, why)
     place = Place.of(problem, load)
