@@ -3,14 +3,15 @@
 The tangential law gives each point its strength from its pressure; `solvers.shear` displaces the map tangentially.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stiction.laws.rough_surface.boundary_elements import shear_compliance_of
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
+from stiction.solving.moving_map import MovingMap
+from stiction.solving.moving_unlike import UnlikeBodies, are_unlike, effect_of_coupling
 from stiction.solving.on_map import MapProblem
 from stiction.solving.points import Points, coordinates_of, requested_points, solve_points
 from stiction.solving.problem_base import Problem
@@ -20,8 +21,6 @@ from stiction.solving.unused import as_attributes, unused_inputs
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.solvers.boundary_elements.solve import MapContact
-    from stiction.solvers.shear.operators import ShearOperator
     from stiction.solvers.shear.path import SlidingPath, Weakening
 
 _STEPS = 40  # of a path, where no displacements are given
@@ -44,54 +43,68 @@ class Move:
 
 def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dataset":
     """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
-    from stiction.solvers.shear.path import full_shift
-
-    contact, factors = problem.contact, problem.factors
-    residual, displacement = move.residual, move.displacement
-    weakening = _weakening(problem, residual, move.weakening_slip)
+    factors = problem.factors
+    weakening = _weakening(problem, move.residual, move.weakening_slip)
     static = solve_points(points).tables
     loads = static["load"]
-    contacts = [one for one in problem.curve(loads.reshape(-1)).contacts if one is not None]
-    if len(contacts) < loads.size:
-        raise InputError(
-            "load",
-            f"{loads.size - len(contacts)} loads without a solution",
-            "loads that the solver can solve",
-        )
-    strengths = [problem.strengths(one) for one in contacts]
-    operator = _operator(problem)
-    whole = contact.nominal_area / contacts[0].nominal_area
-    if move.tangential_force is not None:
-        displacement = _at_forces(problem, operator, strengths, contacts[0].nominal_area, move)
-    elif displacement is None:
-        displacement = _way(max(full_shift(operator, strength) for strength in strengths), weakening)
-    moved = requested_points(problem.subject, "displacement", displacement)
+    moving = _moving(problem, loads.reshape(-1))
+    moved = requested_points(problem.subject, "displacement", _displacements(problem, moving, weakening, move))
     shifts = np.atleast_1d(np.asarray(moved, dtype=float))
     if shifts.min() < 0.0:
-        raise InputError("displacement", contact.show(float(shifts.min()), "displacement"), "0 or more")
-    paths = [_path(operator, one, strength, shifts, weakening) for one, strength in zip(contacts, strengths, strict=True)]
-    ends = _ends(operator, paths, whole, residual, factors)
+        raise InputError("displacement", problem.contact.show(float(shifts.min()), "displacement"), "0 or more")
+    paths = [moving.path(index, shifts, weakening) for index in range(len(moving.contacts))]
+    whole = problem.contact.nominal_area / moving.nominal_area
+    ends = _ends(moving, paths, whole, factors) | moving.results(paths)
     if weakening is not None:
-        ends["points_in_weakening"] = _points_in_loss(problem, operator, strengths, weakening)
+        ends["points_in_weakening"] = _points_in_loss(problem, moving, weakening)
     ends = {name: values.reshape(loads.shape) for name, values in ends.items()}
     ends["largest_friction_coefficient"] = quotient(ends["largest_tangential_force"], loads)
     dims = points.dims | ({"displacement": shifts.size} if hasattr(moved, "dims") else {})
     shape = tuple(dims.values())
     curves = {
-        "tangential_force": np.array([path.array("force") for path in paths]).reshape(shape) * whole / factors["N"],
-        "sticking_share": np.array([path.array("stick") for path in paths]).reshape(shape),
+        "tangential_force": np.array([path.array("force") for path in paths]) * whole / factors["N"],
+        "sticking_share": np.array([path.array("stick") for path in paths]),
+        **{name: values * whole / factors["m^2"] for name, values in moving.curves(paths).items()},
     }
-    coords = problem.coords | coordinates_of(points.value, moved)
     if move.spring_stiffness is not None:
-        curves |= _through_spring(problem, paths, whole, shape, move.spring_stiffness)
+        curves |= _through_spring(problem, paths, whole, move.spring_stiffness)
+    curves = {name: values.reshape(shape) for name, values in curves.items()}
+    coords = problem.coords | coordinates_of(points.value, moved)
     data = labelled(problem.subject, static | ends, points.factors, points.dims, coords)
     data = data.merge(labelled(problem.subject, curves, points.factors, dims, coords))
-    data["point_state"] = (*dims, "row", "column"), _point_states(paths).reshape(*shape, *_shown(strengths[0]).shape), _STATES
+    states = _point_states(paths)
+    data["point_state"] = (*dims, "row", "column"), states.reshape(*shape, *states.shape[2:]), _STATES
     for name in {"displacement", points.name} & set(data.coords):
         data[name].attrs = problem.subject.attributes(str(name))
     known = summary_of(problem.subject, problem, static | ends)
     known |= used_by_sliding(problem, ("residual_strength", "weakening_slip"))
-    return data.assign_attrs(known | _said(known, residual, weakening, paths))
+    return data.assign_attrs(known | _said(known, moving, move.residual, weakening, paths))
+
+
+def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
+    """Return the map, solved at normalised loads (m,), that will be displaced. Raises InputError."""
+    contacts = tuple(one for one in problem.curve(loads).contacts if one is not None)
+    if len(contacts) < loads.size:
+        raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
+    if not are_unlike(problem):
+        return MovingMap.of(problem, contacts)
+    if problem.menisci:
+        change = effect_of_coupling(problem, contacts)
+        remark = f"pressure and shear are not coupled, because of the liquid: friction may be wrong by {100.0 * change:.2g} %"
+        return replace(MovingMap.of(problem, contacts), remark=remark)
+    return UnlikeBodies.of(problem, contacts)
+
+
+def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
+    """Return the displacements that are given, those at given forces, or those up to full sliding. Raises InputError."""
+    from stiction.solvers.shear.path import full_shift
+
+    if move.tangential_force is not None:
+        return _at_forces(problem, moving, move)
+    if move.displacement is not None:
+        return move.displacement
+    far = max(full_shift(moving.operator, strength) for strength in moving.strengths)
+    return _way(moving.farther * far, weakening)
 
 
 def _shown(table: np.ndarray) -> np.ndarray:
@@ -105,11 +118,7 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
     The shape is (loads, displacements, rows, columns).
     """
-    touching = [_shown(path.strength) > 0.0 for path in paths]
-    states = [
-        [one.astype(np.int8) + (one & _shown(state.slides)) for state in path.states]
-        for one, path in zip(touching, paths, strict=True)
-    ]
+    states = [[_shown(state.touching).astype(np.int8) + _shown(state.slides) for state in path.states] for path in paths]
     return np.array(states, dtype=np.int8)
 
 
@@ -144,9 +153,7 @@ def _weakening(problem: MapProblem, residual: float, slip: Any) -> "Weakening | 
     return Weakening(float(problem.subject.read(slip, "weakening_slip")), residual)
 
 
-def _at_forces(
-    problem: MapProblem, operator: "ShearOperator", strengths: list[np.ndarray], nominal_area: float, move: Move
-) -> np.ndarray:
+def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray:
     """Return the displacements [m] at forces of the whole contact. Raises InputError."""
     from stiction.solvers.shear.path import at_force
 
@@ -156,53 +163,35 @@ def _at_forces(
         raise InputError(
             "tangential_force", move.tangential_force, "no value, because strength falls with slip; give displacement instead"
         )
-    if len(strengths) != 1:
-        raise InputError("load", f"{len(strengths)} loads", "one load together with tangential_force")
-    contact, pixel = problem.contact, nominal_area / strengths[0].size
+    if type(moving) is not MovingMap:
+        raise InputError(
+            "tangential_force", move.tangential_force, "no value, because shear changes the contact; give displacement instead"
+        )
+    if len(moving.strengths) != 1:
+        raise InputError("load", f"{len(moving.strengths)} loads", "one load together with tangential_force")
+    contact, strength = problem.contact, moving.strengths[0]
     forces = np.atleast_1d(np.asarray(problem.subject.read(move.tangential_force, "tangential_force"), dtype=float))
-    most = float(strengths[0].sum()) * pixel * contact.nominal_area / nominal_area
+    most = float(strength.sum()) * moving.pixel(0) * contact.nominal_area / moving.nominal_area
     if not ((forces >= 0.0) & (forces < most)).all():
         shown = contact.show(float(forces.max()), "tangential_force"), contact.show(most, "tangential_force")
         raise InputError("tangential_force", shown[0], f"0 to less than the summed strength of the points, {shown[1]}")
-    part = nominal_area / contact.nominal_area
-    return np.array([at_force(operator, strengths[0], float(force) * part, pixel=pixel).shift for force in forces])
+    part = moving.nominal_area / contact.nominal_area
+    return np.array([at_force(moving.operator, strength, float(force) * part, pixel=moving.pixel(0)).shift for force in forces])
 
 
-def _through_spring(
-    problem: MapProblem, paths: "list[SlidingPath]", whole: float, shape: tuple[int, ...], stiffness: Any
-) -> dict[str, np.ndarray]:
+def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: float, stiffness: Any) -> dict[str, np.ndarray]:
     """Return the normalised displacement of the drive, and a mask of the states that are reached."""
     from stiction.solvers.shear.path import through_spring
 
     of_map = float(problem.subject.read(stiffness, "spring_stiffness")) / whole
     drives = [through_spring(path, of_map) for path in paths]
     return {
-        "drive_displacement": np.array([drive for drive, _ in drives]).reshape(shape) / problem.factors["m"],
-        "state_is_met": np.array([met for _, met in drives], dtype=float).reshape(shape),
+        "drive_displacement": np.array([drive for drive, _ in drives]) / problem.factors["m"],
+        "state_is_met": np.array([met for _, met in drives], dtype=float),
     }
 
 
-def _operator(problem: MapProblem) -> "ShearOperator":
-    """Return the operator that computes shear displacements of the map.
-
-    The map is one period, or a window that its mirror images continue.
-    """
-    from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
-
-    surface = problem.surface()
-    boundary = PeriodicShear if surface.periodic else MirroredShear
-    return boundary(shear_compliance_of(problem.contact), surface.heights.shape, surface.size)
-
-
-def _path(operator, one: "MapContact", strength: np.ndarray, shifts: np.ndarray, weakening) -> "SlidingPath":
-    from stiction.solvers.shear.path import slide_map
-
-    return slide_map(operator, strength, shifts.tolist(), pixel=one.nominal_area / strength.size, weakening=weakening)
-
-
-def _ends(
-    operator, paths: "list[SlidingPath]", whole: float, residual: float, factors: dict[str, Any]
-) -> dict[str, np.ndarray]:
+def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: dict[str, Any]) -> dict[str, np.ndarray]:
     """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency.
 
     The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where
@@ -210,10 +199,10 @@ def _ends(
     """
     from stiction.solvers.shear.path import stuck_stiffness
 
-    sums = np.array([path.strength.sum() * path.pixel for path in paths])
-    largest = sums if residual == 1.0 else np.array([path.peak.force * path.pixel for path in paths])
-    stiffness = np.array([stuck_stiffness(operator, path.strength > 0.0) * path.pixel for path in paths])
-    where = np.array([_nearly(path) if residual == 1.0 else path.peak.shift for path in paths])
+    sums = np.array([strength.sum() * path.pixel for strength, path in zip(moving.strengths, paths, strict=True)])
+    largest = np.array([path.largest for path in paths])
+    stiffness = np.array([stuck_stiffness(moving.operator, path.strength > 0.0) * path.pixel for path in paths])
+    where = np.array([path.peak.shift if path.limit is None else _nearly(path) for path in paths])
     return {
         "tangential_stiffness": stiffness * whole / factors["N/m"],
         "largest_tangential_force": largest * whole / factors["N"],
@@ -223,9 +212,9 @@ def _ends(
 
 
 def _nearly(path: "SlidingPath") -> float:
-    """Return the displacement [m] at which the force nearly reaches the sum of strengths; NaN if it does not."""
+    """Return the displacement [m] at which the force nearly reaches its largest value; NaN if it does not."""
     force, shift = path.array("force"), path.array("shift")
-    wanted = _NEARLY * float(path.strength.sum()) * path.pixel
+    wanted = _NEARLY * path.largest
     at = int(np.argmax(force >= wanted))
     if force[at] < wanted:
         return float("nan")
@@ -233,7 +222,7 @@ def _nearly(path: "SlidingPath") -> float:
     return float(np.interp(wanted, force[[before, at]], shift[[before, at]]))
 
 
-def _points_in_loss(problem: MapProblem, operator, strengths: list[np.ndarray], weakening: "Weakening") -> np.ndarray:
+def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakening") -> np.ndarray:
     """Return the number of points (m,) along the length over which strength is lost.
 
     It is taken where the strength is largest.
@@ -241,15 +230,19 @@ def _points_in_loss(problem: MapProblem, operator, strengths: list[np.ndarray], 
     from stiction.solvers.shear.path import weakening_length
 
     surface = problem.surface()
-    return np.array([weakening_length(operator, float(one.max()), weakening) / max(surface.pitch) for one in strengths])
+    return np.array(
+        [weakening_length(moving.operator, float(one.max()), weakening) / max(surface.pitch) for one in moving.strengths]
+    )
 
 
-def _said(known: dict[str, Any], residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]") -> dict[str, Any]:
-    """Return the attributes of the result: residual strength, and loads that did not converge."""
+def _said(
+    known: dict[str, Any], moving: MovingMap, residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]"
+) -> dict[str, Any]:
+    """Return the attributes of the result: residual strength, what is neglected, and loads that did not converge."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"
     settled = all(state.converged for path in paths for state in path.states)
-    remarks = [known["remarks"], "" if settled else "the force did not converge at some displacements"]
+    remarks = [known["remarks"], moving.remark, "" if settled else "the force did not converge at some displacements"]
     title = f"Tangential force up to sliding after {known['model']}"
     return {"title": title, "residual_strength": residual, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}

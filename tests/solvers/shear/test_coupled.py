@@ -8,6 +8,7 @@ import pytest
 from refusals import refusal
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.solve import solve_map
+from stiction.solvers.layered.waves import CoatedBody, film_function, waves
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 from stiction.solvers.shear.coupled import Coupling, at_rest, press_and_shear
 from stiction.solvers.shear.operators import FreeShear
@@ -84,7 +85,31 @@ def test_the_operator_is_that_of_cerruti_and_its_own_transpose(periodic):
         np.testing.assert_allclose(dragged, [(1.0 / count) ** 2 / (2.0 * math.pi * 0.25), 0.0], rtol=1e-3, atol=1e-12)
 
 
-def test_films_are_refused():
+def test_films_couple_as_their_material_and_as_what_is_below():
+    """Thick: M of the film's half-space; thin: of the substrate; of one material: of that, at every wave."""
+    k = np.geomspace(0.01, 30.0, 40)
+    for thickness, modulus, nu in ((1e4, 2.6, 0.3), (1e-9, 7.0, 0.2)):
+        coated = ShearCompliance((Film(thickness, 2.6, 0.3, 7.0, 0.2), RIGID)).coupling(k)
+        np.testing.assert_allclose(coated, (1.0 - 2.0 * nu) * (1.0 + nu) / modulus, rtol=1e-6)
+    same = ShearCompliance((RIGID, Film(1.0, 2.6, 0.3, 2.6, 0.3))).coupling(k)
+    np.testing.assert_allclose(same, -0.2, rtol=1e-12)
+
+
+@pytest.mark.parametrize("ratio", [0.1, 7.0])
+def test_a_film_is_moved_aside_by_pressure_as_it_is_parted_by_shear(ratio):
+    """Maxwell and Betti's reciprocity: u_x of a wave of pressure is u_z of a wave of shear, found from other derivatives."""
+    k, nu = np.geomspace(0.05, 20.0, 30), 0.35
+    found = waves(k, CoatedBody(ratio, nu, 0.1))
+    derivatives = [film_function(found, depth)[:, 1] for depth in (0.0, 1e-4, 2e-4)]
+    F1, F2 = derivatives[0][1], derivatives[0][2]
+    F3 = (-3.0 * F2 + 4.0 * derivatives[1][2] - derivatives[2][2]) / (2e-4 * k)  # towards the depth, which is k t
+    parted = 0.5 * (
+        (1.0 - nu) * (3.0 - F3) - (2.0 - nu) * (1.0 - F1)
+    )  # the first and third derivative of -z exp(-z) are -1 and -3
+    np.testing.assert_allclose(found.surface_coupling(nu), parted, atol=1e-5)
+
+
+def test_films_are_refused_on_a_map_that_ends():
     coated = ShearCompliance((Film(1.0, 2.6, 0.3, 7.0, 0.2), RIGID))
-    with refusal("film", "no film"):
-        Coupling(coated, (8, 8), (1.0, 1.0), periodic=True)
+    with refusal("film", "not periodic"):
+        Coupling(coated, (8, 8), (1.0, 1.0), periodic=False)

@@ -69,6 +69,16 @@ def edges(contact: np.ndarray, periodic: bool) -> Edges:
     return Edges(_changes(contact, periodic), _changes(contact.T, periodic))
 
 
+def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness: float) -> float:
+    """Return the contact area [m2] of a pressure map (rows, columns) [Pa], corrected for edge pixels.
+
+    It is at least the load over the hardness [Pa]. pixel: area of a point [m2]. periodic: whether the map repeats.
+    """
+    contact = pressure > 0.0
+    counted = int(np.count_nonzero(contact)) * pixel
+    return max(counted - edges(contact, periodic).excess * pixel, float(pressure.sum()) * pixel / hardness)
+
+
 def _changes(contact, periodic):
     """Count how often neighbouring points along the rows differ in contact."""
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))

@@ -21,7 +21,7 @@ from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
 from stiction.solvers.boundary_elements.limits import TOLERANCE
 from stiction.solvers.boundary_elements.map_warnings import share_at_ends, warnings_of_load, warnings_of_map
-from stiction.solvers.boundary_elements.measures import edges, rms_step
+from stiction.solvers.boundary_elements.measures import corrected_area, edges, rms_step
 from stiction.solvers.boundary_elements.menisci import Condensed, Menisci, condense
 from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import FreeBoundary, MirroredBoundary, PeriodicBoundary
@@ -294,8 +294,7 @@ def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapConta
     mean = float(solution.pressure.mean())
     plastic = int(np.count_nonzero(flows))
     sides = edges(pressure > 0.0, request.periodic)
-    least = float(pressure.sum()) * pixel / request.hardness
-    corrected = max(int(np.count_nonzero(pressure)) * pixel - sides.excess * pixel, least)
+    corrected = corrected_area(pressure, pixel, request.periodic, request.hardness)
     free = contact & ~flows
     per_area = stiffness_per_area(problem.displacement, free, pressure) if request.how.stiffness else math.nan
     wanted = problem.mean + suction * float(wetted.wet.mean())

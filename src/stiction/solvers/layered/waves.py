@@ -64,6 +64,15 @@ class Waves:
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
         return np.stack([along, 1.0 + 2.0 * self.across * np.exp(-self.x)])
 
+    def surface_coupling(self, nu: float) -> np.ndarray:
+        """Return the tangential surface displacement (m,) under a wave of unit pressure, towards the pressure.
+
+        It is multiplied by k and the shear modulus of the film: 1/2 - nu on a half-space.
+        """
+        F, _, F2, _ = _film(0.0, self.x)
+        bent, stress = np.sum(F2 * self.added[:, 0], axis=0), np.sum(F * self.added[:, 0], axis=0)
+        return 0.5 * ((1.0 - nu) * (1.0 - bent) - nu * (1.0 + stress))
+
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
     """Return the stress functions of film and body for surface tractions of wavenumbers x = k t (m,) > 0."""

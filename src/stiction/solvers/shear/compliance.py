@@ -83,14 +83,6 @@ class ShearCompliance:
         return sum(1.0 / body.shear_modulus for body in bare), sum(body.poisson / body.shear_modulus for body in bare)
 
     @property
-    def mismatch(self) -> float:
-        """Return the elastic mismatch M [1/Pa] of two bodies without films; it couples pressure and shear."""
-        first, second = (
-            (1.0 - 2.0 * body.poisson) / (2.0 * body.shear_modulus) for body in self.bodies if isinstance(body, HalfSpace)
-        )
-        return first - second
-
-    @property
     def at_zero(self) -> float:
         """Return the displacement per uniform traction [m/Pa].
 
@@ -109,13 +101,28 @@ class ShearCompliance:
         total[0], total[1] = S - N, S
         for body in self.bodies:
             if isinstance(body, Film):
-                total += _of_film(body, np.asarray(k, dtype=float))
+                total += _of_film(body, np.asarray(k, dtype=float))[:2]
+        return total
+
+    def coupling(self, k: np.ndarray) -> np.ndarray:
+        """Return M(k) [1/Pa], shape (...), for wavenumbers k > 0 [1/m], shape (...); it couples pressure and shear.
+
+        A wave of pressure p moves the faces past each other by M p/k, and a wave of shear moves them apart alike. M is 0 for
+        two equal bodies.
+        """
+        total = np.zeros(np.shape(k))
+        for sign, body in zip((1.0, -1.0), self.bodies, strict=True):
+            if isinstance(body, Film):
+                total += sign * _of_film(body, np.asarray(k, dtype=float))[2]
+            else:
+                total += sign * (1.0 - 2.0 * body.poisson) / (2.0 * body.shear_modulus)
         return total
 
 
 def _of_film(film: Film, k: np.ndarray) -> np.ndarray:
-    """Return k C_L and k C_T [1/Pa] of a film on its substrate, shape (2, ...), for wavenumbers k [1/m]."""
+    """Return k C_L, k C_T and M [1/Pa] of a film on its substrate, shape (3, ...), for wavenumbers k [1/m]."""
     coated = CoatedBody(film.plane_strain * film.far, film.poisson, film.substrate_poisson)
     values, place = np.unique(k * film.thickness, return_inverse=True)
-    relative = waves(values, coated).surface_compliances(film.poisson)
-    return relative[:, place.ravel()].reshape(2, *k.shape) * (2.0 * (1.0 + film.poisson) / film.modulus)
+    found = waves(values, coated)
+    relative = np.stack([*found.surface_compliances(film.poisson), found.surface_coupling(film.poisson)])
+    return relative[:, place.ravel()].reshape(3, *k.shape) * (2.0 * (1.0 + film.poisson) / film.modulus)

@@ -6,7 +6,9 @@ Contact Mechanics, eqs. 3.22 and 3.75; sign of q as in `compliance`)
     u_t = C q + D p,    u_z = C_n p + D^T q,    D = M/(2 pi) (x, y)/r^2 *,                                                 (1)
     M = (1 - 2 nu_1)/(2 G_1) - (1 - 2 nu_2)/(2 G_2)
 
-In Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one.
+In Fourier space D = -i M k/k^2. M is 0 for two bodies of one material, and for an incompressible body on a rigid one. For
+films M depends on k (see `compliance`). Dundurs' parameter beta is M over the sum of (1 - nu)/G.
+
 Pressure and traction are solved alternately (Panagiotopoulos 1975, Ing.-Arch. 44, 421). The pressure is solved with D^T q
 subtracted from the heights. The traction is then solved with D p subtracted from the rigid shift, and with the strength that
 this pressure gives. Iteration ends when the pressure no longer changes.
@@ -14,48 +16,58 @@ this pressure gives. Iteration ends when the pressure no longer changes.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.fft import irfft2, next_fast_len, rfft2
 
 from stiction.quantities.errors import InputError
+from stiction.solvers.boundary_elements.minimise import Problem, minimise
 from stiction.solvers.boundary_elements.operators import components
 from stiction.solvers.shear.compliance import ShearCompliance
-from stiction.solvers.shear.minimise import shear, size_of
 from stiction.solvers.shear.operators import ShearOperator
+from stiction.solvers.shear.path import SlidingPath, State, Weakening, after_step, follow, slip_step
 
 _MOST_TURNS = 60
+_PRESSED_IN = 16  # steps in which the load rises before the map is shifted
+_TOLERANCE = 1e-4  # change of the pressure in the last turn of a step
+_FREE_TURNS = 3  # before strengths are held back
+_PART = 0.3  # of the way to a new strength, for a point that has just begun or ceased to touch
+_OF_PRESSURE = 1e-6  # residual of the pressure
+_MOST_STEPS = 2000
 
 Press = Callable[[np.ndarray], np.ndarray]
 """From the displacement (rows, columns) [m] that shear adds between the faces to the pressure (rows, columns) [Pa]."""
+
+Strength = Callable[[np.ndarray], np.ndarray]
+"""From the pressure to the shear strength, both (rows, columns) [Pa]."""
 
 
 class Coupling:
     """Compute the displacements that couple pressure and shear, the operator D of (1).
 
-    The map is periodic, or free of pressure and traction outside. compliance: two bodies without films. shape: (rows,
-    columns). size: (y, x) [m]. periodic: whether the map repeats. Raises InputError for bodies with films.
+    The map is periodic, or free of pressure and traction outside. compliance: of the two bodies. shape: (rows, columns).
+    size: (y, x) [m]. periodic: whether the map repeats. beta: largest magnitude of Dundurs' parameter over all waves. Raises
+    InputError for bodies with films on a map that is not periodic.
     """
 
     def __init__(self, compliance: ShearCompliance, shape: tuple[int, int], size: tuple[float, float], *, periodic: bool):
-        if compliance.layered:
-            raise InputError(
-                "film",
-                "between bodies of different elasticity",
-                "no film, because the solver does not couple pressure and shear in films",
-            )
-        self.shape, mismatch = shape, compliance.mismatch
+        self.shape = shape
+        ky, kx = components(shape, size)
+        k = np.hypot(kx, ky)
+        k[0, 0] = math.inf
+        waves = np.where(np.isinf(k), np.min(k), k)
+        mismatch = compliance.coupling(waves)
+        self.beta = float(np.max(np.abs(mismatch) / compliance.times_k(waves)[0]))
         if periodic:
             self._grid = shape
-            ky, kx = components(shape, size)
-            square = kx**2 + ky**2
-            square[0, 0] = math.inf
-            self._symbol = [-1j * mismatch * part / square for part in (kx, ky)]
+            self._symbol = [-1j * mismatch * part / k**2 for part in (kx, ky)]
+        elif compliance.layered:
+            raise InputError("film", "on a map that is not periodic", "no film, or a map that is periodic")
         else:
             self._grid = tuple(next_fast_len(2 * count, real=True) for count in shape)
             pitch = size[0] / shape[0], size[1] / shape[1]
-            self._symbol = [mismatch * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
+            self._symbol = [float(mismatch[0, 0]) * rfft2(kernel) for kernel in _of_pixels(self._grid, pitch)]
 
     def dragged(self, pressure: np.ndarray) -> np.ndarray:
         """Return the tangential displacement [m] (2, rows, columns) caused by a pressure [Pa].
@@ -78,62 +90,150 @@ class Coupling:
         return field[..., : self.shape[0], : self.shape[1]].copy()
 
 
-@dataclass(frozen=True)
-class CoupledState:
-    """Store pressure, traction and slip of a map after one loading step.
+class Pressing:
+    """Solve the pressure of a map under a mean pressure; each solution starts from the last one.
 
-    pressure [Pa] (rows, columns). traction [Pa] and slip since first contact [m], both (2, rows, columns). stick: fraction of
-    the touching points that stick. loss: work dissipated by slip so far, summed over points [Pa m]. turns: alternating
-    iterations of pressure and traction. change: relative change of the pressure in the last iteration. converged: whether all
-    iterations ended.
+    problem: of the map without shear. pressure: first start (rows, columns) [Pa]. converged: whether all solutions did.
+    """
+
+    def __init__(self, problem: Problem, pressure: np.ndarray):
+        self._problem, self._last, self.converged = problem, pressure, True
+
+    def __call__(self, parted: np.ndarray) -> np.ndarray:
+        """Return the pressure [Pa] while shear adds a displacement [m] between the faces, both (rows, columns)."""
+        problem = replace(self._problem, heights=self._problem.heights - parted)
+        found = minimise(problem, self._last, tolerance=_OF_PRESSURE, most=_MOST_STEPS)
+        self._last, self.converged = found.pressure, self.converged and found.converged
+        return found.pressure
+
+    def under(self, share: float) -> "Pressing":
+        """Return the same map under a share of the mean pressure."""
+        return Pressing(replace(self._problem, mean=share * self._problem.mean), share * self._last)
+
+
+@dataclass(frozen=True)
+class CoupledState(State):
+    """Store pressure, traction and slip of a map after one step.
+
+    pressure, strength [Pa]: (rows, columns); the strength is that of points which have not slipped. turns: alternating
+    iterations of pressure and traction. change: relative change of the pressure in the last iteration. misfit: of strengths,
+    relative to those that the pressure gives; points at the edge that would touch in every second turn cause it.
     """
 
     pressure: np.ndarray = field(repr=False)
-    traction: np.ndarray = field(repr=False)
-    slip: np.ndarray = field(repr=False)
-    stick: float
-    loss: float
+    strength: np.ndarray = field(repr=False)
     turns: int
     change: float
-    converged: bool
+    misfit: float
 
 
 def at_rest(shape: tuple[int, int]) -> CoupledState:
     """Return the state before the faces touch: no pressure, traction or slip."""
     zero = np.zeros((2, *shape))
-    return CoupledState(zero[0], zero, zero, 1.0, 0.0, 0, 0.0, True)
+    no = np.zeros(shape, dtype=bool)
+    return CoupledState(0.0, 0.0, zero, zero, zero[0], no, no, 1.0, 0.0, True, zero[0], zero[0], 0, 0.0, 0.0)
 
 
 def press_and_shear(
-    operator: ShearOperator, coupling: Coupling, state: CoupledState, press: Press,
-    strength: Callable[[np.ndarray], np.ndarray],
-    shift: Sequence[float] = (0.0, 0.0), *, tolerance: float = 1e-5, most: int = 2000,
+    operator: ShearOperator, coupling: Coupling, state: CoupledState, press: Press, strength: Strength,
+    shift: Sequence[float] = (0.0, 0.0), *, weakening: Weakening | None = None, tolerance: float = 1e-5,
+    most: int = _MOST_STEPS,
 ) -> CoupledState:  # fmt: skip
     """Return the next state after pressing again, at a rigid shift (x, y) [m] measured from first contact.
 
     press: returns the pressure for a given normal displacement due to shear. strength: returns the shear strength for a given
-    pressure [Pa]. tolerance: largest relative change of the pressure in the last iteration. most: largest number of steps of
-    the traction solver. Points without contact follow the faces, so that slip starts anew when they touch.
+    pressure [Pa]. weakening: how strength falls with slip; None for constant strength. tolerance: largest relative change of
+    the pressure in the last iteration. most: largest number of steps of the traction solver. Points without contact follow
+    the faces, so that slip starts anew when they touch.
     """
-    traction, before = state.traction, state.pressure
+    start, before, strengths = state, state.pressure, _Strengths()
     rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
-    for turn in range(1, _MOST_TURNS + 1):  # noqa: B007
-        pressure = press(coupling.parted(traction))
-        left = strength(pressure)
-        found = shear(operator, left, rigid - coupling.dragged(pressure), traction, tolerance=0.1 * tolerance, most=most)
+    for turn in range(1, _MOST_TURNS + 1):
+        pressure = press(coupling.parted(start.traction))
+        full, moved = strengths.next(strength(pressure)), rigid - coupling.dragged(pressure)
+        step = slip_step(operator, full, weakening, start, moved, 0.1 * tolerance, most)
         change = float(np.abs(pressure - before).sum() / pressure.sum())
-        traction, before = found.traction, pressure
-        if change <= tolerance:
+        start, before = replace(start, traction=step.found.traction), pressure
+        if change <= tolerance and turn > 1:  # the first pressure does not know the new traction
             break
-    touching = left > 0.0
-    sliding = touching & (size_of(traction) >= left * (1.0 - 1e-9))
+    touching = full > 0.0
     # Where faces are apart they take up no load, and slip freely: what they have moved by counts when they touch.
-    apart = np.where(touching, found.slip, rigid - coupling.dragged(pressure) - operator(traction))
-    loss = state.loss + float(np.sum(traction * found.slip))
-    stick = 1.0 - np.count_nonzero(sliding) / np.count_nonzero(touching)
+    after = after_step(state, step, touching, moved - operator(step.found.traction))
+    after["converged"] = after["converged"] and change <= tolerance
     return CoupledState(
-        pressure, traction, state.slip + apart, stick, loss, turn, change, change <= tolerance and found.converged
+        float(shift[0]), **after, pressure=pressure, strength=full, turns=turn, change=change, misfit=strengths.misfit
     )
+
+
+class _Strengths:
+    """Follow the strength of points from turn to turn, so that the turns end.
+
+    A point has its whole strength as soon as it touches. Some points at the edge touch without it and not with it. After a
+    few turns, a point that has touched in one turn and not in the next moves only part of the way to its new strength, and
+    after the second such change it keeps the strength that it has. misfit: of all strengths, relative to those that the
+    pressure gives.
+    """
+
+    def __init__(self) -> None:
+        self._turn, self._part, self._touching, self._now = 0, np.ones(()), np.zeros((), dtype=bool), np.zeros(())
+        self.misfit = 0.0
+
+    def next(self, wanted: np.ndarray) -> np.ndarray:
+        """Return the strength of the next turn; wanted: by the pressure of this turn, both (rows, columns) [Pa]."""
+        self._turn += 1
+        touching = wanted > 0.0
+        if self._turn > _FREE_TURNS:
+            self._part = np.where(touching == self._touching, self._part, np.where(self._part == 1.0, _PART, 0.0))
+        self._touching, self._now = touching, np.where(self._part == 1.0, wanted, self._now + self._part * (wanted - self._now))
+        self.misfit = float(np.abs(self._now - wanted).sum() / wanted.sum())
+        return self._now
+
+
+def slide_coupled(
+    operator: ShearOperator, coupling: Coupling, pressing: Pressing, strength: Strength, shifts: Sequence[float], *,
+    pixel: float, weakening: Weakening | None = None,
+) -> SlidingPath:  # fmt: skip
+    """Press a map of unlike bodies, then shift it through the given rigid shifts along x [m], in their order.
+
+    The load rises in steps, because points slip already then (Spence 1968). Slip under the rising load does not weaken
+    points. pressing: under the whole load. strength, weakening: as in `press_and_shear`. pixel: area of a point [m2].
+    """
+    state = at_rest(coupling.shape)
+    for step in range(1, _PRESSED_IN + 1):
+        press = pressing.under((step / _PRESSED_IN) ** 2)
+        state = press_and_shear(operator, coupling, state, press, strength, tolerance=_TOLERANCE)
+    start = replace(state, slipped=np.zeros(coupling.shape), loss=0.0)
+
+    def advance(state: CoupledState, shift: float) -> CoupledState:
+        if shift == state.shift:
+            return state  # points at their strength stay there: solved anew, rounding decides whether they stick
+        return press_and_shear(
+            operator, coupling, state, pressing, strength, (shift, 0.0), weakening=weakening, tolerance=_TOLERANCE
+        )
+
+    states, peak = follow(advance, start, shifts, finer=weakening is not None, keep_maps=False)
+    limit = None
+    if weakening is None:
+        limit, settled = force_when_all_slide(coupling, pressing, strength, states[-1].pressure)
+        states = (*states[:-1], replace(states[-1], converged=states[-1].converged and settled))
+    return SlidingPath(states, peak, start.strength, pixel, limit)
+
+
+def force_when_all_slide(
+    coupling: Coupling, pressing: Pressing, strength: Strength, pressure: np.ndarray
+) -> tuple[float, bool]:  # fmt: skip
+    """Return the sum of strengths [Pa] when every point slides along x, and whether its iteration converged.
+
+    The pressure is the one that this shear brings. pressure: first guess (rows, columns) [Pa].
+    """
+    strengths, change = _Strengths(), math.inf
+    for _ in range(_MOST_TURNS):
+        full = strengths.next(strength(pressure))
+        now = pressing(coupling.parted(np.stack([full, np.zeros_like(full)])))
+        change, pressure = float(np.abs(now - pressure).sum() / now.sum()), now
+        if change <= _TOLERANCE:
+            break
+    return float(full.sum()), change <= _TOLERANCE and pressing.converged
 
 
 def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:

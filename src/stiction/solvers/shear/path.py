@@ -7,6 +7,7 @@ equilibrium. If the force drops abruptly at one shift, the contact has ruptured,
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 import numpy as np
 from scipy.optimize import brentq
@@ -20,6 +21,7 @@ MOST_STEPS = 2000
 _MOST_TURNS = 400
 _SETTLED = 1e-3  # change of the strength of a point within a turn, over its first strength
 _TURNING = 1e-4  # residual of the traction while strengths are found; with 1e-6 peaks change by 1e-5
+_NONE = np.empty(0)  # in place of a map that is not kept
 _FINER = 8  # steps between the neighbours of the largest force
 
 SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
@@ -59,9 +61,9 @@ class State:
     """Store the state of a map at one rigid shift.
 
     shift [m]. force: along x, sum of the traction over points [Pa]. traction [Pa] and slip since the start [m], both
-    (components, rows, columns). slipped: length of the slip path of each point [m], and slides: whether the point is at its
-    strength, both (rows, columns). stick: fraction of the touching points that stick. loss: work dissipated by slip so far,
-    summed over points [Pa m]. converged: whether all iterations ended.
+    (components, rows, columns). slipped: length of the slip path of each point [m], slides: whether the point is at its
+    strength, touching: whether it is in contact, all (rows, columns). stick: fraction of the touching points that stick.
+    loss: work dissipated by slip so far, summed over points [Pa m]. converged: whether all iterations ended.
     """
 
     shift: float
@@ -70,27 +72,38 @@ class State:
     slip: np.ndarray = field(repr=False)
     slipped: np.ndarray = field(repr=False)
     slides: np.ndarray = field(repr=False)
+    touching: np.ndarray = field(repr=False)
     stick: float
     loss: float
     converged: bool
+
+
+StateT = TypeVar("StateT", bound=State)
 
 
 @dataclass(frozen=True)
 class SlidingPath:
     """Store the states of a map at all rigid shifts, and the state with the largest force.
 
-    strength: (rows, columns) [Pa]. pixel: area of a point [m2].
+    strength: of points before the shift (rows, columns) [Pa]. pixel: area of a point [m2]. limit: force that the map tends to
+    at large shifts if strength does not fall with slip, summed over points [Pa]; otherwise None.
     """
 
     states: tuple[State, ...]
     peak: State
     strength: np.ndarray = field(repr=False)
     pixel: float
+    limit: float | None = None
 
     @property
     def efficiency(self) -> float:
-        """Return the largest force divided by the sum of all strengths."""
+        """Return the largest force of all states divided by the sum of all strengths."""
         return self.peak.force / float(self.strength.sum())
+
+    @property
+    def largest(self) -> float:
+        """Return the largest force [N]; if strength does not fall with slip, at least the force that the map tends to."""
+        return max(self.peak.force, self.limit or 0.0) * self.pixel
 
     def array(self, name: str) -> np.ndarray:
         """Return the named value of all states: shift [m], stick [1], force [N] or loss [J]."""
@@ -163,13 +176,13 @@ def weakening_length(operator: ShearOperator, strength: float, weakening: Weaken
 def slide_map(
     operator: ShearOperator, strength: np.ndarray, shifts: Sequence[float], *, pixel: float,
     weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,
-    done: Callable[[State], None] | None = None,
+    keep_maps: bool = True, done: Callable[[State], None] | None = None,
 ) -> SlidingPath:  # fmt: skip
     """Shift a map through the given rigid shifts, in their order, starting without traction.
 
     strength: (rows, columns) [Pa], 0 outside of contact. shifts: along x [m]. pixel: area of a point [m2]. weakening: how
     strength falls with slip; None for constant strength. directions: 1 neglects the traction across the sliding direction, 2
-    includes it. tolerance, most_steps: of the traction solver at each shift. done: called with each state. With weakening,
+    includes it. tolerance, most_steps: of the traction solver at each shift. keep_maps, done: as in `follow`. With weakening,
     the steps around the largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not
     finite, or all 0.
     """
@@ -180,29 +193,62 @@ def slide_map(
         raise InputError("directions", directions, "1 or 2")
 
     def advance(state: State, shift: float) -> State:
-        return _advance(operator, strength, weakening, state, shift, tolerance, most_steps)
+        moved = np.zeros_like(state.slip)
+        moved[0] = shift
+        moved -= state.slip
+        step = slip_step(operator, strength, weakening, state, moved, tolerance, most_steps)
+        return State(shift, **after_step(state, step, touching))
 
-    zero = np.zeros((directions, *strength.shape))
-    states = [State(0.0, 0.0, zero, zero, np.zeros_like(strength), strength < 0.0, 1.0, 0.0, True)]
-    for shift in shifts:
-        states.append(advance(states[-1], float(shift)))
+    touching, zero = strength > 0.0, np.zeros((directions, *strength.shape))
+    start = State(0.0, 0.0, zero, zero, np.zeros_like(strength), strength < 0.0, touching, 1.0, 0.0, True)
+    states, peak = follow(advance, start, shifts, finer=weakening is not None, keep_maps=keep_maps, done=done)
+    return SlidingPath(states, peak, strength, pixel, float(strength.sum()) if weakening is None else None)
+
+
+def follow(
+    advance: Callable[[StateT, float], StateT], start: StateT, shifts: Sequence[float], *, finer: bool,
+    keep_maps: bool = True, done: Callable[[StateT], None] | None = None,
+) -> tuple[tuple[StateT, ...], StateT]:  # fmt: skip
+    """Return the states at all rigid shifts [m], in their order, and the state with the largest force.
+
+    advance: returns the state at the next shift. start: state before the first shift. finer: whether the steps around the
+    largest force are repeated with smaller steps. keep_maps: whether states keep traction and slip. done: called with each
+    state.
+    """
+    states, state, before, peak, top = [], start, start, start, -1
+    for index, shift in enumerate(shifts):
+        last, state = state, advance(state, float(shift))
+        if state.force > peak.force:
+            before, peak, top = last, state, index
+        states.append(state if keep_maps else replace(state, traction=_NONE, slip=_NONE, slipped=_NONE))
         if done is not None:
-            done(states[-1])
-    top = max(range(len(states)), key=lambda index: states[index].force)
-    peak = states[top]
-    if weakening is not None and 0 < top < len(states) - 1:
-        state = states[top - 1]
-        for shift in np.linspace(state.shift, states[top + 1].shift, 2 * _FINER + 1)[1:-1]:
+            done(state)
+    if finer and 0 <= top < len(states) - 1:
+        state = before
+        for shift in np.linspace(before.shift, states[top + 1].shift, 2 * _FINER + 1)[1:-1]:
             state = advance(state, float(shift))
             peak = max(peak, state, key=lambda state: state.force)
-    return SlidingPath(tuple(states[1:]), peak, strength, pixel)
+    return tuple(states), peak
 
 
-def _advance(operator, strength, weakening, state: State, shift: float, tolerance: float, most: int) -> State:
-    """Return the state at the next shift, starting from the given state."""
-    moved = np.zeros_like(state.slip)
-    moved[0] = shift
-    moved -= state.slip
+@dataclass(frozen=True)
+class SlipStep:
+    """Store traction and slip of one step. left: strength after the slip (rows, columns) [Pa]. settled: of the iterations."""
+
+    found: Sheared
+    left: np.ndarray
+    settled: bool
+
+
+def slip_step(
+    operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None, state: State, moved: np.ndarray,
+    tolerance: float, most: int,
+) -> SlipStep:  # fmt: skip
+    """Return traction, slip and remaining strength of one step.
+
+    strength: of points that have not slipped (rows, columns) [Pa]. state: before the step. moved: rigid shift minus all
+    earlier slip [m] (components, rows, columns). tolerance, most: of the traction solver.
+    """
     traction, settled = state.traction, False
     left = strength if weakening is None else strength * weakening.share(state.slipped)
     turning = tolerance if weakening is None else max(tolerance, _TURNING)
@@ -221,15 +267,25 @@ def _advance(operator, strength, weakening, state: State, shift: float, toleranc
     if weakening is not None:  # points without strength slip with the faces
         bare = (strength > 0.0) & (left == 0.0)
         found = replace(found, slip=np.where(bare, moved - operator(found.traction), found.slip))
-    return _after(state, found, left, strength > 0.0, shift, settled)
+    return SlipStep(found, left, settled)
 
 
-def _after(state: State, found: Sheared, left, touching, shift: float, settled: bool) -> State:
-    """Return the new state: the solved step's slip and loss added to those of the previous state."""
-    way = np.where(touching, size_of(found.slip), 0.0)
-    sliding = touching & (size_of(found.traction) >= left * (1.0 - 1e-9))
-    stick = 1.0 - np.count_nonzero(sliding) / np.count_nonzero(touching)
-    loss = state.loss + float(np.sum(found.traction * found.slip))
-    slip = state.slip + np.where(touching, found.slip, 0.0)
-    force = float(found.traction[0].sum())
-    return State(shift, force, found.traction, slip, state.slipped + way, sliding, stick, loss, settled and found.converged)
+def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.ndarray | float = 0.0) -> dict[str, Any]:
+    """Return the attributes of the state after a step, except the shift.
+
+    state: before the step. touching: mask (rows, columns) of points in contact. apart: slip of the other points [m].
+    """
+    found, slid = step.found, size_of(step.found.slip)
+    sliding = touching & (size_of(found.traction) >= step.left * (1.0 - 1e-9))
+    count = np.count_nonzero(touching)
+    return {
+        "force": float(found.traction[0].sum()),
+        "traction": found.traction,
+        "slip": state.slip + np.where(touching, found.slip, apart),
+        "slipped": state.slipped + np.where(touching, slid, 0.0),
+        "slides": sliding,
+        "touching": touching,
+        "stick": 1.0 - np.count_nonzero(sliding) / count if count else 0.0,
+        "loss": state.loss + float(np.sum(found.traction * found.slip)),
+        "converged": step.settled and found.converged,
+    }

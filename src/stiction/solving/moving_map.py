@@ -1,0 +1,76 @@
+"""Represent a solved map that is displaced tangentially: its contacts, strengths and shear solver."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+
+from stiction.laws.rough_surface.boundary_elements import shear_compliance_of
+from stiction.solving.on_map import MapProblem
+
+if TYPE_CHECKING:
+    from stiction.solvers.boundary_elements.solve import MapContact
+    from stiction.solvers.shear.operators import ShearOperator
+    from stiction.solvers.shear.path import SlidingPath, Weakening
+    from stiction.surfaces.heightmap import HeightMap
+
+__all__ = ["MovingMap"]
+
+
+@dataclass(frozen=True)
+class MovingMap:
+    """Represent a map at several loads. Shear leaves its pressure alone, as it does for like bodies.
+
+    contacts: solved without shear, for each load. strengths: shear strength of their points (rows, columns) [Pa]. operator:
+    computes shear displacements. remark: what the solution neglects, for the user, or an empty text. farther: displacements
+    to solve by default, over the one at which every point slips if shear leaves the pressure alone.
+    """
+
+    farther: ClassVar[float] = 1.0
+
+    problem: MapProblem
+    contacts: "tuple[MapContact, ...]"
+    strengths: tuple[np.ndarray, ...]
+    operator: "ShearOperator"
+    remark: str = ""
+
+    @classmethod
+    def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "MovingMap":
+        """Return the map of solved contacts. Raises InputError without a strength of every point."""
+        strengths = tuple(problem.strengths(one) for one in contacts)
+        return cls(problem, contacts, strengths, operator_of(problem, problem.surface()))
+
+    @property
+    def nominal_area(self) -> float:
+        """Return the nominal area of the solved map [m2]."""
+        return self.contacts[0].nominal_area
+
+    def pixel(self, index: int) -> float:
+        """Return the area of a point [m2]."""
+        return self.nominal_area / self.strengths[index].size
+
+    def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
+        """Return the states of the map at all rigid shifts [m], at the load of this index."""
+        from stiction.solvers.shear.path import slide_map
+
+        strength, pixel = self.strengths[index], self.pixel(index)
+        return slide_map(self.operator, strength, shifts.tolist(), pixel=pixel, weakening=weakening, keep_maps=False)
+
+    def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
+        """Return further results of each load (m,)."""
+        return {}
+
+    def curves(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
+        """Return further results of each load and displacement (m, k); areas are those of the map."""
+        return {}
+
+
+def operator_of(problem: MapProblem, surface: "HeightMap") -> "ShearOperator":
+    """Return the operator that computes shear displacements of a map.
+
+    The map is one period, or a window that its mirror images continue.
+    """
+    from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
+
+    boundary = PeriodicShear if surface.periodic else MirroredShear
+    return boundary(shear_compliance_of(problem.contact), surface.heights.shape, surface.size)
