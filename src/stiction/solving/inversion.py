@@ -161,7 +161,7 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
     enough = np.maximum(_LEFT * np.abs(target), _ROUNDING * start.size[known])
     x, left, of_each, evaluations = _polished(problem, law, start.h[known], target, slope, enough)
     h[known], excess[known] = x, left
-    sums = of_each.reshape(len(of_each), *known.shape, -1) if known.all() else _where(known, of_each)
+    sums = of_each.reshape(len(of_each), *known.shape, of_each.shape[-1]) if known.all() else _where(known, of_each)
     good = holds & ~np.isnan(excess).any(axis=1)
     return Inversion(h, _relative(excess, targets, tension), tension.copy(), where.copy(), evaluations), good, sums
 
