@@ -42,7 +42,7 @@ plane between them:
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\nu$ Poisson's ratio. [All symbols](#1-units).
+$\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 import math

@@ -40,7 +40,7 @@ The last load agrees to $10^{-11}$ with the limiting pressure of this code, $H_G
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio;
-$\varsigma=\sqrt{\sigma/R}$. [All symbols](#1-units).
+$\varsigma=\sqrt{\sigma/R}$. Full list: [symbols](#1-units).
 """
 
 import math

@@ -28,7 +28,7 @@ $6\pi\gamma R$, where $\gamma$ is the surface energy of one surface, half the wo
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $P_c=\tfrac32\pi\gamma R$ pull-off
-force. [All symbols](#1-units).
+force. Full list: [symbols](#1-units).
 """
 
 import math

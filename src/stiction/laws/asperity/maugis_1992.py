@@ -46,7 +46,8 @@ shrunk to a point.
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion;
-$\mu_T=(R\gamma^2/(E^{*2}\varepsilon^3))^{1/3}$ Tabor parameter, $\varepsilon$ equilibrium distance. [All symbols](#1-units).
+$\mu_T=(R\gamma^2/(E^{*2}\varepsilon^3))^{1/3}$ Tabor parameter, $\varepsilon$ equilibrium distance. Full list:
+[symbols](#1-units).
 """
 
 import math

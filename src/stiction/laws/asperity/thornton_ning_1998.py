@@ -44,7 +44,7 @@ it does not grow by plastic flow.
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\eta=\pi H\sqrt{R/\sigma}/K$
 hardness group, $H$ hardness; $\lambda$ plastic adhesion index; $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress;
-$P_c=\tfrac32\pi\gamma R$ pull-off force. [All symbols](#1-units).
+$P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
 """
 
 import math

@@ -16,7 +16,7 @@ area are continuous. The authors give 54 as a lower bound of $\omega_2/\omega_1$
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. [All symbols](#1-units).
+$\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. Full list: [symbols](#1-units).
 """
 
 import math

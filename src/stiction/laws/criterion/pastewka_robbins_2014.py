@@ -9,13 +9,13 @@ $$
 \frac{h'E^*\varrho}{2\gamma}\left(\frac{h'^2}{h''\varrho}\right)^{2/3}<1
 $$
 
-$h'$ is the root mean square gradient of the surface, $h''$ the root mean square of half the Laplacian of the heights, $\gamma$
-the work of adhesion and $E^*$ the contact modulus. $\varrho$ is taken as the equilibrium distance $\varepsilon$ and must be
-short compared with $\tfrac{16}3h'^2/h''$. For asperities with the density $\rho=NR\sigma$, $\varsigma=\sqrt{\sigma/R}$, the
-adhesion index $\theta$ and the Tabor parameter $\mu_T$: $h'=\varsigma(\sqrt3/(64\rho))^{1/2}$,
-$h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$, $\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and
-$\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$; $\varsigma$ cancels. *Check*: the ratio is 14.666 at $\theta=228.041$,
-$\rho=0.0408$, $\mu_T=5.19282$. [All symbols](#1-units).
+$h'$ is the root mean square gradient of the surface, $h''$ the root mean square of half the Laplacian of the heights,
+$\gamma$ the work of adhesion and $E^*$ the contact modulus. $\varrho$ is taken as the equilibrium distance $\varepsilon$ and
+must be short compared with $\tfrac{16}3h'^2/h''$. For asperities with the density $\rho=NR\sigma$,
+$\varsigma=\sqrt{\sigma/R}$, the adhesion index $\theta$ and the Tabor parameter $\mu_T$:
+$h'=\varsigma(\sqrt3/(64\rho))^{1/2}$, $h''\sigma=\sqrt{3\pi/32}\,\varsigma^2$,
+$\varrho/\sigma=(16/9)^{1/3}\theta^{-2/3}/\mu_T$ and $\gamma/(E^*\sigma)=\tfrac43\varsigma/\theta$; $\varsigma$ cancels.
+*Check*: the ratio is 14.666 at $\theta=228.041$, $\rho=0.0408$, $\mu_T=5.19282$. Full list: [symbols](#1-units).
 """
 
 import math

@@ -1,9 +1,9 @@
 r"""Criterion for full contact by adhesion, and the effective work of adhesion: after Persson & Tosatti 2001.
 
 *Assumes*: elastic half-spaces in full contact, and small slopes. *Source*: [persson_tosatti_2001], as commonly quoted,
-derived again here. Bringing the faces together gains the work of adhesion $\gamma$ on the area of the rough face, which is
-$1+h'^2/2$ times the nominal one, and takes the elastic energy $U$ of
-[`persson_tosatti_2001`](../rough_surface/persson_tosatti_2001.py). Per nominal area the bodies are held together by
+derived again here. Full contact gains the work of adhesion $\gamma$ on the area of the rough face, which is $1+h'^2/2$ times
+the nominal area, and needs the elastic energy $U$ per nominal area of the model
+[`persson_tosatti_2001`](../rough_surface/persson_tosatti_2001.py). The effective work of adhesion per nominal area is
 
 $$
 \gamma_\mathrm{eff}=\gamma\left(1+\tfrac12\int q^2C(q)\,d^2q\right)-\frac{E^*}4\int q\,C(q)\,d^2q
@@ -11,9 +11,9 @@ $$
 $$
 
 with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$ and the contact modulus
-$E^*$. `stiction compare` prints $r$. Full contact lasts without load if $r<1$. By $\sigma$, $R$ and $N$, $U$ is the upper
-bound, and the effective work of adhesion is at least this much; by scans, the spectrum of their map gives $U$. A rough ball
-in full contact sticks like a smooth one with the work of adhesion $\gamma_\mathrm{eff}$.
+$E^*$. `stiction compare` prints $r$. Full contact lasts without load if $r<1$. For a surface given by $\sigma$, $R$ and $N$,
+$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, the spectrum of their map gives $U$. A rough ball in
+full contact sticks like a smooth one with the work of adhesion $\gamma_\mathrm{eff}$.
 
 *Check*: $E^*=2$ MPa, $\gamma=50$ mJ/m^2, waves of one wavelength with $h_\mathrm{rms}=0.1$ um, $h'=0.1$: $U/\gamma=0.1$,
 $r=0.1/1.005=0.0995$, $\gamma_\mathrm{eff}=50\cdot1.005\cdot0.9005=45.25$ mJ/m^2. *Limit*: $r\to0$ for soft or smooth bodies.
@@ -65,18 +65,18 @@ def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarr
 
 RECORD = Criterion(
     key="persson_tosatti_2001",
-    title="Full contact by adhesion: elastic energy of the roughness against the energy that adhesion gains",
+    title="Full contact by adhesion: elastic energy of flattening the roughness over the gain by adhesion",
     grade="B",
     sources=(
         Source("persson_tosatti_2001", "", "both energies of full contact, as commonly quoted"),
-        Source("nayak_1971", "", "height and gradient that belong to sigma, R and N"),
+        Source("nayak_1971", "", "height and gradient of the surface from sigma, R and N"),
     ),
     ratio=energy_ratio,
     on_map=True,
     below="full contact needs no load: per real area it takes (1 - ratio) times the work of adhesion to separate the bodies",
     above="without load the bodies are not in full contact: flattening the roughness takes more than adhesion gains",
-    verified="waves of one length and a self-affine map, in SI units",
+    verified="waves of one wavelength and a self-affine map, in SI units",
     needs=("theta", "roughness_parameter", "sharpness"),
-    notes="By sigma, R and N the ratio is an upper bound, up to three times the ratio of a rough surface; a scan gives the "
-    "ratio itself.",
+    notes="For a surface given by sigma, R and N the ratio is an upper bound, up to three times too large; for a scan it is "
+    "computed from the spectrum of its map.",
 )

@@ -18,7 +18,7 @@ thickness a rim of film around elastic contacts carries load.
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
-film thickness. [All symbols](#1-units).
+film thickness. Full list: [symbols](#1-units).
 """
 
 import math

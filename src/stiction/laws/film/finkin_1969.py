@@ -31,7 +31,7 @@ smaller than the film thickness; the law is not valid for them.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
-$n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. [All symbols](#1-units).
+$n_E$ modulus of the film over the substrate's; $\nu$ Poisson's ratio. Full list: [symbols](#1-units).
 """
 
 import math

@@ -14,7 +14,7 @@ numerically.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $\tau_0$ shear strength of the interface. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\tau_0$ shear strength of the interface. Full list: [symbols](#1-units).
 """
 
 import math

@@ -19,7 +19,7 @@ over heights.
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of adhesion; $\tau=t/\sigma$ film thickness.
-[All symbols](#1-units).
+Full list: [symbols](#1-units).
 """
 
 import math

@@ -37,7 +37,7 @@ this project's own: at a given load, $\mu$ of a rough surface is an average over
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$ over $\pi R\sigma$ of one
 asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and $K=\tfrac43E^*$ ($E^*$ contact modulus);
 $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness; $n_H$ hardness of the film over the substrate's; $\tau=t/\sigma$
-film thickness. [All symbols](#1-units).
+film thickness. Full list: [symbols](#1-units).
 """
 
 import numpy as np

@@ -59,7 +59,7 @@ $$
 Under Coulomb's law it is the contact area of the surfaces $\delta/m$ farther apart, which carry the load $P-F/f$. If the
 area is proportional to the load, as that of many rough surfaces nearly is, $A_\mathrm{stick}/A=1-F/(fP)$ follows for any
 roughness. This is the subject of [paggi_pohrt_popov_2014], whose formulas were not available; those here follow from
-[jager_1998]. [All symbols](#1-units).
+[jager_1998]. Full list: [symbols](#1-units).
 """
 
 import math

@@ -1,11 +1,11 @@
 r"""The contact of the measured map itself, solved point by point by boundary elements.
 
 *Assumes*: half-spaces without friction and with small slopes. There are no asperities and no statistics: the contact of the
-measured map is solved. *Sources*:
-[polonsky_keer_1999] for the minimum; [stanley_kato_1997] for displacements by Fourier transforms of one period, or by cosine
-transforms of a window that is continued by its mirror images; [love_1929] for a lone map, with which single spheres are
-checked; [almqvist_2007] for pressures limited to the hardness; [nogi_kato_1997] for a film; [yastrebov_2017] for the area
-that pixels add. With the pressure $p$ and the heights $h$ of the points, $C$ the compliance of both bodies:
+measured map is solved. *Sources*: [polonsky_keer_1999] for the minimisation; [stanley_kato_1997] for displacements by Fourier
+transforms of one period, or by cosine transforms of a window that is continued by its mirror images; [love_1929] for a map
+that is not periodic, used to check single spheres; [almqvist_2007] for pressures limited to the hardness; [nogi_kato_1997]
+for a film; [yastrebov_2017] for the correction of the area. With the pressure $p$ and the heights $h$ of the points, and the
+compliance $C$ of both bodies:
 
 $$
 \min_p\ \tfrac12\langle p\,Cp\rangle-\langle p\,h\rangle,\qquad 0\le p\le H,\quad \langle p\rangle=P/A_n,\qquad
@@ -18,9 +18,9 @@ friction are multiplied by the nominal area over the area of the map. The hardne
 smaller of the hardnesses of film and other body. If both bodies are coated, each has half of the thickness. The substrate does
 not yield.
 
-*Adhesion* (optional) of elastic bodies and one period: surfaces at the gap $g$ have the energy per area
-$-\gamma\,e^{-g/\varrho}$ with the work of adhesion $\gamma$ (method of [pastewka_robbins_2014]). The range $\varrho$ is 0.3
-nm, or the shortest range that the map resolves, for which $E^*\varrho^2/\gamma$ is twice the point spacing.
+*Adhesion* (optional) of elastic bodies on a periodic map: at the gap $g$ the energy per area is $-\gamma\,e^{-g/\varrho}$ with
+the work of adhesion $\gamma$ (method of [pastewka_robbins_2014]). The range $\varrho$ is 0.3 nm, or the shortest range that the
+map resolves, for which $E^*\varrho^2/\gamma$ is twice the point spacing.
 
 *Menisci* of a liquid: the suction $\gamma_\mathrm L/r$ (surface tension over radius of the meniscus) acts on every point with
 a gap below the meniscus height $2rc$ of [`equilibrium_meniscus`](#equilibrium_meniscus), like the attraction of

@@ -12,7 +12,8 @@ $\mu=\tau_0/H$, which is Bowden and Tabor's $s/p$. The law needs `interfacial_sh
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\eta=\pi H\sqrt{R/\sigma}/K$ hardness group, $H$ hardness. Full list:
+[symbols](#1-units).
 """
 
 from stiction.contact.indices import Groups

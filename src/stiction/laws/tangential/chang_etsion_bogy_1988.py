@@ -33,7 +33,8 @@ by how much $\mu$ then differs from the paper's value; the default `none` is the
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $\nu$ Poisson's ratio; $k=H/Y$ hardness over yield stress. Full list:
+[symbols](#1-units).
 """
 
 import math

@@ -55,7 +55,8 @@ and 2 ($\nu=0.4$). The load at which the axis alone yields is too large by 1.6 %
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress; $\nu$ Poisson's ratio. Full list:
+[symbols](#1-units).
 """
 
 import math

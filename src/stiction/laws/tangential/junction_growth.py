@@ -31,7 +31,7 @@ $H/Y=2.8$ (mean pressure 1.0175 $Y$, $A_s=1.805A_0$):
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $k=H/Y$ hardness over yield stress. Full list: [symbols](#1-units).
 """
 
 import math

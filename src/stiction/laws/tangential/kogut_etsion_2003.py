@@ -18,7 +18,7 @@ default `none` is the paper's assumption.
 
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
-$K=\tfrac43E^*$ ($E^*$ contact modulus); $w_c$ displacement at first yield. [All symbols](#1-units).
+$K=\tfrac43E^*$ ($E^*$ contact modulus); $w_c$ displacement at first yield. Full list: [symbols](#1-units).
 """
 
 import numpy as np

@@ -37,7 +37,7 @@ $q=s/2$), and the place of first yield: f film, i interface, b body,
 *Symbols*: displacement $w=\omega/\sigma$, load $P$ and tangential force $T$ over $KR^{1/2}\sigma^{3/2}$ and contact area $A$
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $n_H$ hardness of the film over the substrate's; $k=H/Y$ hardness over yield stress.
-[All symbols](#1-units).
+Full list: [symbols](#1-units).
 """
 
 import numpy as np

@@ -27,7 +27,7 @@ not change JKR's contact ([menga_carbone_dini_2018], [papangelo_ciavarella_2018]
 over $\pi R\sigma$ of one asperity, with its tip radius $R$, the standard deviation $\sigma$ of the heights and
 $K=\tfrac43E^*$ ($E^*$ contact modulus); $\theta=K\sigma^{3/2}/(\gamma R^{1/2})$ elastic adhesion index, $\gamma$ work of
 adhesion; $\beta$ tangential compliance of the pair of bodies, $K\beta=\tfrac83(2-\nu)/(1-\nu)$ for equal bodies;
-$P_c=\tfrac32\pi\gamma R$ pull-off force. [All symbols](#1-units).
+$P_c=\tfrac32\pi\gamma R$ pull-off force. Full list: [symbols](#1-units).
 """
 
 import math

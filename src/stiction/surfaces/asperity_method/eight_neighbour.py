@@ -49,11 +49,11 @@ RECORD = AsperityMethod(
     label="eight-neighbour summits",
     grade="B",
     sources=(
-        Source("nayak_1971", "", "the summits of a Gaussian surface, which these points are taken for"),
-        Source("greenwood_1984", "", "how what a grid sees of them depends on its pitch"),
+        Source("nayak_1971", "", "summits of a Gaussian surface; the points found are taken as such summits"),
+        Source("greenwood_1984", "", "dependence of the summits found on the pitch of the grid"),
     ),
-    verified="arrays of paraboloids and an egg crate in closed form; maxima by another library's filter and curvatures by its "
-    "least squares; Nayak's summits of Gaussian surfaces, whose waves have 8 points or more, to 7 %",
+    verified="arrays of paraboloids and an egg-crate surface in closed form; maxima and curvatures by another library; Nayak's "
+    "summits of Gaussian surfaces with 8 or more points per wavelength, to 7 %",
     find=eight_neighbour,
     order=2,
     of_profiles=False,

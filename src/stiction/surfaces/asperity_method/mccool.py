@@ -50,7 +50,8 @@ RECORD = AsperityMethod(
         Source("mccool_1986", "", "asperities from spectral moments"),
         Source("nayak_1971", "", "summits of a Gaussian surface"),
     ),
-    verified="an egg crate in closed form; generated Gaussian surfaces of known moments, isotropic to 3 % and with a lay",
+    verified="an egg-crate surface in closed form; generated Gaussian surfaces with known moments, isotropic (to 3 %) and with "
+    "a lay",
     find=mccool,
     order=5,
     validity=(Validity("roughness_parameter", LEAST_DENSITY, inf, LEAST),),

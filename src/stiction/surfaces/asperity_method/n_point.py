@@ -93,10 +93,10 @@ RECORD = AsperityMethod(
             "reconstructed: height and radius of an asperity (the abstract does not print their definitions), and the level, "
             "which is fixed here and moves with the separation there",
         ),
-        Source("nayak_1971", "", "from asperities per length to N, as of peaks: a convention"),
+        Source("nayak_1971", "", "conversion from asperities per length to N, as for peaks; a convention"),
     ),
-    verified="profiles made by hand and sinusoids in closed form; on Gaussian surfaces N is 1/alpha of that of the summits, as "
-    "Rice's and Nayak's formulas give it, to 4 %",
+    verified="profiles made by hand and sinusoids in closed form; on Gaussian surfaces N is the number of summits over alpha, "
+    "as by Rice's and Nayak's formulas, to 4 %",
     find=n_point,
     order=4,
     accuracy=0.02,

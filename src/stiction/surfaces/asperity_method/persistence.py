@@ -172,12 +172,12 @@ RECORD = AsperityMethod(
     label="persistent summits",
     grade="C",
     sources=(
-        Source("iso_25178_2_2012", "", "reconstructed: hills and Wolf pruning, as remembered; dales are left alone"),
-        Source("iso_16610_85_2013", "", "reconstructed: the same, as remembered"),
-        Source("iso_25178_3_2012", "", "reconstructed: the default threshold of 5 % of Sz, as remembered"),
+        Source("iso_25178_2_2012", "", "reconstructed from memory: hills and Wolf pruning; dales are not pruned"),
+        Source("iso_16610_85_2013", "", "reconstructed from memory: the same"),
+        Source("iso_25178_3_2012", "", "reconstructed from memory: the default threshold of 5 % of Sz"),
     ),
-    verified="its definition, tried level by level with another library, on random maps and such with a lay; arrays of "
-    "paraboloids in closed form; eight-neighbour summits where the threshold is 0",
+    verified="its definition, tested level by level with another library on random maps with and without a lay; arrays of "
+    "paraboloids in closed form; eight-neighbour summits for a threshold of 0",
     find=persistence,
     order=3,
     of_profiles=False,

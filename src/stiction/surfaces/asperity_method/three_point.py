@@ -65,12 +65,12 @@ RECORD = AsperityMethod(
     grade="B",
     sources=(
         Source("greenwood_williamson_1966", "", "asperities as points of a profile that are higher than both neighbours"),
-        Source("nayak_1971", "", "from peaks per length to summits per area"),
-        Source("whitehouse_archard_1970", "", "which share of the points are peaks"),
-        Source("greenwood_wu_2001", "", "why such peaks are no asperities"),
+        Source("nayak_1971", "", "conversion from peaks per length to summits per area"),
+        Source("whitehouse_archard_1970", "", "fraction of the points that are peaks"),
+        Source("greenwood_wu_2001", "", "why such peaks are not asperities"),
     ),
-    verified="arrays of paraboloids in closed form; the peaks of Gaussian profiles (Nayak) to 3 %; of sampled ones, the share "
-    "of the points that are peaks (Whitehouse & Archard)",
+    verified="arrays of paraboloids in closed form; peaks of Gaussian profiles (Nayak) to 3 %; the fraction of points that are "
+    "peaks in sampled profiles (Whitehouse & Archard)",
     find=three_point,
     order=1,
     parameters={"directions": DIRECTIONS},
