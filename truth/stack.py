@@ -18,7 +18,7 @@ from scipy.stats import norm
 from stiction.records.record import of_kind
 from stiction.records.registry import RoughSurface
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, quantiles
-from stiction.solving.accuracy.solved_near import Place, differences, squared_distance
+from stiction.solving.accuracy.solved_near import ContactFeatures, differences, squared_distance
 from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
 from stiction.studies.prediction.area_weights import FILE
 
@@ -167,7 +167,7 @@ def _squared(known: SolvedSet, seen: str) -> np.ndarray:
         alpha, skewness, kurtosis, lay, top = (float(known.feature(name)[at]) for name in names)
         stated = {"skewness": skewness, "kurtosis": kurtosis, "texture_aspect_ratio": 1.0 / lay}
         shape = (skewness, lay, top) if seen == "map" else None
-        place = Place(one, one, alpha * one, shape, stated=stated if seen == "shape" else {})
+        place = ContactFeatures(one, one, alpha * one, shape, stated=stated if seen == "shape" else {})
         rows.append(squared_distance(differences(known, place))[0])
     return np.array(rows)
 

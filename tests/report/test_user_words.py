@@ -11,7 +11,7 @@ from stiction.case.read import parse_case
 from stiction.quantities.errors import InputError
 from stiction.quantities.units import to_si
 from stiction.report.report_answer import answer_in_words
-from stiction.report.several_pictures import several_figure
+from stiction.report.swept_pictures import swept_figure
 from stiction.report.views.comparison import run_command
 from stiction.report.views.run import uncertain_notes
 from stiction.report.views.sensitivity import sensitivity_notes
@@ -33,8 +33,8 @@ def _words(figure):
 
 def test_a_picture_of_several_numbers_says_what_is_outside():
     data = st.solve_case(parse_case(_case(["100 nm", "200 nm"])))
-    assert "outside the range of validity" in _words(several_figure(data))
-    assert "outside the range" not in _words(several_figure(data.assign_attrs(validity_warnings="[]", outside_validity="")))
+    assert "outside the range of validity" in _words(swept_figure(data))
+    assert "outside the range" not in _words(swept_figure(data.assign_attrs(validity_warnings="[]", outside_validity="")))
 
 
 def test_draws_are_called_what_they_are():

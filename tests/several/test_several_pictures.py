@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from stiction.case.read import parse_case
-from stiction.report.several_pictures import several_figure
-from stiction.report.several_tables import several_table
+from stiction.report.swept_pictures import swept_figure
+from stiction.report.swept_tables import swept_table
 from stiction.studies.case_results import solve_case
 
 
@@ -15,7 +15,7 @@ def solved(indices, load=(0.001, 0.01), **more):
 
 def test_one_quantity_is_curves_at_each_load():
     data = solved({"theta": [20, 40, 80]})
-    against_theta, against_load = several_figure(data, "title").axes
+    against_theta, against_load = swept_figure(data, "title").axes
     assert [text.get_text() for text in against_theta.get_legend().get_texts()] == ["P = 0.001", "P = 0.01"]
     for line, at in zip(against_theta.lines, range(2), strict=True):
         np.testing.assert_array_equal(line.get_xdata(), [20, 40, 80])
@@ -26,7 +26,7 @@ def test_one_quantity_is_curves_at_each_load():
 
 def test_a_short_quantity_is_a_line_for_each_value_against_a_long_one():
     data = solved({"theta": [20, 40, 80], "lam": {"start": 1, "stop": 100, "count": 5, "spacing": "log"}})
-    first, second = several_figure(data).axes
+    first, second = swept_figure(data).axes
     for axes, place in ((first, 0), (second, 1)):
         assert axes.get_xscale() == "log" and r"\lambda" in axes.get_xlabel()
         drawn = [line.get_ydata() for line in axes.lines]
@@ -41,7 +41,7 @@ def test_a_short_quantity_is_a_line_for_each_value_against_a_long_one():
 def test_two_long_quantities_are_a_map_at_each_load():
     theta = {"start": 20, "stop": 80, "count": 7}
     data = solved({"theta": theta, "lam": {"start": 1, "stop": 100, "count": 8, "spacing": "log"}})
-    first, second, bar = several_figure(data).axes
+    first, second, bar = swept_figure(data).axes
     for axes, at in ((first, 0), (second, 1)):
         drawn = axes.collections[0].get_array()
         np.testing.assert_array_equal(np.ma.getdata(drawn), data["friction_coefficient"].values[..., at])
@@ -52,7 +52,7 @@ def test_two_long_quantities_are_a_map_at_each_load():
 def test_more_are_small_multiples_at_the_middle_load():
     film = {"n_E": [0.5, 1.0], "n_H": [0.5, 1.0], "tau": [1.0, 2.0, 4.0]}
     data = solved({"theta": [20, 40, 80, 160], **film}, load=[0.001, 0.01, 0.1])
-    *panels, _bar = several_figure(data).axes
+    *panels, _bar = swept_figure(data).axes
     assert len(panels) == 4  # of n_E and n_H; theta and tau have most values
     last = np.ma.getdata(panels[-1].collections[0].get_array())
     wanted = data["friction_coefficient"].isel(load=1, n_E=1, n_H=1).transpose("theta", "tau")
@@ -62,19 +62,19 @@ def test_more_are_small_multiples_at_the_middle_load():
 
 def test_a_model_of_contact_only_shows_the_area():
     data = solved({"theta": [20, 40]}, model="greenwood_williamson_1966", tangential="none")
-    np.testing.assert_array_equal(several_figure(data).axes[0].lines[0].get_ydata(), data["contact_area"][:, 0])
+    np.testing.assert_array_equal(swept_figure(data).axes[0].lines[0].get_ydata(), data["contact_area"][:, 0])
 
 
 def test_where_mu_is_not_defined_nothing_is_drawn():
     data = solve_case(parse_case({"indices": {"theta": [0.5, 0.6], "lam": 10}, "solve": {"separation": [3.0, 3.5]}}))
     assert not np.isfinite(data["friction_coefficient"]).any()  # adhesion pulls: the load is tensile
-    assert all(not axes.lines for axes in several_figure(data).axes)
+    assert all(not axes.lines for axes in swept_figure(data).axes)
 
 
 @pytest.mark.parametrize(("count", "rows"), [(3, 3), (100, 9)])
 def test_the_table_has_a_row_for_each_value_or_some_of_them(count, rows):
     theta = {"start": 20, "stop": 80, "count": count}
-    table = several_table(solved({"theta": theta}))
+    table = swept_table(solved({"theta": theta}))
     assert len(table.rows) == rows
     first = [row[0] for row in table.rows]
     assert (str(first[0]), str(first[-1])) == ("20", "80")

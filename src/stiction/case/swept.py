@@ -14,7 +14,7 @@ from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError, InWords, field_as
 from stiction.quantities.inputs import Input
 from stiction.quantities.table import QUANTITIES
-from stiction.quantities.units import several_in_words, to_si
+from stiction.quantities.units import to_si, values_in_words
 
 if TYPE_CHECKING:
     import xarray
@@ -123,7 +123,7 @@ class SweptNumber:
     @property
     def words(self) -> InWords:
         """Return a text with the number of values and the first and last of them."""
-        return several_in_words(self.values, self.where, self.count)
+        return values_in_words(self.values, self.where, self.count)
 
     def numbers(self) -> np.ndarray:
         """Return all values (n,) in SI units. Raises InputError for a range without count."""

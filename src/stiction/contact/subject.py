@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.inputs import Input
-from stiction.quantities.units import several_in_words
+from stiction.quantities.units import values_in_words
 
 if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
@@ -69,7 +69,7 @@ class Subject(Input):
     def require_single(self, allowed: str) -> None:
         """Raise InputError if a number of the contact is an array; allowed: the text of what is allowed."""
         for name, array in self.arrays():
-            raise InputError(name, several_in_words(array, name), allowed)
+            raise InputError(name, values_in_words(array, name), allowed)
 
     def inputs(self) -> list[tuple[str, str]]:
         """Return the dotted name and the value with its unit of every stated input."""

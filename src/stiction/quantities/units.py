@@ -87,7 +87,7 @@ def span(ends: Iterable[float], form: str = ".3g") -> str:
     return " to ".join(dict.fromkeys(format(end, form) for end in ends))
 
 
-def several_in_words(values, where: str, count: int | None = None) -> InWords:
+def values_in_words(values, where: str, count: int | None = None) -> InWords:
     """Describe several numbers where one was expected, as text: "3 numbers, 100 nm to 2 um".
 
     values: numbers in SI units. where: dotted name of the input; its last part is a key of QUANTITIES. count: how many numbers

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from stiction.quantities.sampling import spread_rows
 from stiction.quantities.units import show
 from stiction.report.pictures import BLUE, COLOURS, GREY, SKY, along, along_points, canvas, draw_band, finish, look_of
-from stiction.report.several_tables import coordinates_along, of_value, points_dimension
+from stiction.report.swept_tables import coordinates_along, of_value, points_dimension
 
 if TYPE_CHECKING:
     import xarray

@@ -47,10 +47,10 @@ class Plotting:
 
 
 def _of_solved(data: xarray.Dataset) -> str:
-    from stiction.report.several_tables import varied
+    from stiction.report.swept_tables import varied
 
     if "load" not in data.variables or ("model" not in data.attrs and "shares" not in data.attrs):
         raise InputError("result", list(data.variables), "a dataset that a function of stiction returned, e.g. st.predict")
     if varied(data):
-        return "several_pictures.several_figure"
+        return "swept_pictures.swept_figure"
     return "prediction_pictures.prediction_figure" if "level" in data.attrs else "pictures.curve_figure"

@@ -10,7 +10,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
 from stiction.report.honest_digits import rounded
-from stiction.report.several_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
+from stiction.report.swept_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.report_data import ReportData

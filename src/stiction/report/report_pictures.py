@@ -18,10 +18,10 @@ from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import panel_of_curve, panels, uncertainty_figure
 from stiction.report.prediction_pictures import first_page_figure
 from stiction.report.report_answer import value_in_words
-from stiction.report.several_pictures import several_figure
-from stiction.report.several_tables import shown_quantity
 from stiction.report.share_pictures import part_in_words, share_figure, shares_of, stacks
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
+from stiction.report.swept_pictures import swept_figure
+from stiction.report.swept_tables import shown_quantity
 from stiction.studies.report_data import ReportData
 
 if TYPE_CHECKING:
@@ -122,9 +122,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
         return  # it is on the first page
     if findings.case.is_swept:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
-        yield _picture(
-            lambda: several_figure(data), "several", f"{name.capitalize()} against the varied parameters.", wide=True
-        )
+        yield _picture(lambda: swept_figure(data), "several", f"{name.capitalize()} against the varied parameters.", wide=True)
         return
     pressing = int(np.count_nonzero(np.asarray(data["load"].values) > 0.0))
     for what, against in panels(data):

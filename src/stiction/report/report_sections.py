@@ -257,9 +257,9 @@ def curve_rows(findings: ReportData) -> Table:
     if findings.prediction is not None:
         return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
     if findings.case.is_swept:
-        from stiction.report.several_tables import several_table
+        from stiction.report.swept_tables import swept_table
 
-        return on_page(several_table(data), "Some of the combinations")
+        return on_page(swept_table(data), "Some of the combinations")
     return on_page(curve_table(data, heads=HEADS | {"touching_asperities": "touching asperities"}), "Some points of the curve")
 
 

@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import part_name
 from stiction.report.pictures import BLUE, COLOURS, ORANGE, along_points, canvas, finish, heading, look_of, say
-from stiction.report.several_tables import of_point, points_dimension
+from stiction.report.swept_tables import of_point, points_dimension
 from stiction.report.views.sensitivity import at_working_load, head_of, ranked, results_of, working_place
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from stiction.engine.regime import Regime
 from stiction.quantities.quotient import quotient
 
 
-def of_those(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
+def sum_selected(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
     """Return the sum (n, m) of the selected regimes of `parts` (regimes, n, m).
 
     chosen: whether each regime is selected.
@@ -28,7 +28,7 @@ def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
     parts: (regimes, n, m). The share is 0 where all parts are 0.
     """
     sizes = np.abs(parts)
-    return quotient(of_those(sizes, [not regime.in_half_space for regime in regimes]), sizes.sum(axis=0), 0.0)
+    return quotient(sum_selected(sizes, [not regime.in_half_space for regime in regimes]), sizes.sum(axis=0), 0.0)
 
 
 def share_without(regimes: list[Regime], loads: np.ndarray, friction: np.ndarray) -> np.ndarray:

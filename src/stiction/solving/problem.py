@@ -24,7 +24,7 @@ from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import resolve_laws
 from stiction.solving.laplace import bounded, most_pull, pull_and_bound
 from stiction.solving.on_map import MapProblem
-from stiction.solving.parts import of_those, share_beyond, share_without, states_of
+from stiction.solving.parts import share_beyond, share_without, states_of, sum_selected
 from stiction.solving.problem_base import Problem, with_coefficient
 from stiction.solving.unused import refuse_ignored_strength
 
@@ -202,18 +202,18 @@ class AsperitySum(Problem):
         results = {
             "load": total[..., LOAD],
             "contact_area": total[..., _AREA],
-            "touching_asperities": of_those(sums[..., _COUNT], [regime.touching for regime in regimes]),
+            "touching_asperities": sum_selected(sums[..., _COUNT], [regime.touching for regime in regimes]),
         }
         for state in states_of(regimes):
             chosen = [regime.state == state for regime in regimes]
             name = state.replace("-", "_")
-            results[f"load_{name}"] = of_those(loads, chosen)
-            results[f"contact_area_{name}"] = of_those(areas, chosen)
+            results[f"load_{name}"] = sum_selected(loads, chosen)
+            results[f"contact_area_{name}"] = sum_selected(areas, chosen)
         if "meniscus" in self.chosen.additions:
-            results["load_meniscus"] = of_those(loads, [regime.state == MENISCUS for regime in regimes])
+            results["load_meniscus"] = sum_selected(loads, [regime.state == MENISCUS for regime in regimes])
         bodies = ("film", "substrate") if self.chosen.film is not None else ()
         for body in bodies:
-            results[f"load_{body}"] = of_those(loads, [regime.body == body for regime in regimes])
+            results[f"load_{body}"] = sum_selected(loads, [regime.body == body for regime in regimes])
         if bodies:
             film, substrate = (np.abs(results[f"load_{body}"]) for body in bodies)
             results["load_share_substrate"] = quotient(substrate, film + substrate, 0.0)
@@ -230,7 +230,7 @@ class AsperitySum(Problem):
         results["friction_slip_limited"] = total[..., SLIP_LIMITED]
         results["friction_yield_limited"] = total[..., _YIELD_LIMITED]
         for body in bodies:
-            results[f"friction_{body}"] = of_those(friction, [regime.body == body for regime in regimes])
+            results[f"friction_{body}"] = sum_selected(friction, [regime.body == body for regime in regimes])
         if "load_share_beyond_film" in results:
             results["friction_share_beyond_film"] = share_beyond(regimes, friction)
         return results

@@ -5,7 +5,7 @@ import numpy as np
 from stiction.engine.regime import MENISCUS
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
-from stiction.solving.parts import of_those
+from stiction.solving.parts import sum_selected
 from stiction.solving.problem import LOAD, AsperitySum, Problem
 
 YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
@@ -35,4 +35,4 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     counted = [
         one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
     ]
-    return quotient(of_those(loads, counted), of_those(loads, [one.state != MENISCUS for one in regimes]), 0.0)
+    return quotient(sum_selected(loads, counted), sum_selected(loads, [one.state != MENISCUS for one in regimes]), 0.0)

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, answer_record, beside_area
 from stiction.report.files import comment_lines, record, write_csv
-from stiction.report.several_tables import several_table
+from stiction.report.swept_tables import swept_table
 from stiction.report.table import facts
 from stiction.report.tables import curve_table
 from stiction.report.view import MOST_LINES, View, lines_of, picture, regime_picture
@@ -50,7 +50,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
         return {"answer": answer_record(data), "curve": curve} | parameters
 
     if case.is_swept:
-        return _several_view(case, data, details)
+        return _swept_view(case, data, details)
     files = {"curve.csv": partial(write_csv, data[_COLUMNS], comments=_comments(case, data[_COLUMNS]))}
     pictures = {"curve.png": picture("mu with its interval", "prediction_pictures.prediction_figure", data, case.title)}
     pictures |= regime_picture(case.subject, data, case.title)
@@ -66,7 +66,7 @@ def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
     return facts(rows)
 
 
-def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
+def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
     """Return the view of the predictions for a case with array parameters."""
 
     def parts() -> Iterator[Any]:
@@ -74,10 +74,10 @@ def _several_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
             yield Text(case.title, style="bold")
         refused = f"; {data.attrs['refused']} refused" if data.attrs["refused"] else ""
         yield f"mu with its {data.attrs['level']:.0%} interval; {data.attrs['draws']} samples of each contact{refused}"
-        yield several_table(data, details)
+        yield swept_table(data, details)
 
     files = {"curve.csv": partial(write_csv, data, comments=_comments(case, data))}
-    drawn = picture("mu against what varies", "several_pictures.several_figure", data, case.title)
+    drawn = picture("mu against the varied inputs", "swept_pictures.swept_figure", data, case.title)
     return View("curve", data, parts, lambda: {"curve": record(data, {})}, files, {"curve.png": drawn}, is_brief=True)
 
 

@@ -13,7 +13,7 @@ from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
 from stiction.report.answer import model_record
 from stiction.report.files import comments_of, record, write_csv
-from stiction.report.several_tables import of_point, points_dimension, several_table, shown_quantity, varied
+from stiction.report.swept_tables import of_point, points_dimension, shown_quantity, swept_table, varied
 from stiction.report.table import Table, notes, numbers, short
 from stiction.report.tables import curve_table, in_brief, outside_validity, rows_shown, run_notes, run_summary
 from stiction.report.view import Picture, View, picture, regime_picture
@@ -99,7 +99,7 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
     def short() -> Iterator[Any]:
         yield from in_brief(case, data)
-        yield (several_table(data) if case.is_swept else curve_table(data))
+        yield (swept_table(data) if case.is_swept else curve_table(data))
 
     return View(
         "curve",
@@ -113,7 +113,7 @@ def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> Vi
 
 
 def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any]:
-    table = several_table(data, all_rows) if case.is_swept else curve_table(data, all_rows)
+    table = swept_table(data, all_rows) if case.is_swept else curve_table(data, all_rows)
     yield from (run_summary(case, data), "", table, "")
     if not all_rows and not case.is_swept and (text := rows_shown(data)):
         yield from (Text(text, style="dim"), "")
@@ -132,7 +132,7 @@ def _parts(case: "Case", data: "xarray.Dataset", all_rows: bool) -> Iterator[Any
 
 
 def _pictures(case: "Case", data: "xarray.Dataset") -> dict[str, Picture]:
-    drawn = "several_pictures.several_figure" if case.is_swept else "pictures.curve_figure"
+    drawn = "swept_pictures.swept_figure" if case.is_swept else "pictures.curve_figure"
     pictures = {"curve.png": picture("friction, contact area and load", drawn, data, case.title)}
     if not case.is_swept:
         pictures |= regime_picture(case.subject, data, case.title)

@@ -11,7 +11,7 @@ from rich.text import Text
 from stiction.laws.validity import warnings_of
 from stiction.report.answer import answer_record, headline, model_line, part_name
 from stiction.report.files import record, write_csv
-from stiction.report.several_tables import of_point, points_dimension
+from stiction.report.swept_tables import of_point, points_dimension
 from stiction.report.table import Column, Table, numbers
 from stiction.report.view import View, picture
 from stiction.report.views.prediction import plain

@@ -14,8 +14,8 @@ import numpy as np
 
 from stiction.engine.blocks import blocks
 from stiction.solving.accuracy.solved_near import (
+    ContactFeatures,
     Difference,
-    Place,
     differences,
     film_differences,
     nearest_in_words,
@@ -56,7 +56,7 @@ class ErrorsNear(NamedTuple):
     nearest: np.ndarray
 
 
-def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> ErrorsNear | None:
+def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
     """Return the errors of a model on surfaces without a film; None if the model was not measured.
 
     anywhere: True for a solution of the map, which is equally good on any surface. Then only the pressure decides how
@@ -68,13 +68,13 @@ def bare_errors(known: SolvedSet, column: str, place: Place, anywhere: bool) -> 
     return _in_blocks(place, errors.shape[0], lambda rows: _bare_errors(known, errors, place.some(rows), anywhere))
 
 
-def _in_blocks(place: Place, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
+def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
     """Join the errors of blocks of points, so that the memory stays bounded."""
     parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def _bare_errors(known: SolvedSet, errors: np.ndarray, place: Place, anywhere: bool) -> ErrorsNear:
+def _bare_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
     """Return the errors near each point from the errors of a model, (surfaces, hardnesses, pressures)."""
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
@@ -92,7 +92,7 @@ def _bare_errors(known: SolvedSet, errors: np.ndarray, place: Place, anywhere: b
     return _averaged(found, there * real * of_kind, asked * of_kind * positive[:, None], apart, presumed)
 
 
-def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
+def film_errors_near(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the measured errors near each point, for coated surfaces.
 
     errors: array (coated surfaces, films, loads). like: mask (k,) of the points whose film is of the kind that the benchmark
@@ -102,7 +102,7 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, place: Place, like: n
     return _in_blocks(place, surfaces, lambda rows: _film_errors(known, errors, place.some(rows), like[rows]))
 
 
-def _film_errors(known: SolvedSet, errors: np.ndarray, place: Place, like: np.ndarray) -> ErrorsNear:
+def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
     """Return the errors near each point on a film from the errors of a model, (surfaces, films, loads)."""
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))

@@ -16,7 +16,7 @@ from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, no_words
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
-from stiction.solving.accuracy.solved_near import FILM_SCALES, Place
+from stiction.solving.accuracy.solved_near import FILM_SCALES, ContactFeatures
 from stiction.solving.problem import Problem
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
@@ -132,7 +132,7 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))
 
 
-def shares_on_film(problem: Problem, place: Place, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the elastic area fraction, and the pressure over the flow pressure, at k points.
 
     The area law of a film computes the area as a power mean of the two.

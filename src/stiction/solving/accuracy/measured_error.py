@@ -28,7 +28,7 @@ from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
 from stiction.solving.accuracy.film_errors import on_solved_maps, shares_on_film
-from stiction.solving.accuracy.solved_near import Place
+from stiction.solving.accuracy.solved_near import ContactFeatures
 from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.on_map import MapProblem
 from stiction.solving.problem import ClosedFormProblem
@@ -182,7 +182,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
     near_none, why = _adhesion(problem, results)
     if why:
         return _unknown(column, load.size, why)
-    place = Place.of(problem, load)
+    place = ContactFeatures.of(problem, load)
     found = _near(problem, column, place, load.size // len(problem.groups), area)
     if found is None:
         kind = "" if place.kind is None else f" on {place.kind} surfaces"
@@ -205,7 +205,7 @@ def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_po
 def _of_solution(problem: MapProblem, load: np.ndarray, area: np.ndarray, most_points: float) -> MeasuredErrors:
     """Return the errors of a solution on the map itself: the discretisation error and the error of the sample."""
     surface = problem.surface()
-    place = Place.of(problem, load, surface)
+    place = ContactFeatures.of(problem, load, surface)
     there = np.where(np.isfinite(area.ravel()), 0.0, np.nan)
     own, nothing = there + _own_error(surface, _share(problem, area), every_point=True), np.zeros(load.size)
     levels = _widened(there, np.repeat(there[:, None], len(LEVELS), axis=1), own)
@@ -242,7 +242,7 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
     return middle[:, None] + np.where(apart == 0.0, np.sign(scores), np.sign(apart)) * np.hypot(apart, scores * more[:, None])
 
 
-def _sample_error(surface: "HeightMap", place: Place, most_points: float) -> np.ndarray:
+def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: float) -> np.ndarray:
     """Return the standard error of ln of the area of one window; 0 for a periodic map."""
     if place.pressure.size > most_points:
         return np.full(place.pressure.size, np.nan)
@@ -254,7 +254,7 @@ def _sample_error(surface: "HeightMap", place: Place, most_points: float) -> np.
     return found
 
 
-def _near(problem: Problem, column: str, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
+def _near(problem: Problem, column: str, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors measured near each point; None for a model that was not measured."""
     known = solved_set()
     if not problem.groups.has_film:
@@ -263,7 +263,7 @@ def _near(problem: Problem, column: str, place: Place, points: int, area: np.nda
     return _on_other_maps(problem, place, points, area) if found is None else found
 
 
-def _on_other_maps(problem: Problem, place: Place, points: int, area: np.ndarray) -> ErrorsNear | None:
+def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
     """Return the errors of an area law on a film, measured on Gaussian maps with films; None if it was not measured.
 
     Source: truth/films.csv. They are zero for a closed form whose own map is solvable. For a contact of numbers, other kinds
@@ -357,7 +357,7 @@ def _largest(share: np.ndarray | None) -> float:
     return float(np.max(known, initial=-np.inf))
 
 
-def _on_film(known: SolvedSet, column: str, place: Place, problem: Problem) -> ErrorsNear | None:
+def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Problem) -> ErrorsNear | None:
     """Return the model's errors on the coated benchmark surfaces; None if not measured.
 
     On these surfaces one body has an elastic film and the other is rigid.

@@ -44,7 +44,7 @@ _OVER_STIFFNESS, _OVER_HARDNESS = "nominal pressure over E* times rms slope", "n
 
 
 @dataclass(frozen=True)
-class Place:
+class ContactFeatures:
     """Store the features of k contact points that are compared with solved surfaces.
 
     pressure, hardness: divided by E* h', with h' the rms slope. alpha: Nayak's parameter. shape: skewness, lay and slope of
@@ -67,14 +67,14 @@ class Place:
         """Return whether the map, the kind, or a statistic of the surface shape is known."""
         return self.shape is not None or self.kind is not None or bool(self.stated)
 
-    def some(self, rows: slice) -> "Place":
+    def some(self, rows: slice) -> "ContactFeatures":
         """Return the features of some of the points."""
         modulus, thickness = (None if table is None else table[rows] for table in (self.modulus, self.thickness))
         pressure, hardness, alpha = self.pressure[rows], self.hardness[rows], self.alpha[rows]
         return replace(self, pressure=pressure, hardness=hardness, alpha=alpha, modulus=modulus, thickness=thickness)
 
     @classmethod
-    def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "Place":
+    def of(cls, problem: Problem, load: np.ndarray, surface: "HeightMap | None" = None) -> "ContactFeatures":
         """Return the features of n contacts at loads (n, m).
 
         surface: the height map of the contact; None if only roughness numbers are known.
@@ -138,7 +138,7 @@ def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 
-def differences(known: SolvedSet, place: Place) -> list[Difference]:
+def differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
     """Return the differences between k points and every surface.
 
     Without a map only Nayak's alpha and the stated statistics are compared, with surfaces of every kind.
@@ -190,7 +190,7 @@ def kind_of_map(surface: "HeightMap") -> str | None:
     return max(OF_KIND, key=lambda kind: float(weights[known.of_kind(kind)].sum()))
 
 
-def film_differences(known: SolvedSet, place: Place) -> list[Difference]:
+def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Difference]:
     """Return the differences between k points on films and every film of every coated surface, (k or 1, s, f)."""
     assert place.modulus is not None and place.thickness is not None
     some = known["film_surfaces"]

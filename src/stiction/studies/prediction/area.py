@@ -19,7 +19,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.solving.accuracy.errors_near import NORMAL_SCORES
 from stiction.solving.accuracy.film_errors import shares_on_film
 from stiction.solving.accuracy.measured_error import MeasuredErrors, measured_errors
-from stiction.solving.accuracy.solved_near import Place
+from stiction.solving.accuracy.solved_near import ContactFeatures
 from stiction.solving.choice import Choice
 from stiction.solving.points import Points, points_of, solve_points
 from stiction.solving.problem import Problem, make_problem
@@ -229,7 +229,7 @@ def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
         return np.zeros(load.size)
-    return np.nan_to_num(shares_on_film(problem, Place.of(problem, load), area)[0])
+    return np.nan_to_num(shares_on_film(problem, ContactFeatures.of(problem, load), area)[0])
 
 
 def _too_sharp(sampled: SampledCase) -> np.ndarray:

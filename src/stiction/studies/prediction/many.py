@@ -159,7 +159,7 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     return found
 
 
-def predict_several(case: Case, level: float = 0.9) -> "xarray.Dataset":
+def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
     Variables are named as in `predict`. Refused points, each a contact at a load, are NaN; the attribute `refused` counts

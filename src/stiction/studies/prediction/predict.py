@@ -109,11 +109,11 @@ def predict(
     if (refusal := refusal_of(case)) is not None:
         raise refusal
     if case.is_swept:
-        from stiction.studies.prediction.many import predict_several  # which draws with what is below
+        from stiction.studies.prediction.many import predict_swept  # which draws with what is below
 
         if measured is not None:
             raise InputError("--data", str(measured), "a single contact: the case has array parameters")
-        return predict_several(case, level)
+        return predict_swept(case, level)
     stated = case.uncertain
     case, (loads, working_index) = with_uncertain(case), pressing_loads(case)
     if not loads.size:

@@ -61,7 +61,7 @@ def _head(name: str) -> str:
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
-def several_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
+def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
     """Return a table of about nine combinations of array parameters, with columns for at most four points.
 
     all_rows: show every combination.

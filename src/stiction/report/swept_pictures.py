@@ -27,7 +27,7 @@ from stiction.report.pictures import (
     say,
     scale_friction,
 )
-from stiction.report.several_tables import (
+from stiction.report.swept_tables import (
     coordinates_along,
     of_point,
     of_value,
@@ -45,7 +45,7 @@ _MARKED = 30  # points of a line, up to which each has a mark
 _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they are spaced so
 
 
-def several_figure(data: "xarray.Dataset", title: str = "") -> Figure:
+def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Draw friction against the array parameters at some of the loads or separations.
 
     A model without friction has its contact area drawn.
