@@ -276,3 +276,12 @@ def test_an_area_grows_also_where_it_is_a_tiny_share_of_the_nominal(share, grown
 def test_an_unknown_area_stays_unknown_and_a_closed_contact_closed():
     grown = grown_to(np.array([np.nan, 1.0, 2.0, np.inf]), np.array(0.1), np.array(1.0))
     assert np.isnan(grown[0]) and (grown[1:] == 1.0).all()
+
+
+def test_a_finish_draws_no_asperities_that_cannot_be():
+    """Of printed surfaces two in five have tips sharper than they are high; nobody can mend that in a case."""
+    rubber = st.Material(youngs_modulus="3 MPa", poissons_ratio=0.49, hardness="3 MPa", material_class="elastomer")
+    rough = {"first": {"finish": "printed"}, "second": {"finish": "polished"}}
+    found = st.predict(st.Contact(first=rubber, second="silica", roughness=rough, nominal_area="4 cm^2"), load="1 N")
+    assert not any("impossible" in warning for warning in found.warnings)
+    assert np.isfinite(found.friction_coefficient_samples).all()

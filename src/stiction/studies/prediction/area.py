@@ -25,6 +25,7 @@ from stiction.solving.points import Points, points_of, solve_points
 from stiction.solving.problem import Problem, make_problem
 from stiction.solving.state import state_of
 from stiction.studies.prediction.area_weights import area_weights
+from stiction.studies.prediction.finish import SHARPEST
 from stiction.studies.prediction.sampled_case import SampledCase
 
 _SUM, _FEWEST = "greenwood_williamson_1966", "roughness_parameter"
@@ -42,7 +43,6 @@ _FAR, _FAR_ON_MAP = 0.42, 0.03  # the latter of the solution of a map, which onl
 # would bear more than they can: then the area is the least that carries the load.
 _HALF, _MOST = 0.5, 1.0 - 1e-9
 _LARGEST_BELOW_1, _LOG_CLOSED = 1.0 - 2.0**-53, math.log(1e-300)
-_SHARPEST = 1.0  # sigma over R: asperities of a draw that are higher than their tips are wide cannot be
 _POWER = 3.5  # of the mean of elastic and plastic area
 _SOLVED = 0.005  # standard deviation of ln of what the solved areas are known to of surfaces that are known by numbers
 # Quantiles of few surfaces are too narrow: by this, over their number, they are widened. Leaving designs of the benchmark set
@@ -238,7 +238,7 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
     All are False where every sample is like that, so that the contact still has a result.
     """
     rough = sampled.drawn.roughness
-    sharp = sampled.column(rough.asperity_height_deviation / rough.asperity_radius) > _SHARPEST
+    sharp = sampled.column(rough.asperity_height_deviation / rough.asperity_radius) > SHARPEST
     return sharp & ~sharp.all(axis=0)
 
 

@@ -14,12 +14,14 @@ from stiction.quantities.sampling import sobol_points
 _NUMBERS = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _NAME = "finish of the surface"  # the one dimension along which the three are drawn
 _ROWS, _SEED = 512, 1
+SHARPEST = 1.0  # sigma over R: asperities that are higher than their tips are wide cannot be
 
 
 def with_finish(case: Case) -> Case:
     """Return the case with asperity height deviation, radius and density as uncertain numbers of its surface finish.
 
-    They are sampled together. A case that states all of them is returned unchanged.
+    They are sampled together, without surfaces whose asperities would be too sharp, unless all are. A case that states all
+    three is returned unchanged.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
@@ -29,7 +31,9 @@ def with_finish(case: Case) -> Case:
         raise InputError("roughness", InWords("several heights"), allowed)
     open_numbers = len(contact.roughness.unknowns)
     points = sobol_points(open_numbers, _ROWS, _SEED)
-    drawn = contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6))
+    drawn = np.array(contact.roughness.drawn(np.clip(points.T, 1e-6, 1.0 - 1e-6)))
+    possible = drawn[0] <= SHARPEST * drawn[1]
+    drawn = drawn[:, possible] if possible.any() else drawn
     order = np.argsort(drawn[1], kind="stable")  # by radius, so that a level has a meaning
     paths = [("contact", "roughness", name) for name in _NUMBERS]
     more = [Uncertain.of(path, of_samples(path[-1], row[order], False), _NAME) for path, row in zip(paths, drawn, strict=True)]
