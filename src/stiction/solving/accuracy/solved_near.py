@@ -14,7 +14,6 @@ import numpy as np
 from stiction.contact.indices import Groups
 from stiction.solving.accuracy.solved_set import OF_KIND, SolvedSet, solved_set
 from stiction.solving.problem_base import Problem
-from stiction.surfaces.asperity_set import skewness
 from stiction.surfaces.theory.moments import bandwidth, reduced_pressure, slope_over_sharpness
 
 if TYPE_CHECKING:
@@ -97,7 +96,8 @@ class ContactFeatures:
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     """Return the features of the map itself, from its slopes and not from its asperities."""
-    from stiction.solvers.boundary_elements.map_area import map_area
+    from stiction.solvers.boundary_elements.map_area import map_area  # loads what only contacts of scans need
+    from stiction.surfaces.asperity_set import skewness
 
     area, whole = map_area(surface), problem.subject.with_surface_moments()
     h = area.slopes.gradient
@@ -178,7 +178,8 @@ def kind_of_map(surface: "HeightMap") -> str | None:
 
     None for a profile, for a map with missing points, and if no solved surface is similar.
     """
-    from stiction.solvers.boundary_elements.area_estimates import map_slopes
+    from stiction.solvers.boundary_elements.area_estimates import map_slopes  # loads what only contacts of scans need
+    from stiction.surfaces.asperity_set import skewness
 
     if surface.is_profile or not surface.complete or min(surface.heights.shape) < _FEWEST:
         return None
