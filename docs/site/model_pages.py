@@ -16,16 +16,16 @@ from stiction.report.printed_sources import in_letters
 
 TITLES = {
     "rough surface": "Rough surfaces",
-    "asperity": "Laws of one asperity, pressed",
-    "tangential": "Laws of one asperity, sheared",
+    "asperity": "Asperity laws",
+    "tangential": "Tangential laws",
     "film": "Films",
     "composite": "Film and substrate as one body",
     "presliding": "Before sliding",
     "meniscus": "Menisci of humid air",
     "ageing": "Time at rest",
-    "contamination": "What lies between the faces",
+    "contamination": "Contamination",
     "criterion": "Criteria",
-    "asperity method": "Ways of finding asperities",
+    "asperity method": "Asperity methods",
 }
 HEADING = "## Grade, evidence and validity"
 READ = "[How to read this page](../../explanation/combining-laws.md#how-to-read-the-page-of-a-law)."
@@ -134,7 +134,12 @@ def _with_sources(text: str) -> str:
 
 def index() -> str:
     """Return the list of all laws by kind, each by author and year."""
-    lines = ["# Laws and models", "", "One page a law: equations, picture, range of validity, evidence and BibTeX.", ""]
+    lines = [
+        "# Laws and models",
+        "",
+        "Each law has a page with equations, picture, range of validity, evidence and BibTeX.",
+        "",
+    ]
     for kind in kinds():
         mine = sorted((one for one in records() if type(one) is kind), key=lambda one: (name_of(one).lower(), one.key))
         lines += [f"## {TITLES[kind.kind]}", "", "| law | key | meaning | grade |", "|---|---|---|---|"]

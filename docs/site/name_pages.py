@@ -21,8 +21,8 @@ GROUPS = {
     "Studies": ("compare", "sensitivity", "sweep", "fit", "design", "validate", "film_stresses"),
     "Measured surfaces": ("read_scan", "HeightMap", "prepared", "analyse", "asperities", "resolution_study",
                           "combined_spectrum", "gaussian_surface", "non_gaussian_surface", "SelfAffine"),
-    "What is known, and by whom": ("models", "interfaces", "cite", "show_config"),
-    "What is wrong with an input": ("InputError", "InputWarning"),
+    "Models, interfaces and sources": ("models", "interfaces", "cite", "show_config"),
+    "Errors and warnings": ("InputError", "InputWarning"),
 }  # fmt: skip
 _EMPTY = inspect.Parameter.empty
 
@@ -31,7 +31,7 @@ def write(out: Path) -> list[PurePosixPath]:
     """A page for each name, and their list."""
     folder = out / "reference" / "names"
     folder.mkdir(parents=True)
-    lines = ["# Public names", "", "Everything that is imported as `import stiction as st`.", ""]
+    lines = ["# Public names", "", "All names that are available after `import stiction as st`.", ""]
     for title, names in GROUPS.items():
         lines += [f"## {title}", "", "| name | meaning |", "|---|---|"]
         for name in names:

@@ -19,23 +19,23 @@ GROUPS = (
     ("Under given loads", "speed-loads", ("one load each", "solved at one load", "100 loads", "1000 loads", "10000 loads")),
     ("Studies, scans and commands", "speed-rest", ("",)),
 )
-TEXT = """# How fast, and since when
+TEXT = """# Speed over time
 
-`make bench` times every part of the program and, in the same run, two things that never change: a loop over
-`scipy.integrate.quad` that evaluates the bare corrected model, and the exponentials alone that a direct sum of it needs, by
-NumPy. What is drawn here is the ratio
+`make bench` measures every part of the program. In the same run it measures two references that do not change with the
+code: a loop over `scipy.integrate.quad` for the corrected model without a film, and the exponentials that a direct sum
+needs, by NumPy. The pictures show the ratio
 
 $$
-\\frac{\\text{how often a second a benchmark is done}}{\\text{evaluations a second of that loop}}
+\\frac{\\text{runs of a benchmark per second}}{\\text{evaluations of the loop per second}}
 $$
 
-A machine that is slower today is slower for both, so the ratio tells of the code: 1000 is a thousand times as often as the
-loop, and a line that falls has become slower. Benchmarks that take seconds, a command or a scan, count as done once in that
-time. Lines with few points are of benchmarks that are new; runs with other work beside them scatter by some ten per cent and
-more. A run says which ratio fell by a quarter or more from the last of the same machine; nothing fails by it. Every record,
-with commit, date, machine and versions, is a line of `benchmarks/history.jsonl`; the first nine are results as they were
-committed. In those the loop was timed once, and cold; since then it is the best of five times, and nearly twice as fast: all
-ratios fall by a third there, with no change of the code.
+A slow machine slows down both, so the ratio measures the code. A falling line is a part that has become slower. With other
+work on the machine the ratios scatter by ten per cent and more. Every run reports the ratios that are a quarter or more
+below those of the last run on the same machine.
+
+`benchmarks/history.jsonl` contains every record, with commit, date, machine and versions. In the first nine records the
+loop was measured once. Since then the loop is the best of five measurements, and nearly twice as fast: there all ratios
+fall by a third without a change of the code.
 """
 
 
