@@ -151,6 +151,7 @@ def test_one_line_about_what_is_wrong(files):
         (("sweep.roughness.file",), case(["nowhere.npy"])),
         (("sweep.roughness", "size"), case([{"size": "20 um"}])),
         (("sweep.roughness.patches",), case([{"file": "map1.npy", "patches": 0, **HOW}])),
+        (("contact.roughness.rms", "3"), {**case(["map1.npy"]), "contact": {**CONTACT, "roughness": {"rms": 3}}}),
         (("contact.roughness",), {**case(["map1.npy"]), "contact": {**CONTACT, "roughness": {"first": {"file": "a"}}}}),
         (
             ("contact.work_of_adhesion",),

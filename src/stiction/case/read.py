@@ -211,7 +211,7 @@ def read_content(path) -> dict[str, Any]:
     Raises InputError if the file cannot be read or is not TOML.
     """
     if not isinstance(path, str | PathLike):
-        raise InputError("case", path, "the path of a case file, or its tables as a dict")
+        raise InputError("case", path, "the path of a case file; most functions also accept its tables as a dict")
     text = read_text(Path(path), "case file", _CASE_FILE, _LARGEST_FILE)
     try:
         return tomllib.loads(text)

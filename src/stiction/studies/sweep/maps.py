@@ -125,6 +125,9 @@ def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlac
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:
         raise InputError("contact.roughness", shared, "settings of all maps, e.g. size, unit; name scans in sweep.roughness")
+    for name in sorted((shared or {}).keys() - FileMaps.model_fields.keys() - Realisations.model_fields.keys()):
+        allowed = "no value in a sweep over maps, except settings of all maps, e.g. size, unit"
+        raise InputError(f"contact.roughness.{name}", shared[name], allowed)
     return tuple(one for entry in listed for one in _of_entry(entry, dict(shared or {}), folder.resolve()))
 
 
