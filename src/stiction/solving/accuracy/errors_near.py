@@ -7,7 +7,7 @@ side of the pressure or hardness, or where the model has no result on one side, 
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -56,6 +56,65 @@ class ErrorsNear(NamedTuple):
     nearest: np.ndarray
 
 
+class _Table(NamedTuple):
+    """Store a table of the set, for interpolation along ln of the pressure between the p pressures of the set.
+
+    start, rise (h, p - 1, s): value of each surface at the lower end of each interval, and its change over the interval; a
+    value known at one end only is used for the whole interval. weight, fall (h, p - 1, s): the weight is 1 where both ends are
+    known; where one is, it falls from 1 there to 0 at the other end. Hardnesses ascend, as in `hard` (h,).
+    """
+
+    hard: np.ndarray
+    start: np.ndarray
+    rise: np.ndarray
+    weight: np.ndarray
+    fall: np.ndarray
+
+    @classmethod
+    def of(cls, known: SolvedSet, values: np.ndarray) -> "_Table":
+        """Return the table of values (s, h, p), NaN where unknown."""
+        hard = np.minimum(known["hardnesses"], ELASTIC)
+        order = np.argsort(hard)
+        values = np.ascontiguousarray(np.moveaxis(values[:, order], 0, -1))
+        left, right = values[:, :-1], values[:, 1:]
+        at_left, at_right = np.isfinite(left), np.isfinite(right)
+        start = np.where(at_left, left, right)
+        rise = np.where(at_right, right, left) - start
+        return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
+
+    def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Interpolate at k pressures and hardnesses; return values (k, s) and weights (k, s)."""
+        upper, part = _interval(self.hard, np.minimum(hardness, ELASTIC))
+        (low, of_low), (high, of_high) = (self._at_hardness(known, pressure, place) for place in (upper - 1, upper))
+        values = np.where(of_low == 0.0, high, np.where(of_high == 0.0, low, low + part * (high - low)))
+        alone = np.maximum(of_low * np.maximum(1.0 - 2.0 * part, 0.0), of_high * np.maximum(2.0 * part - 1.0, 0.0))
+        return values, np.maximum(np.minimum(of_low, of_high), alone)
+
+    def _at_hardness(self, known: SolvedSet, pressure: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        upper, part = _interval(known["loads"], pressure)
+        at = place, upper - 1
+        values, weights = part * self.rise[at], part * self.fall[at]
+        values += self.start[at]
+        weights += self.weight[at]
+        return values, weights
+
+
+def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the upper end (k,) of the interval of an ascending grid that holds each place, and where in ln it lies (k, 1)."""
+    upper = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
+    part = np.log(place / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
+    return upper, np.clip(part, 0.0, 1.0)[:, None]
+
+
+@cache
+def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
+    """Return the errors of a model, and the areas of the surfaces on which it has any result."""
+    errors = known.errors(column)
+    assert errors is not None
+    any_result = np.isfinite(errors).any(axis=(1, 2))
+    return _Table.of(known, errors), _Table.of(known, np.where(any_result[:, None, None], known.areas, np.nan))
+
+
 def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
     """Return the errors of a model on surfaces without a film; None if the model was not measured.
 
@@ -65,7 +124,8 @@ def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere:
     errors = known.errors(column)
     if errors is None:
         return None
-    return _in_blocks(place, errors.shape[0], lambda rows: _bare_errors(known, errors, place.some(rows), anywhere))
+    tables = _tables(known, column)
+    return _in_blocks(place, errors.shape[0], lambda rows: _bare_errors(known, *tables, place.some(rows), anywhere))
 
 
 def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
@@ -74,18 +134,17 @@ def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def _bare_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
-    """Return the errors near each point from the errors of a model, (surfaces, hardnesses, pressures)."""
+def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
+    """Return the errors near each point from the errors of a model, and the areas of the surfaces on which it has any."""
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
     of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
-    found, there = _between(known, errors, inside, solved_hardness)
+    found, there = errors.at(known, inside, solved_hardness)
     times = np.maximum(of_pressure.theirs[:, 0] / of_pressure.ours, 1.0)
     found, real = _at_lighter_load(known, errors, found, times, inside, solved_hardness)
     softer = np.divide(hardness, solved_hardness, out=np.ones(hardness.shape), where=hardness < solved_hardness)
     found = found * softer[:, None]  # than what was solved: areas tend to load over hardness
-    _, solved = _between(known, known.areas, inside, solved_hardness)
-    asked = np.where(np.isfinite(errors).any(axis=(1, 2)), solved, 0.0)  # of which the model says anything at all
+    _, asked = areas.at(known, inside, solved_hardness)
     of_kind = known.of_kind(None if anywhere else place.kind)
     apart = [*([] if anywhere else differences(known, place)), of_pressure]
     presumed = of_kind if place.kind_known or anywhere else known.gaussian
@@ -141,7 +200,7 @@ def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 
 def _at_lighter_load(
-    known: SolvedSet, errors: np.ndarray, found: np.ndarray, times: np.ndarray, lightest: np.ndarray, hardness: np.ndarray
+    known: SolvedSet, errors: _Table, found: np.ndarray, times: np.ndarray, lightest: np.ndarray, hardness: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Extrapolate errors (k, s) below the lightest solved pressure; return them with the weight (k, s) of each surface.
 
@@ -154,7 +213,7 @@ def _at_lighter_load(
     if not (times > 1.0).any():
         return found, np.ones(found.shape)
     elastic = (1.0 / (1.0 + (_FLOWS / np.minimum(hardness, ELASTIC)) ** 2))[:, None]
-    heavier, _ = _between(known, errors, _SLOPE * lightest, hardness)
+    heavier, _ = errors.at(known, _SLOPE * lightest, hardness)
     slope = np.nan_to_num(found - heavier) / math.log(_SLOPE)
     farther = (np.log(times) / math.log(_FARTHEST))[:, None]
     real = np.minimum(_STEEP / np.maximum(np.abs(slope), 1e-9), 1.0) ** (2.0 * elastic * farther)
@@ -207,33 +266,3 @@ def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
     squared = np.where(some, squared, np.inf)
     least = squared.min(axis=1, keepdims=True)
     return np.exp(-0.5 * np.where(np.isfinite(squared), squared - np.where(np.isfinite(least), least, 0.0), np.inf))
-
-
-def _between(known: SolvedSet, table: np.ndarray, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Interpolate a table (s, h, p) of the set at k pressures and hardnesses; return values (k, s) and weights (k, s)."""
-    hard = np.minimum(known["hardnesses"], ELASTIC)
-    order = np.argsort(hard)
-
-    def at_hardness(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        def at_pressure(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            column = table[:, order[place], at].T
-            return column, 1.0 * np.isfinite(column)
-
-        return _read_off(known["loads"], pressure, at_pressure, 1.0)
-
-    return _read_off(hard[order], np.minimum(hardness, ELASTIC), at_hardness, 2.0)
-
-
-def _read_off(grid: np.ndarray, place: np.ndarray, column: Callable, fade: float) -> tuple[np.ndarray, np.ndarray]:
-    """Interpolate linearly in the logarithm of an ascending grid at k places; return values (k, s) and weights (k, s).
-
-    column(index): values and weights (k, s) at grid points, one for each place. A value known at one end of the interval only
-    is used for the whole interval; its weight decreases with the distance from that end, by `fade` over the interval.
-    """
-    right = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
-    part = (np.log(place / grid[right - 1]) / np.log(grid[right] / grid[right - 1]))[:, None]
-    (lower, of_lower), (upper, of_upper) = column(right - 1), column(right)
-    both = lower + part * (upper - lower)
-    values = np.where(of_lower == 0.0, upper, np.where(of_upper == 0.0, lower, both))
-    alone = np.maximum(of_lower * np.maximum(1.0 - fade * part, 0.0), of_upper * np.maximum(1.0 - fade * (1.0 - part), 0.0))
-    return values, np.where(np.isfinite(values), np.maximum(np.minimum(of_lower, of_upper), alone), 0.0)
