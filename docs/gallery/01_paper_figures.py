@@ -1,8 +1,8 @@
-"""The figures of the 2015 paper, in both readings.
+"""The figures of the 2015 paper, as published and corrected.
 
-The coated and the bare surface of figures 1(a), 2(a) and 3, with the equations as printed and as corrected (docs/theory.md
-says what differs, and why). The paper does not print the adhesion indices of its figures: theta = 40 and lambda = 10 show its
-claims. `stiction figures` draws all of its panels for indices of your own.
+The coated and the uncoated surface of figures 1(a), 2(a) and 3, by the published equations and by the corrected ones
+(docs/explanation/theory-limits.md lists the differences). The paper does not print the adhesion indices of its figures.
+theta = 40 and lambda = 10 show its claims. `stiction figures` draws all panels for indices of your own.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 """Friction against film thickness, with error bars.
 
-Silver on bearing steel at 1 N. Nobody knows the strength of the interface, the work of adhesion and the hardness of a thin
-film to a few per cent: each is given with its error, and the bars hold 90 % of what comes of that.
+Silver on bearing steel at 1 N. The strength of the interface, the work of adhesion and the hardness of a thin film are
+uncertain. Each is stated with its error, and the bars are the 90 % intervals that result.
 """
 
 from pathlib import Path

@@ -1,7 +1,7 @@
 """Friction against the resolution of the scan.
 
-A scan shows more and sharper asperities the finer it is. Here the shortest waves are taken out of one made surface, step by
-step; each line is one way of finding asperities. Where the lines do not become level, the answer is one of the instrument.
+A finer scan shows more and sharper asperities. Here the short waves of one generated surface are removed step by step. Each
+line is one asperity method. Where a line is not level, the result depends on the resolution of the instrument.
 """
 
 import matplotlib.pyplot as plt

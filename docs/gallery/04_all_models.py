@@ -1,9 +1,8 @@
 """All models on one contact.
 
-Every model that applies to two bearing steels with a boundary film, each with its friction over four decades of load: the
-same case, and the same numbers, as those of `stiction compare examples/compare_models.toml`. Grey
-lines are outside of what their authors claim at the working load; the thick black one is the
-law of the area with the largest weight in the prediction of a surface of known kind (docs/prediction.md).
+Every model that applies to two bearing steels with a boundary film, over four decades of load. `stiction compare
+examples/compare_models.toml` prints the same numbers. A grey line is outside the range of validity of its model at the
+working load. The thick black line is persson_widened, an area model of the prediction (docs/explanation/prediction.md).
 """
 
 import matplotlib.pyplot as plt

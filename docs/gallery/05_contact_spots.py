@@ -1,7 +1,8 @@
 """A map with its contact spots.
 
-The contact of a made rough surface, solved point by point: where it touches under two loads, over its heights. No asperity is
-assumed; models of asperities are measured by such solutions (docs/truth.md).
+The contact of a generated rough surface, solved point by point at two loads. The contact spots are drawn on the map of
+heights. The solution assumes no asperities, and the errors of models are measured against such solutions
+(docs/explanation/truth.md).
 """
 
 import matplotlib.pyplot as plt

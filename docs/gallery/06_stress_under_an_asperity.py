@@ -1,7 +1,8 @@
-"""Stress under an asperity that is pressed and dragged.
+"""Stress under an asperity with normal and tangential load.
 
-Von Mises stress over the yield stress of what is there, in section: steel bare, and with a softer and with a harder film. The
-line is where it is 1; the point is where it is largest. It is the elastic solution of the sphere on the layered solid.
+Von Mises stress divided by the local yield stress, in a section: bare steel, steel with a softer film, and steel with a
+harder film. On the line the ratio is 1. The dot marks the largest ratio. The elastic solution of a sphere on a layered
+solid is shown.
 """
 
 import matplotlib.pyplot as plt

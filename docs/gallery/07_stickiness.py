@@ -1,7 +1,8 @@
 """When does a rough surface stick?
 
-Rubber-like and stiff bodies against the roughness: the pull-off force that is left of smooth contact (fuller_tabor_1975: an
-array of contacts, solved at once), and the border of Pastewka & Robbins, beyond which contact needs a load.
+Compliant and stiff bodies with different roughness. The colours show the pull-off force divided by that of asperities of
+equal height (fuller_tabor_1975; all contacts are solved as one array). The red line is the limit of stickiness by Pastewka
+and Robbins.
 """
 
 import matplotlib.pyplot as plt
@@ -41,6 +42,6 @@ axes.contour(sigma * 1e9, modulus, border, levels=[1.0], colors="red", linewidth
 axes.set(
     xscale="log", yscale="log", xlabel="sigma of the asperity heights [nm]", ylabel="Young's modulus of the softer body [Pa]"
 )
-axes.set_title("Pull-off, over that of asperities all at one height; red: Pastewka & Robbins", fontsize="medium")
+axes.set_title("Pull-off force over that of asperities of equal height; red: Pastewka & Robbins", fontsize="medium")
 figure.colorbar(shown, label="pull-off force, relative")
 figure.savefig("stickiness.png", dpi=120)

@@ -1,7 +1,7 @@
-"""Calibration: the strength of an interface from measured friction.
+"""Fit: the strength of an interface from measured friction.
 
-The measured points are synthetic: 150 MPa that rise by 0.05 of the pressure, with 3 % of noise. The fit finds both numbers with
-their intervals, and a band for what was not measured.
+The data are synthetic: a strength of 150 MPa, a pressure coefficient of 0.05, and 3 % noise. The fit finds both numbers
+with their intervals. The band is the predicted friction at other loads.
 """
 
 from pathlib import Path

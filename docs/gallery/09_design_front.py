@@ -1,7 +1,7 @@
-"""A front of designs: little friction, or little area?
+"""A Pareto front: little friction, or little contact area?
 
-A silver film and the roughness below it are chosen freely. No design on the line is better than another in both objectives:
-what is gained in friction is lost in area. `stiction design` searches it, with limits.
+The thickness of a silver film and the roughness of the surface are free. No design on the line is better than another in
+both objectives: less friction needs more contact area. `stiction design` computes the front, also with constraints.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,8 @@
-"""An unloading loop: pressed together, and drawn apart.
+"""An unloading loop.
 
-Adhesive, elastic-plastic asperities (Thornton & Ning 1998) are pressed with three loads and drawn apart again. What was pressed
-harder is flatter, touches on more area, and holds the surfaces longer: the pull-off force grows with the load that was carried.
+Adhesive elastic-plastic asperities (Thornton and Ning 1998) are loaded to three loads and then separated. A higher load
+flattens the asperities more. They then have more contact area and adhere longer, so the pull-off force grows with the
+preceding load.
 """
 
 import matplotlib.pyplot as plt

@@ -1,8 +1,8 @@
-"""From rest to sliding: the tangential force against the displacement.
+"""From rest to sliding: tangential force against displacement.
 
-Asperities stick, slip from their rims inwards, and slide, each at a displacement of its own: high ones later than low ones.
-The force bends over smoothly, though every asperity obeys Coulomb's law; where asperities keep only a part of their strength
-once they slide, it falls, and the largest force is less than that of all at their strength together.
+Each asperity sticks, then slips from the edge of its contact inwards, and slides at its own displacement. So the total
+force rises smoothly, although every asperity obeys Coulomb's law. If a sliding asperity retains only a fraction of its
+strength, the largest force is less than the sum of all strengths.
 """
 
 import matplotlib.pyplot as plt

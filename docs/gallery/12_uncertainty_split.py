@@ -1,7 +1,7 @@
-"""What the answer is uncertain by: inputs, or the rest?
+"""What makes the answer uncertain?
 
-Two bearing steels with three numbers that are known within factors. The band of the inputs by one model, the shares of all
-parts of the prediction, and which of the inputs to measure better for that model.
+Two bearing steels with three uncertain numbers. The pictures show the interval that these inputs cause with one model, the
+contribution of every part of the prediction to its variance, and the input that should be measured better.
 """
 
 import matplotlib.pyplot as plt
@@ -29,18 +29,16 @@ data = st.solve_case(parse_case(CASE))
 shares = st.sensitivity(CASE, load="1 N", models=[]).squeeze()
 
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11, 3.6), layout="constrained")
-left.plot(data["load"], data["friction_coefficient"], label="as given")
+left.plot(data["load"], data["friction_coefficient"], label="nominal inputs")
 quantiles = data["friction_coefficient_quantile"]
 for low, high, alpha in ((0, -1, 0.2), (1, -2, 0.3)):
     left.fill_between(data["load"], quantiles.isel(quantile=low), quantiles.isel(quantile=high), alpha=alpha, color="C0")
-left.set(
-    xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="Half, and 90 %, of the draws", ylim=(0, None)
-)
+left.set(xscale="log", xlabel="load [N]", ylabel="static friction coefficient", title="50 % and 90 % intervals", ylim=(0, None))
 parts = st.predict({**CASE, "solve": {"load": "1 N"}}).attrs["shares"]
 middle.barh([name.replace("_", " ") for name in parts], list(parts.values()))
-middle.set(xlabel="share of the variance of ln mu", title="The prediction at 1 N", xlim=(0.0, 1.0))
+middle.set(xlabel="fraction of the variance of ln mu", title="Parts of the prediction, 1 N", xlim=(0.0, 1.0))
 total = shares["friction_coefficient_total_order"]
 right.barh(shares["input"].values, total)
-right.set(xlabel="share of the variance of ln mu", title="Which input", xlim=(0.0, 1.0))
+right.set(xlabel="fraction of the variance of ln mu", title="Inputs, one model, 1 N", xlim=(0.0, 1.0))
 right.tick_params(axis="y", labelsize="small")
 figure.savefig("uncertainty_split.png", dpi=120)
