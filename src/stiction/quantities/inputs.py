@@ -1,8 +1,10 @@
 """Define the base class of all input records: immutable, with numbers checked against the table of quantities."""
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from numbers import Real
 from typing import Annotated, Any, Self
 
 import numpy as np
@@ -29,6 +31,13 @@ def floats(value: Any, field: str, allowed: str) -> np.ndarray:
         return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
         raise InputError(field, value, allowed) from None
+
+
+def require_positive(**values: float) -> None:
+    """Raise InputError for the first value that is not a finite number > 0."""
+    for name, value in values.items():
+        if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
+            raise InputError(name, value, "a finite number > 0")
 
 
 def _number(value, info: ValidationInfo):

@@ -10,7 +10,6 @@ import numpy as np
 
 from stiction.laws.rough_surface.boundary_elements import bodies_of, shear_compliance_of
 from stiction.solving.on_map import MapProblem
-from stiction.surfaces.heightmap import every_point
 
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.solve import MapContact
@@ -43,6 +42,7 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import
     from stiction.solvers.boundary_elements.measures import waves
     from stiction.solvers.shear.operators import MirroredShear, PeriodicShear
+    from stiction.surfaces.heightmap import every_point  # only contacts of scans need it
 
     contact, surface = problem.contact, problem.surface()
     bodies = bodies_of(contact)

@@ -31,12 +31,13 @@ from scipy.fft import irfft2, rfft2
 from scipy.special import ndtri
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_positive
 from stiction.quantities.keywords import with_keywords
 from stiction.surfaces.heightmap import HeightMap, size_in_metres
 from stiction.surfaces.johnson import johnson
 from stiction.surfaces.memory import require_arrays
 from stiction.surfaces.spectrum import wave_power
-from stiction.surfaces.targets import SelfAffine, require_positive
+from stiction.surfaces.targets import SelfAffine
 
 Spectrum = Callable[[np.ndarray], np.ndarray]
 

@@ -17,6 +17,7 @@ from numbers import Real
 import numpy as np
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_positive
 from stiction.quantities.units import show
 from stiction.surfaces.heightmap import in_metres
 from stiction.surfaces.theory.moments import Moments
@@ -24,13 +25,6 @@ from stiction.surfaces.theory.moments import Moments
 _SHARES = {1: (1.0, 1.0, 1.0), 2: (1.0, 1.0 / 2.0, 3.0 / 8.0)}  # of M_k that a line sees, by dimensions
 _SOLID = {1: math.pi, 2: 2.0 * math.pi}  # of (2 pi)^d over the directions of q, by dimensions
 _EDGE = 1e-9  # a wave that lies on an edge of the spectrum belongs to it, whatever the rounding
-
-
-def require_positive(**values: float) -> None:
-    """Raise InputError for the first value that is not a finite number > 0."""
-    for name, value in values.items():
-        if not (isinstance(value, Real) and 0.0 < float(value) < math.inf):
-            raise InputError(name, value, "a finite number > 0")
 
 
 def line_moments(dimensions: int, integrals: Iterable[float]) -> Moments:

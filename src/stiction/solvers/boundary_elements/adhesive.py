@@ -35,6 +35,7 @@ import numpy as np
 from scipy.fft import irfft2, next_fast_len, rfft2
 
 from stiction.quantities.errors import InputError
+from stiction.quantities.inputs import require_positive
 from stiction.records.validity_warning import ValidityWarning
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.descent import FAR, DescentSearch, Faces
@@ -45,7 +46,6 @@ from stiction.solvers.boundary_elements.operators import PeriodicBoundary, wavev
 from stiction.solvers.boundary_elements.solve import usable_map
 from stiction.surfaces.heightmap import size_in_metres
 from stiction.surfaces.memory import require_memory
-from stiction.surfaces.targets import require_positive
 
 _ARRAYS = 20  # as large as the map, of the descent
 _BETWEEN = 2.5  # a grid at most so many times as fine as the map

@@ -28,7 +28,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.quantities.errors import InputError
-from stiction.surfaces.targets import require_positive
+from stiction.quantities.inputs import require_positive
 
 _LARGE = 1.0  # of y, above which e^-y is small enough beside 1
 _SERIES = 1.0 / np.cumprod([6.0, *((2 * n) * (2 * n + 1) for n in range(2, 10))])  # of sinh y - y: y^3/3! + y^5/5! + ...

@@ -17,8 +17,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from stiction.quantities.inputs import require_positive
 from stiction.solvers.boundary_elements.minimise import Found, Problem, minimise
-from stiction.surfaces.targets import require_positive
 
 _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
 
