@@ -12,7 +12,7 @@ from model_pictures import picture
 import stiction as st
 from stiction.records.registry import Record, RoughSurface, kinds, records, text_of
 from stiction.records.sources import bibliography
-from stiction.report.printed_sources import in_letters
+from stiction.report.printed_sources import tex_to_text
 
 TITLES = {
     "rough surface": "Rough surfaces",
@@ -46,7 +46,7 @@ def name_of(record: Record) -> str:
     year = re.search(r"_(\d{4})", record.key) or re.search(r"_(\d{4})", cited)
     if not (authors and year):
         return record.key.replace("_", " ").capitalize()
-    names = [in_letters(one).split(",")[0].strip() for one in authors[1].split(" and ")]
+    names = [tex_to_text(one).split(",")[0].strip() for one in authors[1].split(" and ")]
     who = (
         f"{names[0]} et al."
         if len(names) > 3 or "others" in names

@@ -6,7 +6,7 @@ import pytest
 
 import stiction as st
 from stiction.report.answer import at_working_load, load_in_words
-from stiction.report.card import Card, briefly, card_of
+from stiction.report.card import Card, card_of, shortened
 
 CASE = """
 [contact]
@@ -67,7 +67,7 @@ def test_an_interval_that_begins_at_nothing_has_a_bar():
     ],
 )
 def test_a_warning_has_twelve_words_at_most(warning):
-    assert 0 < len(briefly(warning).split()) <= 12
+    assert 0 < len(shortened(warning).split()) <= 12
 
 
 def test_the_load_of_several_is_named_as_their_middle(predicted):

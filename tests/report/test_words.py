@@ -5,9 +5,9 @@ import re
 import pytest
 
 from stiction.records.sources import bibliography
-from stiction.report.honest_digits import rounded
 from stiction.report.html_words import formula
-from stiction.report.printed_sources import in_letters, printed
+from stiction.report.printed_sources import printed, tex_to_text
+from stiction.report.significant_digits import rounded
 from stiction.solving.overview import entries
 
 
@@ -45,7 +45,7 @@ def test_an_entry_is_printed_as_a_reader_knows_it():
     (row,) = printed(["greenwood_williamson_1966"])
     text = "Greenwood, J. A.; Williamson, J. B. P. (1966). Contact of nominally flat surfaces. Proceedings of the Royal Society"
     assert row.text.startswith(text) and row.doi == "10.1098/rspa.1966.0242"
-    assert in_letters(r"{\v S}ajgal{\'i}k and M{\"u}ser, MoS$_2$, 1--2") == "Šajgalík and Müser, MoS₂, 1–2"
+    assert tex_to_text(r"{\v S}ajgal{\'i}k and M{\"u}ser, MoS$_2$, 1--2") == "Šajgalík and Müser, MoS₂, 1–2"
 
 
 def test_a_source_is_not_taken_for_the_model_of_its_name():

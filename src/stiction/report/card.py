@@ -108,17 +108,17 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     largest = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])
     told = largest[:1] + [(name, share) for name, share in largest[1:2] if share > _NOTICED]
     decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in told)
-    warning = briefly(next(iter(attrs["warnings"]), ""))
+    warning = shortened(next(iter(attrs["warnings"]), ""))
     bare = attrs["bare_metal"]
     worn = f"mu = {number(bare[0])} to {number(bare[1])} where oxide or film is gone" if bare else ""
     rows = answer_lines(data)
     return Card(mu, low, high, attrs["level"], load_in_words(data), decides, warning, attrs["next_step"], rows, named, worn)
 
 
-def briefly(warning: str) -> str:
+def shortened(warning: str) -> str:
     """Shorten a warning to at most twelve words: cut it at a colon, then at a comma.
 
-    >>> briefly("The interface is not stated: mu is 0.06 to 0.3 with boundary lubricant, 0.2 to 1.1 with oxidised metal.")
+    >>> shortened("The interface is not stated: mu is 0.06 to 0.3 with boundary lubricant, 0.2 to 1.1 with oxidised metal.")
     'The interface is not stated'
     """
     for mark in (": ", ", "):

@@ -23,7 +23,7 @@ def design_figure(data: "xarray.Dataset") -> Figure:
     objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]
     several, two = data.sizes["design"] > 1, len(objectives) == 2
     drawn: list[Callable[[Axes], None]] = [lambda axes: _bars(axes, data, objectives[0])] if several else []
-    drawn.append(lambda axes: _front(axes, data, objectives) if two else _asked(axes, data, objectives[0]))
+    drawn.append(lambda axes: _front(axes, data, objectives) if two else _draw_evaluated(axes, data, objectives[0]))
     if two and not several and data.sizes["pareto"]:
         drawn.append(lambda axes: _chosen(axes, data, objectives[0]))
     figure, panels = canvas(max(5.6 * len(drawn), 7.0), 4.8, 1, len(drawn))
@@ -77,7 +77,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     )
 
 
-def _asked(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
+def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
     """Draw the objective of every evaluated design against the design variable, as points."""
     columns = columns_of(data, "evaluated")
     name = next(

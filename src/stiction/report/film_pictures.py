@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, COLOUR_MAP, GREY, ORANGE, RED, canvas, entitle, finish
+from stiction.report.pictures import BLUE, COLOUR_MAP, GREY, ORANGE, RED, add_titles, canvas, finish
 from stiction.report.table import prefix, with_unit
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = 
     _interface_panel(right, section)
     yields = "; inside the red line it yields" if float(section["stress_over_yield"].max()) > 1.0 else ""
     # Above both panels: a panel of equal axes is moved after its own title has found its place.
-    entitle(figure, data, title, _sizes(data, section), f"left: elastic stresses{yields}")
+    add_titles(figure, data, title, _sizes(data, section), f"left: elastic stresses{yields}")
     return figure
 
 

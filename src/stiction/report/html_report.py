@@ -21,11 +21,11 @@ from stiction.quantities.paths import require_place
 from stiction.quantities.progress import Progress, silent
 from stiction.report import report_sections as say
 from stiction.report.answer import ModelAnswer, PredictionAnswer, answer_record, model_record
-from stiction.report.honest_digits import rounded
 from stiction.report.html_words import breakable, formula
 from stiction.report.printed_sources import printed
 from stiction.report.report_answer import answer_in_words, headline, interval_of, question, warnings_here
 from stiction.report.report_sections import groups_of_groups, groups_of_inputs
+from stiction.report.significant_digits import rounded
 from stiction.solving.choice import RECOMMENDED
 from stiction.solving.overview import entries
 from stiction.studies.report_data import ReportData, collect_report_data, text_of_file

@@ -13,8 +13,8 @@ from stiction.quantities.units import show
 from stiction.report.pictures import (
     GREY,
     METHOD_BAND,
+    add_titles,
     canvas,
-    entitle,
     finish,
     friction_panel,
     look_of,
@@ -179,7 +179,7 @@ def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     table = data["friction_coefficient_by_method"].transpose(METHOD, ...)
     (taken, *others), load = table[METHOD].values.tolist(), np.atleast_1d(data["load"].values)
     figure, (axes,) = canvas(9.6, 5.2)
-    entitle(figure, data, title)
+    add_titles(figure, data, title)
     friction_panel(axes, data.drop_vars("friction_coefficient_quantile", errors="ignore"))
     for line, band in zip(axes.lines, axes.collections, strict=False):
         line.set(linewidth=2.4, marker="o" if load.size == 1 else "", label=f"used: {plain(taken)}", zorder=3)

@@ -142,7 +142,7 @@ def heading(data: "xarray.Dataset", title: str) -> str:
     return "\n".join(filter(None, [title, f"{', '.join(words)}{grade}"]))
 
 
-def entitle(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
+def add_titles(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
     """Write title lines above a figure and validity warnings below it; enlarge the figure to make room."""
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):

@@ -30,7 +30,7 @@ def printed(keys: Iterable[str]) -> list[Printed]:
 
 
 def _printed(key: str, body: str) -> Printed:
-    fields = {name: in_letters(text) for name, text in _FIELD.findall(body)}
+    fields = {name: tex_to_text(text) for name, text in _FIELD.findall(body)}
     where = fields.get("journal") or fields.get("booktitle") or fields.get("publisher", "")
     volume = fields.get("volume", "") + (f" ({fields['number']})" if "number" in fields else "")
     place = ", ".join(filter(None, [f"{where} {volume}".strip(), fields.get("pages")]))
@@ -41,7 +41,7 @@ def _printed(key: str, body: str) -> Printed:
     return Printed(key, ". ".join(part.rstrip(".") for part in parts if part) + ".", fields.get("doi", ""))
 
 
-def in_letters(text: str) -> str:
+def tex_to_text(text: str) -> str:
     """Convert TeX to plain text: accented letters, no braces."""
     text = _ACCENT.sub(lambda match: unicodedata.normalize("NFC", match[2] + _ACCENTS[match[1].strip()]), text)
     text = re.sub(r"\$_(\d)\$", lambda match: match[1].translate(_LOW), text)

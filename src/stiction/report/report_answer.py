@@ -9,7 +9,7 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
-from stiction.report.honest_digits import rounded
+from stiction.report.significant_digits import rounded
 from stiction.report.swept_tables import coordinates_along, of_point, of_value, points_dimension, shown_quantity, varied
 from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED

@@ -10,7 +10,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
-from stiction.report.pictures import COLOURS, NOT_PRESSED, along, canvas, entitle, say
+from stiction.report.pictures import COLOURS, NOT_PRESSED, add_titles, along, canvas, say
 from stiction.report.table import with_unit
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     _forces(panels[0], rows)
     if lost:
         _losses(panels[1], rows)
-    entitle(figure, data, title)
+    add_titles(figure, data, title)
     return figure
 
 

@@ -16,11 +16,11 @@ from stiction.report.pictures import (
     SKY,
     WIDE,
     InUnit,
+    add_titles,
     along,
     along_points,
     canvas,
     draw_band,
-    entitle,
     finish,
     label,
     look_of,
@@ -67,7 +67,7 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
         _lines(panels[0], data, dims[0], points)
         if along_load:
             _lines(panels[1], data, str(points), dims[0])
-    entitle(figure, data, title)
+    add_titles(figure, data, title)
     return figure
 
 

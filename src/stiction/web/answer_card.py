@@ -9,7 +9,7 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.units import show
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.report.answer import answer_lines, at_working_load
-from stiction.report.card import Card, briefly, card_of
+from stiction.report.card import Card, card_of, shortened
 from stiction.report.html_words import letters
 from stiction.web.background import Latest
 from stiction.web.elements import Rows
@@ -60,7 +60,7 @@ class AnswerCard:
             html = f'<div class="card"><p><span class="text-3xl font-bold">{escape(number)}</span> {escape(where)}</p></div>'
         else:
             card = card_on_page(prediction, named)
-            html = (card._replace(warning=briefly(warnings[0].why)) if warnings else card).html(why=False)
+            html = (card._replace(warning=shortened(warnings[0].why)) if warnings else card).html(why=False)
             rows += answer_lines(prediction)[1:]
         self._card.set_content(html)
         self._rows.show([*rows, *(("computed", one) for one in remarks(answer))])

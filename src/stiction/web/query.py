@@ -17,8 +17,8 @@ from stiction.laws.proportion import input_warnings
 from stiction.quantities.errors import InputError
 from stiction.records.registry import all_options, kinds, of_kind
 from stiction.report.answer import answer_lines, grade_line, model_line
-from stiction.report.honest_digits import rounded
 from stiction.report.report_answer import interval_of, value_in_words
+from stiction.report.significant_digits import rounded
 from stiction.solving.candidates import candidates
 from stiction.solving.choice import LAWS
 from stiction.studies.case_results import compare_case, solve_case

@@ -100,7 +100,7 @@ def compare(
     measured = contact.measured
     if measured is None:
         return data
-    return as_measured(_over_methods(data, measured.contacts(contact), load, progress), measured)
+    return as_measured(_with_range_over_methods(data, measured.contacts(contact), load, progress), measured)
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
@@ -114,7 +114,9 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     return _dataset(contact, answers, target)
 
 
-def _over_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
+def _with_range_over_methods(
+    data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps
+) -> "xarray.Dataset":
     """Return the comparison with the friction at the working load for each asperity method.
 
     contacts: the contact with the roughness of each method.
