@@ -98,6 +98,21 @@ def many_loads(count: int, contacts: int = 1) -> tuple[float, float]:
     return contacts * count / whole, contacts * count / best(lambda: separations_at(problem, targets))
 
 
+def many_loads_on_bodies(count: int, kept: bool) -> float:
+    """Points per second with many loads on one contact of bodies, by st.solve, with errors near the contact up to 200 loads.
+
+    kept: whether the contact was solved before, so that its problem is prepared.
+    """
+    rough = st.Roughness(asperity_height_deviation="48 nm", asperity_radius="50 um", asperity_density="1.7e10 1/m^2")
+    steel = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "interfacial_shear_strength": "200 MPa"}
+    contact, loads = st.Contact(roughness=rough, nominal_area="1 mm^2", **steel), np.geomspace(1e-3, 10.0, count)
+
+    def solve():
+        return st.solve(contact if kept else contact.replace(), load=loads, model="greenwood_williamson_1966")
+
+    return count / best(solve)
+
+
 def theory_at_loads(key: str, count: int = 4_000) -> float:
     """Contacts per second of a theory in closed form, each with its own surface and load."""
     film = {"n_E": 0.5, "n_H": 0.5, "tau": 3.0, "film_aspect": 0.5} if find(key, RoughSurface).on_film else {}
@@ -123,6 +138,10 @@ def load_rows() -> list[tuple[str, float]]:
         whole, alone = many_loads(loads, contacts)
         where = f"{loads} loads on {contacts} contact{'s' if contacts > 1 else ''}"
         found += [(f"{where}, st.solve, points/s", whole), (f"{where}, separations, points/s", alone)]
+    for loads in (100, 10_000):
+        where = f"{loads} loads on one contact of steel, greenwood_williamson_1966, st.solve"
+        found += [(f"{where}, points/s", many_loads_on_bodies(loads, kept=True))]
+        found += [(f"{where}, a new contact each time, points/s", many_loads_on_bodies(loads, kept=False))]
     return found + [(f"{key} at one load each, contacts/s", theory_at_loads(key)) for key in theories()]
 
 

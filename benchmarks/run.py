@@ -268,6 +268,16 @@ def comparison_rows() -> list[tuple[str, float]]:
     return rows
 
 
+def prediction_rows() -> list[tuple[str, float]]:
+    """Seconds of a prediction of 512 draws, which a move of a slider of the page takes, once kernels are loaded."""
+    examples = {"the demo": "soft_film", "with adhesion": "silver_on_steel"}
+    paths = {name: str(HERE.parent / "examples" / f"{stem}.toml") for name, stem in examples.items()}
+    return [
+        (f"prediction, {name}, processor s", best(lambda path=path: st.predict(path), repeats=3))
+        for name, path in paths.items()
+    ]
+
+
 def machine() -> dict[str, str]:
     cpuinfo = Path("/proc/cpuinfo")
     lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
@@ -389,7 +399,15 @@ def main() -> None:
     figures = peer_rows() + thread_rows() + other_rows()
     figures += [(f"grid: {name}, evaluations/s", rate) for name, rate in model_rows()]
     with tempfile.TemporaryDirectory() as folder:
-        figures += load_rows() + comparison_rows() + scan_rows(folder) + map_rows(folder) + slide_rows() + start_rows()
+        figures += (
+            load_rows()
+            + comparison_rows()
+            + prediction_rows()
+            + scan_rows(folder)
+            + map_rows(folder)
+            + slide_rows()
+            + start_rows()
+        )
         figures += command_rows(folder)
     write([*figures, ("10^7 scattered evaluations, peak memory, GB", peak_memory())])
 
