@@ -107,9 +107,7 @@ class Contact(Subject):
         if 0 < len(left_out) < len(rest):
             raise InputError(left_out[0], None, f"{', '.join(rest)} together, or none of them")
         if self.weakening_slip is not None and self.residual_strength is None:
-            raise InputError(
-                "residual_strength", None, "0 to 1, the fraction of the strength that remains after weakening_slip"
-            )
+            raise InputError("residual_strength", None, "0 to 1, the fraction of strength that remains after weakening_slip")
         return self
 
     def _check_adhesion(self) -> None:
@@ -385,10 +383,7 @@ class Contact(Subject):
 
     @property
     def size_effect(self):
-        """Return the largest R*/R of all bodies; None if no hardness depends on size.
-
-        R*/R is the square of (hardness under asperities over hardness of large imprints), less 1.
-        """
+        """Return the largest (hardness at asperities/hardness of large imprints)^2 - 1 of the bodies; None without it."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 

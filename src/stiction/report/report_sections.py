@@ -22,6 +22,7 @@ from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, m
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
 from stiction.report.report_answer import headline, load_in_words, plain_name, value_in_words, warnings_here
+from stiction.report.swept_tables import swept_table
 from stiction.report.table import Column, Table, numbers, with_powers
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
 from stiction.report.views.comparison import GROUP_HEADS, group_row, groups_of
@@ -257,8 +258,6 @@ def curve_rows(findings: ReportData) -> Table:
     if findings.prediction is not None:
         return on_page(curve_table(data, heads=PREDICTION_HEADS), "mu along the loads")
     if findings.case.is_swept:
-        from stiction.report.swept_tables import swept_table
-
         return on_page(swept_table(data), "Some of the combinations")
     return on_page(curve_table(data, heads=HEADS | {"touching_asperities": "touching asperities"}), "Some points of the curve")
 

@@ -274,12 +274,8 @@ def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: 
     from scipy.special import erfinv
 
     found = on_solved_maps(problem, points)
-    if (
-        found is not None
-        and isinstance(problem, ClosedFormProblem)
-        and problem.map is not None
-        and _map_area(problem.map).solvable
-    ):
+    surface = problem.map if isinstance(problem, ClosedFormProblem) else None
+    if found is not None and surface is not None and _map_area(surface).solvable:
         return _none_but_own(found)
     if found is None or place.shape is not None:
         return found

@@ -100,7 +100,7 @@ def compare(
     measured = contact.measured
     if measured is None:
         return data
-    return as_measured(_with_range_over_methods(data, measured.contacts(contact), load, progress), measured)
+    return as_measured(_with_methods(data, measured.contacts(contact), load, progress), measured)
 
 
 def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) -> "xarray.Dataset":
@@ -114,9 +114,7 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     return _dataset(contact, answers, target)
 
 
-def _with_range_over_methods(
-    data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps
-) -> "xarray.Dataset":
+def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
     """Return the comparison with the friction at the working load for each asperity method.
 
     contacts: the contact with the roughness of each method.
@@ -387,16 +385,15 @@ def _compressive_load(subject: Subject, given: Any, field: str) -> float:
 
     Raises InputError unless it is a single load above 0.
     """
-    unit = subject.attributes("load")["units"]
+    allowed = f"one load > 0 {subject.attributes('load')['units']}".removesuffix(" 1")
     if not isinstance(given, str) and np.ndim(given) > 0:
-        allowed = f"one load > 0 {unit}".removesuffix(" 1")
         raise InputError(field, given, f"{allowed}: compare takes a single load; solve accepts an array")
     try:
         load = float(subject.read(given, "load"))
     except InputError as error:
         raise InputError(field, error.value, error.allowed) from None
     except (TypeError, ValueError):
-        raise InputError(field, given, f"one load > 0 {unit}".removesuffix(" 1")) from None
+        raise InputError(field, given, allowed) from None
     if not 0.0 < load < np.inf:
-        raise InputError(field, given, f"> 0 {unit}".removesuffix(" 1"))
+        raise InputError(field, given, allowed)
     return load
