@@ -35,6 +35,7 @@ class LawKeywords(TypedDict, total=False):
     film_shear: str | None
     hardness: str | None
     limiting_pressure: str | None
+    mode_mixity: str | None
     modulus: str | None
     other_body: str | None
     plastic_junctions: str | None

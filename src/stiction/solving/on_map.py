@@ -1,7 +1,7 @@
 """Solve the contact of a height map, measured or generated, point by point, without asperities or statistics."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -82,6 +82,12 @@ class MapProblem(Problem):
         measured = self.contact.measured
         assert measured is not None  # `contact` refuses others
         return measured
+
+    def without_attraction(self) -> "MapProblem":
+        """Return the problem of the dry contact without adhesion."""
+        assert isinstance(self.subject, Contact)
+        chosen = self.chosen.with_option("adhesion", "left_out").with_option("mode_mixity", "none")
+        return replace(self, subject=self.subject.replace(liquid=None), chosen=chosen)
 
     def surface(self) -> "HeightMap":
         """Return the map that is solved. Raises InputError if it cannot be solved."""
@@ -168,6 +174,10 @@ class MapProblem(Problem):
             return float(self._sheared(np.array([one.load * force]), one.area * extent, "elastic"))
         of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(one))
         return float(sum(of_states))
+
+    def map_friction(self, one: "MapContact") -> float:
+        """Return the tangential force [N] of a solved map at its strength."""
+        return self._friction(one) * self.factors["N"] * one.nominal_area / self.contact.nominal_area
 
     def strengths(self, one: "MapContact") -> np.ndarray:
         """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.

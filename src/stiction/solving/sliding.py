@@ -90,12 +90,13 @@ def slide(
     Returns
     -------
     xarray.Dataset
-        friction_force [N] and friction_coefficient, the sum of all strengths, which the force cannot exceed;
+        friction_force [N] and friction_coefficient, the sum of all strengths;
         tangential_stiffness [N/m] at rest; largest_tangential_force [N], largest_friction_coefficient and
         sliding_displacement [m], where the force is largest. Over `displacement`: tangential_force [N], sticking_share, the
         part of the contact area that has not slipped, and, for a residual strength of 1, energy_loss [J] of a cycle of that
         amplitude. For a map also friction_efficiency, the largest force over the sum of strengths; with a spring,
-        drive_displacement [m] and state_is_met, 0 at displacements that the map leaps past.
+        drive_displacement [m] and state_is_met, 0 at displacements that the map leaps past. Where shear changes the contact of
+        a map, also sheared_contact_area [m2] over `displacement`; for unlike bodies, coupling_residual.
 
     Raises
     ------
@@ -105,7 +106,9 @@ def slide(
     Notes
     -----
     Partial slip of an asperity after Mindlin (1949). All asperities are displaced together; plastic ones stick like elastic
-    ones. On a map displacements are relative to its mean plane, and traction across the direction of sliding is left out.
+    ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled; for like
+    bodies traction across the direction of sliding is left out. The option mode_mixity lets shear lower the adhesion of a map;
+    no law of it is recommended. The fraction of the shear energy that opens the edge is `peeling` of the contact.
 
     Examples
     --------

@@ -10,6 +10,7 @@ import numpy as np
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
+from stiction.solving.moving_adhesive import AdhesiveMap, PeelingMap, without_mode_mixity
 from stiction.solving.moving_map import MovingMap
 from stiction.solving.moving_unlike import UnlikeBodies, are_unlike, effect_of_coupling
 from stiction.solving.on_map import MapProblem
@@ -21,6 +22,7 @@ from stiction.solving.unused import as_attributes, unused_inputs
 if TYPE_CHECKING:
     import xarray
 
+    from stiction.solvers.boundary_elements.solve import MapContact
     from stiction.solvers.shear.path import SlidingPath, Weakening
 
 _STEPS = 40  # of a path, where no displacements are given
@@ -45,7 +47,8 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     """Return the tangential force against displacement of a solved map, as `slide` describes it. Raises InputError."""
     factors = problem.factors
     weakening = _weakening(problem, move.residual, move.weakening_slip)
-    static = solve_points(points).tables
+    unsheared = without_mode_mixity(problem)
+    static = solve_points(replace(points, problem=unsheared)).tables
     loads = static["load"]
     moving = _moving(problem, loads.reshape(-1))
     moved = requested_points(problem.subject, "displacement", _displacements(problem, moving, weakening, move))
@@ -77,22 +80,42 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     for name in {"displacement", points.name} & set(data.coords):
         data[name].attrs = problem.subject.attributes(str(name))
     known = summary_of(problem.subject, problem, static | ends)
-    known |= used_by_sliding(problem, ("residual_strength", "weakening_slip"))
+    peels = ("peeling",) if problem.options["mode_mixity"] != "none" else ()
+    known |= used_by_sliding(problem, ("residual_strength", "weakening_slip", *peels))
     return data.assign_attrs(known | _said(known, moving, move.residual, weakening, paths))
 
 
 def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
     """Return the map, solved at normalised loads (m,), that will be displaced. Raises InputError."""
+    contacts = _contacts(without_mode_mixity(problem), loads)
+    unlike = are_unlike(problem)
+    if problem.adheres:
+        mixed = problem.options["mode_mixity"] != "none"
+        moving: MovingMap = (PeelingMap if mixed else AdhesiveMap).of(problem, contacts)
+        return _uncoupled(problem, moving, loads, "of adhesion") if unlike else moving
+    if not unlike:
+        return MovingMap.of(problem, contacts)
+    if problem.menisci:
+        return _uncoupled(problem, MovingMap.of(problem, contacts), loads, "of the liquid")
+    return UnlikeBodies.of(problem, contacts)
+
+
+def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]":
+    """Return the contacts of the map at normalised loads (m,). Raises InputError if one is not solved."""
     contacts = tuple(one for one in problem.curve(loads).contacts if one is not None)
     if len(contacts) < loads.size:
         raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
-    if not are_unlike(problem):
-        return MovingMap.of(problem, contacts)
-    if problem.menisci:
-        change = effect_of_coupling(problem, contacts)
-        remark = f"pressure and shear are not coupled, because of the liquid: friction may be wrong by {100.0 * change:.2g} %"
-        return replace(MovingMap.of(problem, contacts), remark=remark)
-    return UnlikeBodies.of(problem, contacts)
+    return contacts
+
+
+def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
+    """Return the map with a remark on the neglected coupling of pressure and shear, of the dry contact without adhesion."""
+    remark = f"pressure and shear are not coupled, because {why}"
+    if (loads > 0.0).all():
+        dry = problem.without_attraction()
+        change = effect_of_coupling(dry, _contacts(dry, loads))
+        remark += f": friction may be wrong by {100.0 * change:.2g} %"
+    return replace(moving, remark="; ".join(one for one in (moving.remark, remark) if one))
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
@@ -163,7 +186,7 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
         raise InputError(
             "tangential_force", move.tangential_force, "no value, because strength falls with slip; give displacement instead"
         )
-    if type(moving) is not MovingMap:
+    if type(moving) not in (MovingMap, AdhesiveMap):
         raise InputError(
             "tangential_force", move.tangential_force, "no value, because shear changes the contact; give displacement instead"
         )

@@ -54,6 +54,7 @@ from stiction.solvers.boundary_elements.bodies import Bodies
 from stiction.solvers.boundary_elements.compliance import Film
 from stiction.solvers.boundary_elements.menisci import Menisci
 from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
+from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
 
 if TYPE_CHECKING:
     from stiction.solvers.boundary_elements.curve import MapCurve
@@ -96,15 +97,20 @@ def _film(material: Material, thickness: float, substrate: Material) -> Film:
 
 
 def of_map(
-    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str, adhesion: str
+    surface: "HeightMap", contact: Contact, pressures: Sequence[float], *, points: str, yielding: str, shear: str,
+    adhesion: str, mode_mixity: str,
 ) -> "MapCurve":  # fmt: skip
     """Solve the contact of a map at nominal pressures [Pa].
 
-    The options points, yielding, shear and adhesion are those of the model. Raises InputError if the map or a pressure cannot
-    be solved.
+    The options points, yielding, shear, adhesion and mode_mixity are those of the model. Raises InputError if the map or a
+    pressure cannot be solved.
     """
     from stiction.solvers.boundary_elements.curve import curve_of_map  # slow to import, and wanted by those who solve only
 
+    if mode_mixity != "none":
+        raise InputError(
+            "mode_mixity", mode_mixity, "none; slide() takes a law of mode mixity, because only shear changes the adhesion"
+        )
     bodies = bodies_of(contact)
     if yielding == "none":
         bodies = replace(bodies, hardness=None)
@@ -119,16 +125,26 @@ def _sticking(
     surface: "HeightMap", contact: Contact, bodies: Bodies, pressures: Sequence[float], adhesion: str
 ) -> "MapCurve":  # fmt: skip
     """Solve the contact of a map with adhesion, which decays over a finite range of the gap."""
-    from stiction.solvers.boundary_elements.adhesive_curve import adhesive_curve, shortest_range
+    from stiction.solvers.boundary_elements.adhesive_curve import adhesive_curve
+
+    work, reach = attraction_of(surface, contact, bodies, adhesion)
+    curve = adhesive_curve(surface, bodies, pressures, work=work, reach=reach)
+    if adhesion == "atomic_range":
+        return curve
+    return replace(curve, of_map={**curve.of_map, "range_tabor": float(contact.tabor_parameter(reach))})
+
+
+def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesion: str) -> tuple[float, float]:
+    """Return work of adhesion [J/m2] and range of attraction [m] of a map. Raises InputError for a contact without adhesion."""
+    from stiction.solvers.boundary_elements.adhesive_curve import shortest_range
 
     coating = contact.coating
     work = contact.work_of_adhesion if coating is None or coating.work_of_adhesion is None else coating.work_of_adhesion
     if not contact.adheres or work is None:
         raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2 with adhesion = {adhesion}")
-    atomic = adhesion == "atomic_range"
-    reach = EQUILIBRIUM_DISTANCE if atomic else max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
-    curve = adhesive_curve(surface, bodies, pressures, work=work, reach=reach)
-    return curve if atomic else replace(curve, of_map={**curve.of_map, "range_tabor": float(contact.tabor_parameter(reach))})
+    if adhesion == "atomic_range":
+        return float(work), EQUILIBRIUM_DISTANCE
+    return float(work), max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
 
 
 RECORD = RoughSurface(
@@ -158,6 +174,7 @@ RECORD = RoughSurface(
         "yielding": ("at_hardness", "none"),
         "shear": ("law", "lesser", "junction_growth"),
         "adhesion": ("left_out", "atomic_range", "shortest_range"),
+        "mode_mixity": ("none", *MODE_MIXITIES),
     },
     validity=(
         Validity(

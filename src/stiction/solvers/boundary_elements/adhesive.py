@@ -164,18 +164,22 @@ class AdhesiveState:
 
 
 def adhesive_state(
-    heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float
-) -> AdhesiveState:
-    """Return the adhesive contact of a periodic map at a load [N], without refining its grid.
+    heights: np.ndarray, size: tuple[float, float], *, modulus: float, load: float, work: float, reach: float,
+    film: Film | None = None, finer: bool = False,
+) -> AdhesiveState:  # fmt: skip
+    """Return the adhesive contact of a periodic map at a load [N].
 
-    heights, size, modulus, work, reach: as in `solve_adhesive`. Raises InputError for an unusable map.
+    heights, size, modulus, work, reach, film: as in `solve_adhesive`. finer: whether the grid is refined as there. Raises
+    InputError for an unusable map.
     """
     if not math.isfinite(load):
         raise InputError("load", load, "finite, in N")
     require_memory(np.shape(heights), kept=_ARRAYS)
     size, heights = size_in_metres(size), usable_map(heights)
     require_positive(work=work, reach=reach)
-    return _before_adhesion(heights, size, Compliance(modulus), load, work, reach).with_share(None)
+    compliance = Compliance(modulus, film)
+    heights = _between_points(heights, size, reach**2 / (compliance.near * work)) if finer else heights
+    return _before_adhesion(heights, size, compliance, load, work, reach).with_share(None)
 
 
 def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveState:

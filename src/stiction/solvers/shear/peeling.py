@@ -11,9 +11,12 @@ q is the traction of the point, and s the slip of its neighbours outside the con
 mean G_T is beta T^2/(32 pi a^3) (Savkoor & Briggs 1977): within 3 % at radii of 6 to 40 points. Pixels make G_T uneven, so it
 is smoothed along the edge over a few points. Every point of the map takes G_T of the nearest point of the edge. Contact and
 shear are solved alternately until the area stays. In these iterations the contact only shrinks.
+
+`peel_map` applies given forces to a contact that sticks. `slide_and_peel` shifts a contact whose points slip at their
+strength; G_T is still that of a contact that sticks under the same force, as in the closed forms.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -23,13 +26,15 @@ from stiction.quantities.errors import InputError, nearest
 from stiction.solvers.boundary_elements.adhesive import AdhesiveState, adhesive_state
 from stiction.solvers.shear.compliance import ShearCompliance
 from stiction.solvers.shear.minimise import shear
-from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
+from stiction.solvers.shear.mode_mixity import MODE_MIXITIES, ModeMixity
 from stiction.solvers.shear.operators import PeriodicShear, ShearOperator
+from stiction.solvers.shear.path import MOST_STEPS, TOLERANCE, SlidingPath, State, Weakening, after_step, follow, slip_step
 
 _OF_DISCS = 1.04
 _ALONG = 2.0  # points, standard deviation of the smoothing
 _MOST_TURNS = 40
-_STAYS = 2e-3  # change of the number of touching points in a turn
+_STAYS = 2e-3  # change of the number of touching points, or of the force, in a turn
+_APPROACH = 0.7  # of the way to the force that the present contact bears
 
 
 @dataclass(frozen=True)
@@ -96,6 +101,66 @@ def _at_force(
     peeled = not state.touching.any() or bool((left == 0.0).any())
     touching, share = state.touching, float(left.min())
     return state, Peeled(force, state.area, share, float(released.mean()), peeled, turn, converged, touching)
+
+
+@dataclass(frozen=True)
+class PeelingState(State):
+    """Store the state of an adhesive map at one rigid shift.
+
+    contact: with the work of adhesion that is left. share: fraction of it that is left at every point (rows, columns).
+    """
+
+    contact: AdhesiveState = field(repr=False)
+    share: np.ndarray = field(repr=False)
+
+
+def slide_and_peel(
+    contact: AdhesiveState, operator: ShearOperator, strength: Callable[[AdhesiveState], np.ndarray], shifts: Sequence[float],
+    *, work: float, law: ModeMixity, zeta: float, weakening: Weakening | None = None,
+) -> SlidingPath:  # fmt: skip
+    """Shift an adhesive map through the given rigid shifts [m], in their order; shear lowers its adhesion.
+
+    contact: without shear. strength: returns the shear strength of every point of a contact (rows, columns) [Pa]. work: of
+    adhesion [J/m2]. law, zeta: of mode mixity, and the fraction of the shear energy that opens the edge. weakening: how
+    strength falls with slip. Contact that is lost does not come back when the force falls.
+    """
+    full, zero, none = strength(contact), np.zeros((1, *contact.gap.shape)), np.zeros(contact.gap.shape, dtype=bool)
+    start = PeelingState(
+        0.0, 0.0, zero, zero, zero[0], none, full > 0.0, 1.0, 0.0, True, contact, np.ones(contact.gap.shape)
+    )  # fmt: skip
+    unit = _UnitRelease(operator)
+
+    def advance(state: PeelingState, shift: float) -> PeelingState:
+        contact, share, acting, stays = state.contact, state.share, state.force, False
+        for _ in range(_MOST_TURNS):
+            step = slip_step(operator, strength(contact), weakening, state, shift - state.slip, TOLERANCE, MOST_STEPS)
+            force = float(step.found.traction.sum())
+            stays = force <= acting + _STAYS * abs(acting)
+            if stays:
+                break
+            acting += _APPROACH * (force - acting)  # from below, as contact that is lost does not come back
+            share = np.minimum(share, law.share(unit(contact.touching) * acting**2 / work, zeta))
+            contact = contact.with_share(share)
+        after = after_step(state, step, contact.touching)
+        after["converged"] = after["converged"] and stays
+        return PeelingState(shift, **after, contact=contact, share=share)
+
+    states, peak = follow(advance, start, shifts, finer=True, keep_maps=False)
+    return SlidingPath(states, peak, full, contact.pixel)
+
+
+class _UnitRelease:
+    """Compute G_T at the edge per squared force; a contact that has not changed is not solved again."""
+
+    def __init__(self, operator: ShearOperator):
+        self._operator, self._touching, self._released = operator, np.zeros(0, dtype=bool), np.zeros(0)
+
+    def __call__(self, touching: np.ndarray) -> np.ndarray:
+        """Return G_T/T^2 of every point (rows, columns); T is the force over the area of a point [Pa]."""
+        if not np.array_equal(touching, self._touching):
+            self._touching = touching
+            self._released = energy_released(self._operator, touching, 1.0) if touching.any() else np.zeros(touching.shape)
+        return self._released
 
 
 def energy_released(operator: ShearOperator, touching: np.ndarray, total: float) -> np.ndarray:

@@ -1,0 +1,100 @@
+"""Displace an adhesive map tangentially; a law of mode mixity may let shear lower its adhesion."""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stiction.laws.rough_surface.boundary_elements import attraction_of, bodies_of, shear_compliance_of
+from stiction.quantities.errors import InputError
+from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
+from stiction.solving.moving_map import MovingMap
+from stiction.solving.on_map import MapProblem
+
+if TYPE_CHECKING:
+    from stiction.solvers.boundary_elements.adhesive import AdhesiveState
+    from stiction.solvers.boundary_elements.solve import MapContact
+    from stiction.solvers.shear.path import SlidingPath, Weakening
+
+__all__ = ["AdhesiveMap", "PeelingMap", "without_mode_mixity"]
+
+
+def without_mode_mixity(problem: MapProblem) -> MapProblem:
+    """Return the problem of the contact that is not sheared. Raises InputError for mode mixity without adhesion."""
+    law = problem.options.get("mode_mixity", "none")
+    if law != "none" and not problem.adheres:
+        raise InputError("mode_mixity", law, "none, or the option adhesion = shortest_range: without adhesion nothing peels")
+    return replace(problem, chosen=problem.chosen.with_option("mode_mixity", "none"))
+
+
+@dataclass(frozen=True)
+class AdhesiveMap(MovingMap):
+    """Represent an adhesive map at one load; all touching points have one strength, and shear does not change them."""
+
+    @classmethod
+    def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "AdhesiveMap":
+        from stiction.solvers.shear.operators import PeriodicShear
+
+        if len(contacts) != 1:
+            raise InputError("load", f"{len(contacts)} loads", "one load at a time with adhesion")
+        contact = _adhesive_state(problem, contacts[0])
+        operator = PeriodicShear(shear_compliance_of(problem.contact), contact.gap.shape, contact.grid.size)
+        return cls(problem, contacts, (_strength(problem, contacts[0], contact),), operator, _remark(problem))
+
+
+@dataclass(frozen=True)
+class PeelingMap(AdhesiveMap):
+    """Represent an adhesive map at one load; shear lowers the adhesion at its edges by a law of mode mixity."""
+
+    def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
+        from stiction.solvers.shear.peeling import slide_and_peel
+
+        one, peeling = self.contacts[index], self.problem.contact.peeling
+
+        def strength(state: "AdhesiveState") -> np.ndarray:
+            return _strength(self.problem, one, state)
+
+        work, _ = _attraction(self.problem)
+        return slide_and_peel(
+            _adhesive_state(self.problem, one), self.operator, strength, shifts.tolist(), work=work,
+            law=MODE_MIXITIES[self.problem.options["mode_mixity"]], zeta=1.0 if peeling is None else float(peeling),
+            weakening=weakening,
+        )  # fmt: skip
+
+    def curves(self, paths: "list[SlidingPath]") -> dict[str, np.ndarray]:
+        return {"sheared_contact_area": np.array([[state.contact.area for state in path.states] for path in paths])}  # type: ignore[attr-defined]
+
+
+def _remark(problem: MapProblem) -> str:
+    """Return how well the law of mode mixity is known."""
+    name = problem.options["mode_mixity"]
+    if name == "none":
+        return ""
+    law = MODE_MIXITIES[name]
+    return f"mode mixity after {law.source} (grade {law.grade}; {law.evidence}): the physics is disputed"
+
+
+def _attraction(problem: MapProblem) -> tuple[float, float]:
+    """Return work of adhesion [J/m2] and range of attraction [m]."""
+    return attraction_of(problem.surface(), problem.contact, bodies_of(problem.contact), problem.options["adhesion"])
+
+
+def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
+    """Return the adhesive contact of the map at a solved load, with the gap of every point."""
+    from stiction.solvers.boundary_elements.adhesive import adhesive_state
+
+    surface, bodies = problem.surface(), bodies_of(problem.contact)
+    work, reach = _attraction(problem)
+    return adhesive_state(
+        surface.heights, surface.size, modulus=bodies.modulus, load=one.load, work=work, reach=reach, film=bodies.film,
+        finer=True,
+    )  # fmt: skip
+
+
+def _strength(problem: MapProblem, one: "MapContact", contact: "AdhesiveState") -> np.ndarray:
+    """Return the shear strength of every point [Pa] (rows, columns): that of the whole contact, spread over its points."""
+    touching = contact.touching
+    count = int(np.count_nonzero(touching))
+    if count == 0:
+        return np.zeros(touching.shape)
+    return np.where(touching, problem.map_friction(replace(one, area=contact.area)) / (count * contact.pixel), 0.0)
