@@ -95,7 +95,7 @@ def stiffening(hardening, modulus_over_yield):
 def radius(w, w_c, B, sharpness, front, rate):
     """Return the contact radius over (R sigma)^(1/2): a = a_e + (a_p - a_e) exp(Upsilon) (eq 25).
 
-    a_e is Hertz's radius (eq 1), a_p that of Jackson and Green (eqs 23, 24). Upsilon is limited to stay finite beyond omega =
+    a_e is Hertz's radius (eq 1), a_p Jackson and Green's (eqs 23, 24). Upsilon is limited to stay finite beyond omega =
     R.
     """
     elastic = math.sqrt(w)
@@ -119,7 +119,7 @@ _radius, _hardness = radius, hardness
 def yielding(u, *row):
     """Return displacement, its slope, load and area beyond 1.9 omega_c.
 
-    The load is F_p + (F_e - F_p) share (eq 30): F_p is that of Jackson and Green (eqs 27, 29), F_e is Hertz's (eq 31, without
+    The load is F_p + (F_e - F_p) share (eq 30): F_p is Jackson and Green's load (eqs 27, 29), F_e is Hertz's (eq 31, without
     its printed factor pi, which Hertz's force does not have). row: w_c, C, B, sharpness, front and rate (see `stiffening`),
     share (see `elastic_share`), and the displacement `wide` beyond which the hardness stays at S_y.
     """

@@ -90,7 +90,7 @@ def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface; `law`, the corrected law, is not used.
 
     If its limits cross, an integral is empty (D9). In the film only asperities with x < tau resist shear (D10). The contact
-    area, which is not printed, is that of the film.
+    area, which is not printed, is the film's.
     """
     tau = groups.tau
     film_part = film_regimes(LAW, groups, tau, _film_weights)

@@ -54,7 +54,7 @@ def at_rest(w, load, slip_limited, yield_limited):
 def regimes(groups: Groups, law: Law, film_shear: str) -> list[Regime]:
     """Return the regimes of a coated surface, in units of the substrate.
 
-    The area is that of the film at the full displacement, because the outer contact is always on the film. A tangential law of
+    The area is the film's at the full displacement, because the outer contact is always on the film. A tangential law of
     the interface is evaluated with this area and the whole load. Any other tangential law gives the film's resistance at w =
     tau plus the substrate's, or the smaller of both if film_shear is "in_series".
     """

@@ -50,15 +50,16 @@ The second formula is for one asperity, in agreement with [mindlin_deresiewicz_1
 For elastic asperities under Coulomb's law, $F(\delta)=f\,[P(h)-P(h+\delta/m)]$ with $m=\tfrac3{16}fK\beta$ ([jager_1998]), so
 that $F=fP\,(1-e^{-\delta/m})$ for exponential heights.
 
-**What still sticks**: the slip of an asperity begins at its rim and leaves the share $1-s$ of its area, so that
+**Area that still sticks**: slip of an asperity begins at the rim of its contact and leaves the fraction $1-s$ of its area
+sticking, so that the sticking area per asperity is
 
 $$
 A_\mathrm{stick}=\int A\,\max(1-s,0)\,\varphi(h+w)\,dw
 $$
 
-Under Coulomb's law it is the contact area of the surfaces $\delta/m$ farther apart, which carry the load $P-F/f$. If the
-area is proportional to the load, as that of many rough surfaces nearly is, $A_\mathrm{stick}/A=1-F/(fP)$ follows for any
-roughness. This is the subject of [paggi_pohrt_popov_2014], whose formulas were not available; those here follow from
+Under Coulomb's law it equals the contact area at a separation larger by $\delta/m$, where the load is $P-F/f$. If the area is
+proportional to the load, as it nearly is for many rough surfaces, $A_\mathrm{stick}/A=1-F/(fP)$ follows for any roughness.
+This is the subject of [paggi_pohrt_popov_2014], whose formulas were not available; the formulas here follow from
 [jager_1998]. Full list: [symbols](#1-units).
 """
 

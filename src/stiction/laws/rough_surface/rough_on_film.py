@@ -124,7 +124,7 @@ def thickness_over_wave(groups: Groups) -> np.ndarray:
 
 
 def sphere_modulus(curve: np.ndarray, n_E: np.ndarray, a_over_t: np.ndarray) -> np.ndarray:
-    """Return the modulus E_P at a/t (n, ...) over that of the bodies without film.
+    """Return the modulus E_P at a/t (n, ...) over the modulus of the bodies without film.
 
     curve: coefficients (n, TERMS) of E_P. n_E (n,): film modulus over substrate modulus.
     """

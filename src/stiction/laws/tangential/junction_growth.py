@@ -54,8 +54,8 @@ _force_of_full_stick = full_stick.resistance
 def together(of_interface, of_full_stick, share):
     """Return the force T from 1/T^2 = (1 - c^2)/(tau_0 A)^2 + 1/T_s^2.
 
-    of_interface: tau_0 A. of_full_stick: T_s. share: c, the strength of the interface over that of the bulk. For c = 1 the
-    force is that of full stick; for T_s -> infinity it is tau_0 A/sqrt(1 - c^2).
+    of_interface: tau_0 A. of_full_stick: T_s. share: c, the strength of the interface over the strength of the bulk. T is T_s
+    for c = 1, and tau_0 A/sqrt(1 - c^2) for T_s -> infinity.
     """
     if of_interface == 0.0 or of_full_stick == 0.0:
         return 0.0

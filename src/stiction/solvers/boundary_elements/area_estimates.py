@@ -54,7 +54,7 @@ class MapSlopes:
     squares: np.ndarray
 
     def top(self, share: float) -> float:
-        """Return the rms gradient of the highest points, divided by that of the map.
+        """Return the rms gradient of the highest points over the rms gradient of the map.
 
         share: fraction of all points that counts, from the highest down.
         """
@@ -120,7 +120,7 @@ def _lay(xx, yy, xy):
 def _by_rank(heights, size, periodic):
     """Return the rank at the end of each bin, and the relative mean square gradient in it.
 
-    Points are sorted from highest to lowest. A rank is a fraction of all points. Gradients are divided by that of the map.
+    Points are sorted from highest to lowest. A rank is a fraction of all points. Gradients are over the gradient of the map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):

@@ -114,7 +114,7 @@ class DescentSearch:
     def _direction(self) -> np.ndarray:
         """Return the next search direction, preconditioned and conjugate to the last one.
 
-        The factor is that of Polak & Ribiere. After a failed step the direction is the preconditioned gradient.
+        The factor is the one of Polak & Ribiere. After a failed step the direction is the preconditioned gradient.
         """
         force = np.where(self._free, -self._slope, 0.0)
         smooth = self._faces.smoothed(force)

@@ -56,7 +56,7 @@ class TwoBodies:
         return cls(film_over_substrate, 0.0 * ones, ones, ones, nu_film, nu_substrate, nu_substrate)
 
     def without_film(self, there: np.ndarray) -> "TwoBodies":
-        """Return the same bodies with the film's modulus replaced by that of each body wherever the mask `there` is False."""
+        """Return the same bodies with the film's modulus replaced by each body's modulus wherever the mask `there` is False."""
         first, second = np.where(there, self.first, 1.0), np.where(there, self.second, 1.0)
         return TwoBodies(first, second, self.share, self.films, self.nu, self.nu_first, self.nu_second)
 
@@ -76,7 +76,7 @@ class TwoBodies:
 
     @property
     def film_over_bodies(self) -> np.ndarray:
-        """Return the film modulus over that of the coated body (n,), or over both bodies in series if both are coated."""
+        """Return the film modulus over the modulus of the coated body (n,), or of both in series if both are coated."""
         both = in_series(self.first, self._second(), self.share)
         return np.where(self.films == 2.0, both, self.first)
 
