@@ -47,7 +47,7 @@ def densities(known: SolvedSet, errors: np.ndarray, seen: str) -> np.ndarray:
         for surface in np.flatnonzero(there):
             weights = near[surface, there]
             if weights.sum() > 1e-6:
-                found[(surface, *at)] = _robust(values[surface], quantiles(values[there], weights))
+                found[(surface, *at)] = _robust(values[surface], quantiles(values[None, there], weights[None])[0])
     return found
 
 
