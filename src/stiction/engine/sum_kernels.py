@@ -144,7 +144,7 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
 
     @engine_kernel
     def average(h, law, listed, laws, out):
-        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i], over the heights `listed`."""
+        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i], over ascending heights `listed`."""
         table, edges, _, _ = laws
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)
@@ -155,8 +155,10 @@ def listing(along: Callable, coordinate: Callable, parameters: int) -> Any:
                     continue
                 lowest, end = along(left, *row)[0], along(right, *row)[0]
                 for place in range(listed.size):
-                    displacement = listed[place] - h[i]
-                    if lowest <= displacement < end:  # a height between two pieces counts once
+                    displacement = listed[listed.size - 1 - place] - h[i]  # the highest first
+                    if displacement < lowest:
+                        break
+                    if displacement < end:  # a height between two pieces counts once
                         state = along(min(max(coordinate(displacement, *row), left), right), *row)
                         touching += 1.0
                         load += state[2]
