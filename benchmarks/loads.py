@@ -33,6 +33,10 @@ def best(action, repeats: int = 5) -> float:
     return min(times)
 
 
+# Repeats after which loops over a hundred loads are compiled: Python runs them at first.
+_UNTIL_COMPILED = 20
+
+
 def designs(count: int, model: str = "soft_coating_2015", **film) -> st.Indices:
     """Random contacts over the range of the paper's interest; with all groups that some theory of the surface needs."""
     rng = np.random.default_rng(1)
@@ -94,7 +98,7 @@ def many_loads(count: int, contacts: int = 1) -> tuple[float, float]:
     """Points per second with many loads on each contact: by st.solve, and the separations alone."""
     some, loads = designs(contacts), np.geomspace(1e-6, 0.01, count)
     problem, targets = make_problem(some, Choice()), np.tile(loads, (contacts, 1))
-    whole = best(lambda: st.solve(some, load=loads))
+    whole = best(lambda: st.solve(some, load=loads), _UNTIL_COMPILED)
     return contacts * count / whole, contacts * count / best(lambda: separations_at(problem, targets))
 
 
@@ -110,7 +114,7 @@ def many_loads_on_bodies(count: int, kept: bool) -> float:
     def solve():
         return st.solve(contact if kept else contact.replace(), load=loads, model="greenwood_williamson_1966")
 
-    return count / best(solve)
+    return count / best(solve, _UNTIL_COMPILED)
 
 
 def theory_at_loads(key: str, count: int = 4_000) -> float:
