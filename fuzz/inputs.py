@@ -4,15 +4,20 @@ Each function takes a source of chance and a folder, and yields what fails: an e
 wrong number.
 """
 
+import copy
 import inspect
 import io
 import math
+import multiprocessing
 import os
 import random
 import warnings
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -35,6 +40,7 @@ _ARGUMENTS: tuple[Any, ...] = (
 _CALLS_APART = ("sweep", "fit", "cite", "export", "write_report", "axis")  # write files, or take what has no bad value
 _CLOSES, _AGREES = 1e-10, 1e-12
 _ROUNDED = 1e-14  # of a sum, for each sigma of the separation: coordinates of nodes that deep are rounded (numerics.md)
+_SPECIALISED = 0.2  # of the contacts: such loops take a second to compile for each law
 
 
 def refused_or_fine(where: str, work: Callable[[], object]) -> Iterator[str]:
@@ -159,28 +165,67 @@ def solved_again(chance: random.Random, folder: Path) -> Iterator[str]:
 
 
 def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
-    """Solve in plain Python, in compiled loops, and with eight threads: all must agree."""
+    """Solve in plain Python, in compiled loops, with eight threads and in another process: all must agree."""
+    before = copy.deepcopy(chance)
     solvable = _solvable(chance)
     if solvable is None:
         return
     subject, model, loads, _ = solvable
-    before = os.environ.get(VARIABLE)
+    means = {"compiled": ("shared", 1), "with eight threads": ("shared", 8)}
+    if chance.random() < _SPECIALISED:
+        means["in specialised loops"] = ("specialised", 1)
     found: list[Any] = []
     try:
-        for loops, threads in (("interpreted", 1), ("shared", 1), ("shared", 8)):
-            os.environ[VARIABLE] = loops
-            tier.cache_clear()
-            with warnings.catch_warnings():
+        for loops, threads in (("interpreted", 1), *means.values()):
+            with _loops(loops), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 found.append(st.solve(subject, load=loads, model=model, threads=threads))
+        found.append(_other_process().submit(_solved_elsewhere, before).result())
     except Exception as error:
         yield f"{model} at {loads}: {type(error).__name__} by one means only: {error}"
         return
+    rounding = _rounding(subject, model, found[0])
+    for words, other in zip([*means, "in another process"], found[1:], strict=True):
+        yield from (
+            f"{model} at {loads}: {fault} {words}" for fault in _differences(subject, found[0], other, _AGREES, rounding)
+        )
+
+
+def _rounding(subject: Any, model: str, found: Any) -> dict[str, np.ndarray]:
+    """Return by how much results change with the last digits of the separation: a load cannot be met more closely."""
+    if "mean_separation" not in found or found["mean_separation"].dims != ("load",):
+        return {}
+    separation = found["mean_separation"].values
+    with suppress(InputError, ArithmeticError), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        near = st.solve(subject, separation=separation + 1e-14 * np.abs(separation).max(), model=model)
+        return {
+            name: np.abs(near[name].values - found[name].values) for name in ("contact_area", "friction_force") if name in near
+        }
+    return {}
+
+
+@contextmanager
+def _loops(wanted: str) -> Iterator[None]:
+    """Within the context, sum by these loops."""
+    before = os.environ.get(VARIABLE)
+    os.environ[VARIABLE] = wanted
+    tier.cache_clear()
+    try:
+        yield
     finally:
         os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
         tier.cache_clear()
-    for means, other in zip(("compiled", "with eight threads"), found[1:], strict=True):
-        yield from (f"{model} at {loads}: {fault} {means}" for fault in _differences(subject, found[0], other, _AGREES))
+
+
+@cache
+def _other_process() -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(1, multiprocessing.get_context("spawn"))
+
+
+def _solved_elsewhere(chance: random.Random) -> Any:
+    solvable = _solvable(chance)
+    return None if solvable is None else solvable[3]
 
 
 def _solvable(chance: random.Random) -> tuple[Any, str, np.ndarray, Any] | None:
@@ -197,18 +242,20 @@ def _solvable(chance: random.Random) -> tuple[Any, str, np.ndarray, Any] | None:
     return None
 
 
-def _differences(subject: Any, found: Any, other: Any, tolerance: float) -> Iterator[str]:
-    """Yield the results of two solutions that differ by more than a tolerance, as a fraction."""
+def _differences(
+    subject: Any, found: Any, other: Any, tolerance: float, rounding: Mapping[str, np.ndarray] = MappingProxyType({})
+) -> Iterator[str]:
+    """Yield the results of two solutions that differ by more than a tolerance, as a fraction, and what rounding does."""
     pull_off = float(found.get("pull_off_force", 0.0))  # loads far below it are a difference of large numbers
     if "mean_separation" in found:
         tolerance += _ROUNDED * float(np.abs(found["mean_separation"]).max() / subject.scales().separation)
     for name, least in (("load", pull_off), ("contact_area", 0.0), ("friction_force", 0.0)):
         if name in found and name in other:
             before, after = found[name].values, other[name].values
-            if not np.isclose(
-                before, after, rtol=0.0, atol=tolerance * np.maximum(np.abs(before), least), equal_nan=True
-            ).all():
-                yield f"{name} {before} is {after}"
+            over = np.maximum(np.abs(before), max(least, 1e-300))
+            allowed = tolerance + rounding.get(name, 0.0) / over
+            if not np.isclose(before / over, after / over, rtol=0.0, atol=allowed, equal_nan=True).all():
+                yield f"{name} {before} differs by {np.nanmax(np.abs(after - before) / over):.1e} of it"
 
 
 def _faults(found: Any, where: str) -> Iterator[str]:

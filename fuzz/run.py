@@ -275,7 +275,7 @@ def in_workers(seeds: range, names: list[str], seconds: int) -> Iterator[tuple[i
     while seeds:
         few, seed = seeds[:_SEEDS_OF_A_WORKER], seeds[0]
         here, there = context.Pipe(duplex=False)
-        worker = context.Process(target=_try_seeds, args=(few, names, seconds, there), daemon=True)
+        worker = context.Process(target=_try_seeds, args=(few, names, seconds, there))
         worker.start()
         there.close()
         try:

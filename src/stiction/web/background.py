@@ -123,6 +123,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Report the number of designs that were tried, and the best one in words."""
+        """Report the number of designs that were tried, and a text on how many there will be at most."""
         self.check()
-        self.text, self.share = f"{count} designs tried: {text}", 0.0
+        self.text, self.share = f"{count} designs tried, {text}", 0.0

@@ -1,0 +1,121 @@
+"""Open the page as many visitors do, one after the other, and print how much memory the server has before, during and after.
+
+    python fuzz/visitors.py [--count 200] [--at-once 4] [--rounds 3]
+
+A visitor loads the page, opens its websocket, and leaves: every third within the computation, before the page has arrived. The
+server forgets a visitor ten seconds after the websocket has closed, and one who opened none after a minute.
+"""
+
+import argparse
+import asyncio
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import uuid
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager, suppress
+from pathlib import Path
+
+import aiohttp
+
+FORGOTTEN = 75.0  # seconds after which the server has forgotten all visitors
+_LEAVES_WITHIN = 0.2  # seconds, in which no page is computed
+
+
+@contextmanager
+def served(case: Path | None = None) -> Iterator[tuple[str, int]]:
+    """Yield address and process id of a server of its own, once it answers."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    command = [sys.executable, "-m", "stiction", "serve", *([str(case)] if case else []), "--port", str(port)]
+    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+    with tempfile.TemporaryFile() as said, subprocess.Popen(command, env=environment, stdout=said, stderr=said) as server:
+        try:
+            while True:
+                with suppress(OSError), socket.create_connection(("127.0.0.1", port), 60):
+                    break
+                if server.poll() is not None:
+                    said.seek(0)
+                    raise RuntimeError(said.read().decode())
+                time.sleep(0.2)
+            yield f"http://127.0.0.1:{port}", server.pid
+        finally:
+            server.terminate()
+            server.wait(60)
+
+
+def resident(process: int) -> float:
+    """Return the memory of a process, MB; Linux only."""
+    status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    return int(re.findall(r"VmRSS:\s+(\d+)", status)[0]) / 1024.0
+
+
+async def visit(session: aiohttp.ClientSession, address: str, state: str = "", stays: float = 0.0) -> str:
+    """Return the page of a visitor who opens its websocket and leaves after some seconds."""
+    async with session.get(address, params={"s": state} if state else None) as answer:
+        page = await answer.text()
+    client = re.findall(r"""client_id['"]: ?['"]([^'"]+)""", page)[0]
+    asked = {"EIO": "4", "transport": "websocket", "client_id": client, "tab_id": str(uuid.uuid4())}
+    asked |= {"document_id": str(uuid.uuid4()), "next_message_id": "0", "implicit_handshake": "true"}
+    async with session.ws_connect(f"{address}/_nicegui_ws/socket.io/", params=asked, max_msg_size=0) as stream:
+        await stream.receive_str()
+        await stream.send_str("40")
+        said = await stream.receive_str()
+        if not said.startswith("40"):
+            raise RuntimeError(f"the server does not take the visitor: {said}")
+        await asyncio.sleep(stays)
+    return page
+
+
+async def leave_within(session: aiohttp.ClientSession, address: str, state: str = "") -> None:
+    """Ask for the page, and leave before it is computed."""
+    with suppress(asyncio.TimeoutError):
+        await asyncio.wait_for(visit(session, address, state), _LEAVES_WITHIN)
+
+
+@asynccontextmanager
+async def browser() -> AsyncIterator[aiohttp.ClientSession]:
+    """Yield a session, and let its sockets close before the loop ends."""
+    async with aiohttp.ClientSession(timeout=aiohttp.ClientTimeout(600.0)) as session:
+        yield session
+    await asyncio.sleep(_LEAVES_WITHIN)
+
+
+async def visits(address: str, count: int, at_once: int = 4) -> None:
+    """Open and leave the page so many times."""
+    places = asyncio.Semaphore(at_once)
+    async with browser() as session:
+
+        async def one(number: int) -> None:
+            async with places:
+                await (leave_within(session, address) if number % 3 == 2 else visit(session, address))
+
+        await asyncio.gather(*map(one, range(count)))
+
+
+def main() -> None:
+    """Print the memory of the server before, right after and some time after each round of visitors."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--count", type=int, default=200, help="visitors of all rounds")
+    parser.add_argument("--at-once", type=int, default=4, help="visitors at the same time")
+    parser.add_argument("--rounds", type=int, default=3, help="pauses, in which the server may forget")
+    wanted = parser.parse_args()
+    with served() as (address, process):
+        asyncio.run(visits(address, 1))
+        print(json.dumps({"visitors": 1, "memory [MB]": round(resident(process))}), flush=True)
+        for number in range(wanted.rounds):
+            asyncio.run(visits(address, wanted.count // wanted.rounds, wanted.at_once))
+            right_after = resident(process)
+            time.sleep(FORGOTTEN)
+            told = {"visitors": 1 + (number + 1) * (wanted.count // wanted.rounds), "right after [MB]": round(right_after)}
+            print(json.dumps(told | {"when forgotten [MB]": round(resident(process))}), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+"""Visitors of a running server: who leaves within a computation, and what the server keeps of visitors who have left."""
+
+import asyncio
+import multiprocessing
+import random
+import sys
+import threading
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("aiohttp")
+sys.path.insert(0, str(Path(__file__).parents[2] / "fuzz"))
+
+import numpy as np
+import visitors
+
+from stiction.web.address import packed
+from stiction.web.background import STUDIES, Progress
+from stiction.web.fields import example_cases, first_case
+from stiction.web.query import Query, compared, headline, solved
+
+OTHER = example_cases()["Silver film, 200 nm, on hardened steel, with adhesion"]
+
+
+@pytest.fixture(scope="module")
+def server():
+    with visitors.served() as (address, process):
+        yield address, process
+
+
+def _asked(server, *states, leaves=()):
+    """Return the pages of visitors who ask at once; those at the places `leaves` are gone before they get one."""
+
+    async def together():
+        async with visitors.browser() as session:
+            asked = [
+                (visitors.leave_within if place in leaves else visitors.visit)(session, server[0], state)
+                for place, state in enumerate(states)
+            ]
+            return await asyncio.gather(*asked)
+
+    return asyncio.run(together())
+
+
+def test_who_leaves_within_a_computation_does_not_change_the_answer_of_another(server):
+    answer = solved(Query(OTHER))
+    mu = headline(answer, answer.middle())[0]
+    assert mu != headline(solved(Query(first_case())), answer.middle())[0]
+    pages = _asked(server, packed(OTHER), "", packed(OTHER), packed(OTHER), leaves=(0, 1, 2))
+    assert pages[:3] == [None] * 3 and mu in pages[3]
+    assert mu in _asked(server, packed(OTHER))[0]
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="this system does not say how much memory a process has")
+def test_visitors_who_have_left_leave_no_memory_behind(server):
+    """The server forgets them after a minute; a page is 1 MB of elements, so thirty that stayed would be seen."""
+    asyncio.run(visitors.visits(server[0], 9))
+    before = visitors.resident(server[1])
+    asyncio.run(visitors.visits(server[0], 30))
+    assert visitors.resident(server[1]) - before < 100.0
+
+
+def test_a_computation_that_is_killed_leaves_the_next_one_right():
+    """A kill may come within a kernel that is compiled, a cache that is filled, or a module that is imported."""
+    query, chance = Query(OTHER), random.Random(1)
+    for _ in range(6):
+        progress = Progress()
+        killer = threading.Timer(chance.uniform(0.0, 1.0), progress.stop)
+        killer.start()
+        try:
+            STUDIES.submit(progress.watched, lambda progress: compared(query, None, progress)).result()
+        except KeyboardInterrupt:
+            pass
+        finally:
+            killer.cancel()
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as elsewhere:
+        undisturbed = elsewhere.submit(_compared).result()
+    after = _compared()
+    np.testing.assert_allclose(after["contact_area"], undisturbed["contact_area"], rtol=1e-12)
+    assert list(after["status"].values) == list(undisturbed["status"].values)
+
+
+def _compared():
+    return compared(Query(OTHER), None, Progress(600.0))[1]
