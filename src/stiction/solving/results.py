@@ -17,7 +17,7 @@ from stiction.solving.conditions import warnings_of_results
 from stiction.solving.inversion import Inversion, pull_off
 from stiction.solving.points import Points, Solved
 from stiction.solving.problem import Problem
-from stiction.solving.state import state_of
+from stiction.solving.state import area_fraction
 
 if TYPE_CHECKING:
     import xarray
@@ -112,9 +112,9 @@ def with_shares(problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str,
     Results have the dimensions of the contacts first.
     """
     shared = dict(tables)
-    fraction = state_of(problem, tables).get("area_fraction")
-    if fraction is not None:
-        shared["area_fraction"] = fraction.reshape(tables["contact_area"].shape)
+    if problem.groups.roughness_parameter is not None:
+        area = tables["contact_area"]
+        shared["area_fraction"] = area_fraction(problem.groups, area.reshape(len(problem.groups), -1)).reshape(area.shape)
     if "Pa" in problem.subject.scales().factors():
         shared["nominal_pressure"] = tables["load"]
     return shared

@@ -53,7 +53,7 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     found = _by_asperity(problem, load, area, share, some, _bearing(problem, load, results), wet)
     if groups.roughness_parameter is not None:
         density = math.pi * groups.roughness_parameter[:, None]
-        found["area_fraction"] = density * area
+        found["area_fraction"] = area_fraction(groups, area)
         found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
         count = number_of_asperities(groups)
         if count is not None:
@@ -64,6 +64,12 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     known = {} if problem.subject is None else of_the_map(problem.subject)
     of_map = {name: np.full((n, 1), value) for name, value in known.items()}
     return found | {name: value[:, None] for name, value in of_surface.items()} | of_map
+
+
+def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
+    """Return A/A_n (n, m) from normalised areas (n, m) of contacts whose asperity density is known."""
+    assert groups.roughness_parameter is not None
+    return math.pi * groups.roughness_parameter[:, None] * area
 
 
 def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
