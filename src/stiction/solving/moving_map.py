@@ -56,6 +56,10 @@ class MovingMap:
         strength, pixel = self.strengths[index], self.pixel(index)
         return slide_map(self.operator, strength, shifts.tolist(), pixel=pixel, weakening=weakening, keep_maps=False)
 
+    def remark_on(self, paths: "list[SlidingPath]") -> str:
+        """Return what the user should know of the solution, or an empty text."""
+        return self.remark
+
     def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
         """Return further results of each load (m,)."""
         return {}

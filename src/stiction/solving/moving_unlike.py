@@ -99,6 +99,10 @@ class UnlikeBodies(MovingMap):
     def results(self, paths: "list[SlidingPath]") -> dict[str, np.ndarray]:
         return {"coupling_residual": np.array([max(max(s.change, s.misfit) for s in _states(path)) for path in paths])}
 
+    def remark_on(self, paths: "list[SlidingPath]") -> str:
+        error = float(self.results(paths)["coupling_residual"].max())
+        return f"pressure and shear of these unlike bodies are coupled, with an error of at most {100.0 * error:.2g} %"
+
     def curves(self, paths: "list[SlidingPath]") -> dict[str, np.ndarray]:
         areas = [[self._with_pressure(at, state.pressure).area for state in _states(path)] for at, path in enumerate(paths)]
         return {"sheared_contact_area": np.array(areas)}

@@ -29,7 +29,7 @@ _STEPS = 40  # of a path, where no displacements are given
 _MOST_SHOWN = 160  # points along a side of the map of points that stick and slide
 _STATES = {"long_name": "points of the map", "flag_values": [0, 1, 2], "flag_meanings": "apart sticks slides"}
 _NEARLY = 0.99  # of a force that is only tended to
-_KNOWN = "a length > 0, e.g. 1 nm for monolayers and oxides, 0.1 to 10 um for worn metals and rock"
+_KNOWN = "a length > 0: 0.3 to 3 nm for monolayers and oxides, 0.1 to 10 um for worn metals, 1 to 100 um for rock"
 
 
 @dataclass(frozen=True)
@@ -266,6 +266,6 @@ def _said(
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"
     settled = all(state.converged for path in paths for state in path.states)
-    remarks = [known["remarks"], moving.remark, "" if settled else "the force did not converge at some displacements"]
+    remarks = [known["remarks"], moving.remark_on(paths), "" if settled else "the force did not converge at some displacements"]
     title = f"Tangential force up to sliding after {known['model']}"
     return {"title": title, "residual_strength": residual, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}

@@ -115,7 +115,7 @@ class Pressing:
 class CoupledState(State):
     """Store pressure, traction and slip of a map after one step.
 
-    pressure, strength [Pa]: (rows, columns); the strength is that of points which have not slipped. turns: alternating
+    pressure, strength [Pa]: (rows, columns); the strength before any slip. turns: alternating
     iterations of pressure and traction. change: relative change of the pressure in the last iteration. misfit: of strengths,
     relative to those that the pressure gives; points at the edge that would touch in every second turn cause it.
     """
