@@ -54,9 +54,10 @@ def test_random_contacts_are_solved_and_a_difference_of_solutions_is_found():
     """Contacts that are refused would compare nothing."""
     solved = [inputs._solvable(random.Random(seed)) for seed in range(5)]
     assert None not in solved
-    found = solved[0][3]
+    subject, _, _, found = solved[0]
     other = found.assign(contact_area=found["contact_area"] * (1.0 + 1e-9))
-    assert list(inputs._differences(found, other, 1e-10)) and not list(inputs._differences(found, found, 1e-12))
+    assert list(inputs._differences(subject, found, other, 1e-10))
+    assert not list(inputs._differences(subject, found, found, 1e-12))
 
 
 def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
