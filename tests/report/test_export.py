@@ -198,7 +198,7 @@ def test_abaqus_gets_the_compliance_of_the_interface(case, units):
     own = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
     gap = st.solve(st.read_case(case).subject.as_numbers(), load=[1.3, 77.0], **own).mean_separation.values
     read = np.interp(np.array([1.3, 77.0]) / AREA / of_pressure, pressure, closure) * length
-    assert np.diff(read) == pytest.approx(-np.diff(gap), rel=0.02)
+    assert np.diff(read) == pytest.approx(-np.diff(gap), rel=0.03)  # rows interpolate the separation to 2 % of itself
     table = st.export(case, "csv")
     at = table.attrs["working_row"]
     slip = float(table.friction_coefficient[at] * table.nominal_pressure[at] / table.tangential_stiffness[at])
