@@ -11,7 +11,8 @@ from stiction.engine.at_loads import NO_TENSION, NOTHING
 from stiction.engine.blocks import blocks
 from stiction.engine.heights import gaussian_density
 from stiction.engine.summation import FARTHEST
-from stiction.solving.problem import LOAD, AsperitySum, ClosedFormProblem, Problem
+from stiction.solving.closed_form import ClosedFormProblem
+from stiction.solving.problem import LOAD, AsperitySum, Problem
 
 # Separations searched first, the last far beyond any model's claim; and on, where heights or adhesion reach farther, by
 # factors: twelve steps double.

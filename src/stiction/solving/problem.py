@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from stiction.engine.blocks import blocks
 from stiction.engine.heights import Heights, gaussian, height_distribution
 from stiction.engine.regime import MENISCUS, Regime
 from stiction.engine.summation import Scattered, check_threads, on_grid, totals_on_grid
-from stiction.laws.joining import Law, resistances
+from stiction.laws.joining import Law
 from stiction.quantities.dimensions import coordinates
 from stiction.quantities.errors import InputError
 from stiction.quantities.quotient import quotient
@@ -22,6 +21,7 @@ from stiction.records.registry import JUNCTIONS, NO_JUNCTIONS, RoughSurface, Tan
 from stiction.solving.candidates import with_interface
 from stiction.solving.choice import DEFAULT_MODEL, Choice
 from stiction.solving.chosen import resolve_laws
+from stiction.solving.closed_form import ClosedFormProblem
 from stiction.solving.laplace import bounded, most_pull, pull_and_bound
 from stiction.solving.on_map import MapProblem
 from stiction.solving.parts import share_beyond, share_without, states_of, sum_selected
@@ -234,81 +234,6 @@ class AsperitySum(Problem):
         if "load_share_beyond_film" in results:
             results["friction_share_beyond_film"] = share_beyond(regimes, friction)
         return results
-
-
-@dataclass(frozen=True)
-class ClosedFormProblem(Problem):
-    """Represent a contact theory in closed form, which is not a sum over asperities.
-
-    Friction, if any, is computed by a law of the interface.
-    """
-
-    @property
-    def needs_load(self) -> bool:
-        return self.record.curve is None
-
-    @property
-    def adheres(self) -> bool:
-        return self.record.adheres
-
-    def near(self, load: np.ndarray) -> np.ndarray:
-        """Return an estimate of the separations (n, m) at which normalised loads (n, m) are carried."""
-        assert self.record.separation_near is not None
-        return self.record.separation_near(load, self.groups, **select_options(self.record, self.options))
-
-    def loads(self, h: np.ndarray, law: np.ndarray) -> np.ndarray:
-        if self.record.separation_near is not None:
-            return self._curve(h[:, None], self.groups[law])[0][:, 0]
-        result = np.empty(h.size)
-        for one in np.unique(law):
-            chosen = law == one
-            result[chosen] = self._curve(h[chosen], self.groups[one : one + 1])[0][0]
-        return result
-
-    def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
-        return self._curve(h, self.groups)[0]
-
-    def on_grid(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        return self._results(*self._curve(h, self.groups))
-
-    def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
-        if self.record.separation_near is not None:
-            return self._results(*self._curve(h, self.groups))
-        rows = [self._curve(one, self.groups[i : i + 1]) for i, one in enumerate(h)]
-        return self._results(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
-
-    def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:
-        if not (load >= 0.0).all():
-            unknown = "has no results under tension" if self.adheres else "neglects adhesion"
-            raise InputError("load", float(load.min()), f"0 or more, because {self.record.key} {unknown}")
-        return self._results(load, self._area(load))
-
-    @property
-    def map(self) -> Any:
-        """Return the map of the contact if the theory uses it, else None."""
-        return None if self.record.area_on_map is None or self.subject is None else self.subject.map
-
-    @property
-    def way(self) -> str:
-        """Describe how the area is computed, for theories with more than one method."""
-        return "" if self.record.way is None else self.record.way(self.map)
-
-    def _area(self, load: np.ndarray) -> np.ndarray:
-        assert self.record.area_at_load is not None
-        if self.map is not None and self.record.area_on_map is not None:
-            return self.record.area_on_map(load, self.groups, self.map)
-        return self.record.area_at_load(load, self.groups, **select_options(self.record, self.options))
-
-    def _curve(self, h, groups: Groups) -> tuple[np.ndarray, np.ndarray]:
-        if self.record.curve is None:
-            self.refuse_separation()
-        return self.record.curve(h, groups, **select_options(self.record, self.options))
-
-    def _results(self, load: np.ndarray, area: np.ndarray) -> dict[str, np.ndarray]:
-        results = {"load": load, "contact_area": area}
-        if self.chosen.tangential is None:
-            return results
-        return results | with_coefficient(load, resistances(self.chosen.tangential, self.groups, load, area))
 
 
 def _wanted(name: str) -> str:

@@ -30,8 +30,8 @@ from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsN
 from stiction.solving.accuracy.film_errors import on_solved_maps, shares_on_film
 from stiction.solving.accuracy.solved_near import ContactFeatures
 from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
+from stiction.solving.closed_form import ClosedFormProblem
 from stiction.solving.on_map import MapProblem
-from stiction.solving.problem import ClosedFormProblem
 from stiction.solving.problem_base import Problem
 from stiction.solving.state import state_of
 
