@@ -12,9 +12,9 @@ import os
 import random
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import cache
+from multiprocessing.connection import Connection
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -177,7 +177,8 @@ def other_means(chance: random.Random, folder: Path) -> Iterator[str]:
         for loops, threads in (("interpreted", 1), *means.values()):
             with _loops(loops):
                 found.append(_solved_quietly(subject, model, loads, threads))
-        found.append(_other_process().submit(_solved_quietly, subject, model, loads).result())
+        _other_process().send((subject, model, loads))
+        found.append(_other_process().recv())
     except Exception as error:
         yield f"{model} at {loads}: {type(error).__name__} by one means only: {error}"
         return
@@ -216,8 +217,19 @@ def _loops(wanted: str) -> Iterator[None]:
 
 
 @cache
-def _other_process() -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(1, multiprocessing.get_context("spawn"))
+def _other_process() -> Connection:
+    """Return the connection to a process that solves what it is sent, and ends with this one."""
+    context = multiprocessing.get_context("spawn")
+    here, there = context.Pipe()
+    context.Process(target=_solve_what_is_sent, args=(there,), daemon=True).start()
+    there.close()
+    return here
+
+
+def _solve_what_is_sent(requests: Connection) -> None:
+    with suppress(EOFError):
+        while True:
+            requests.send(_solved_quietly(*requests.recv()))
 
 
 def _solved_quietly(subject: Any, model: str, loads: np.ndarray, threads: int = 1) -> Any:
