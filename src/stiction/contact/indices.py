@@ -286,7 +286,7 @@ class Indices(Subject):
         Its adhesion indices are theta n_E/n_g and lambda n_H^4/(n_E n_g)^2; its nu and K beta are those of the film.
 
         Source: section 2 of the 2015 paper (theory 4); n_g is an addition of this project. Forces are then normalised with
-        the film's unit of force, which is n_E times smaller. Raises InputError without a film.
+        the film's unit of force, which is n_E times that of the bodies. Raises InputError without a film.
         """
         if not self.has_film:
             raise InputError("tau", None, "the film thickness over sigma; a film needs tau, n_E and n_H together")

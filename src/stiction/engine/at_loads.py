@@ -200,8 +200,8 @@ def _carried(h, loads, slopes, start, first, most, could, odd):
     """Fill `most`, `could` and `odd` (H,) with bounds of the load on approach, from grid point `start` on.
 
     most: largest load at the grid points so far. could: upper bound of the load so far, between grid points too. odd: True if
-    a load that rises at both ends of the interval might fall in between, because its cubic is not known to be monotonic
-    (Fritsch & Carlson 1980, region of their circle). first: (separation, load, slope) before grid point `start`.
+    the load rises on approach at both ends of an interval, but the cubic between them is not certainly monotonic (circle of
+    Fritsch & Carlson 1980). first: (separation, load, slope) before grid point `start`.
     """
     most[:start], could[:start] = -np.inf, -np.inf
     for k in range(start, h.size):

@@ -203,7 +203,7 @@ def _putting(along: Callable, rows: int) -> Any:
 
 @cache
 def reaching(window: Callable) -> Any:
-    """Return a formula that limits a segment to displacements that contribute at many separations, and divides it into parts.
+    """Return a formula that cuts a segment to the displacements that contribute at any separation, and divides it into parts.
 
     The formula maps (w_left, w_right, reach, shape) to: displacement at the start, step to the end of each part, number of
     parts (0 if nothing contributes), displacement at the end, index of the integration rule. reach: (w_low, w_top, nearest),
@@ -266,9 +266,10 @@ def placing(along: Callable, coordinate: Callable, window: Callable, parameters:
 
 @cache
 def summing(density: Callable, totals: bool) -> Any:
-    """Return the kernel that sums placed nodes at many separations.
+    """Return the kernel that sums stored integration nodes, times the density of heights, at many separations.
 
-    totals: True to sum load, area and total resistance, False to sum the five QUANTITIES.
+    totals: True for load, area and total resistance; False for the number touching, load, area, slip-limited and
+    yield-limited resistance.
     """
 
     @kernel

@@ -63,7 +63,7 @@ def _joined(normal: Callable, coordinate: Callable, resistance: Callable, interf
 
     @formula
     def along_interface(u, *row):
-        """Return the six values that a `Regime` requires; the interface resists according to the weighted load and area."""
+        """Return the six values of a `Regime` for a law of the interface, which gets load and area after weighting."""
         w, stretch, load, area = normal(u, *row[:parameters])
         shift, unit, of_load, of_area, _ = row[joined:]
         load, area = of_load * load, of_area * area

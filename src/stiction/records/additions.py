@@ -7,7 +7,7 @@ from pathlib import Path
 
 @cache
 def names_of_additions() -> dict[str, str]:
-    """Return a description of each kind of added law, by its keyword, without importing the laws.
+    """Return keyword -> description of each kind of law that can be added to a model, without importing the laws.
 
     The keyword is the name of the kind's folder.
     """

@@ -127,7 +127,7 @@ def plug_in_error(error: BaseException) -> InputError | None:
     for record, module in _outside():
         if module.partition(".")[0] in packages:
             said = f"{type(error).__name__}: {error}"
-            return InputError(record.keyword or record.kind, record.key, f"a law that answers; this plug-in raised {said}")
+            return InputError(record.keyword or record.kind, record.key, f"a law that works; its plug-in raised {said}")
     return None
 
 

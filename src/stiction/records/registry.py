@@ -323,7 +323,7 @@ def all_options() -> dict[str, tuple[str, ...]]:
 
 
 def composites_of(property: str) -> dict[str, Composite]:
-    """Return the composites that compute this property, by key."""
+    """Return, by key, the formulas for this property, "modulus" or "hardness", of film and substrate together."""
     return {key: composite for key, composite in of_kind(Composite).items() if composite.property == property}
 
 

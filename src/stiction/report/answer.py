@@ -154,7 +154,7 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 def confidence_in_words(mu: float, low: float, high: float) -> str:
     """Return the confidence in mu as a word, with the factors from mu up and down to its interval ends."""
     word = confidence(mu, low, high)
-    return f"{word}: interval 1/{number(mu / low)} to {number(high / mu)} times mu" if low > 0.0 else word
+    return f"{word}: mu may be {number(mu / low)} times lower or {number(high / mu)} times higher" if low > 0.0 else word
 
 
 def headline(data: "xarray.Dataset") -> str:
@@ -164,9 +164,11 @@ def headline(data: "xarray.Dataset") -> str:
 
 
 def load_in_words(data: "xarray.Dataset") -> str:
-    """Return the working load of a prediction, and of how many loads it is the middle."""
-    load = show(float(at_working_load(data)["load"]), "load", 3)
-    return load if data["load"].size < 2 else f"{load}, the middle of {data['load'].size} loads"
+    """Return the working load of a prediction, with the range of its loads if there are several."""
+    load, *ends = (
+        show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
+    )
+    return load if data["load"].size < 2 else f"{load} (loads {' to '.join(ends)})"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
@@ -267,12 +269,14 @@ def models_in_words(names: Iterable[str]) -> str:
 def _bare(interval: list[float]) -> str:
     if not interval:
         return ""
-    return f"mu = {number(interval[0])} to {number(interval[1])} if the oxide or film wears through; not in the interval above"
+    ends = f"{number(interval[0])} to {number(interval[1])}"
+    return f"mu = {ends}, as of clean metals, if the oxide or film wears through; not counted in the interval"
 
 
 def part_name(name: str) -> str:
     """Return the readable name of a source of uncertainty or of an uncertain input."""
-    return _NAMES.get(name, name.replace("_", " "))
+    body, _, quantity = name.rpartition(".")
+    return _NAMES.get(name, f"{quantity} of {body}" if body else name).replace("_", " ")
 
 
 def _shares(shares: dict[str, float]) -> str:

@@ -57,7 +57,7 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
-        rows = [("Confidence", self.confidence), ("Uncertainty", self.decides)]
+        rows = [("Confidence", self.confidence), ("Mostly from", self.decides)]
         rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
@@ -77,7 +77,8 @@ class Card(NamedTuple):
             f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:30em">'
             f'<line x1="12" x2="{_WIDTH - 12}" y1="12" y2="12" stroke="currentColor" stroke-opacity=".3"/>'
             f'<rect x="{x(self.low):.1f}" y="7" width="{x(self.high) - x(self.low):.1f}" height="10" rx="5" fill="{_BLUE}" '
-            f'fill-opacity=".45"/><circle cx="{x(self.mu):.1f}" cy="12" r="7" fill="{_BLUE}"/>{ticks}</svg>'
+            f'fill-opacity=".45"/><line x1="{x(self.mu):.1f}" x2="{x(self.mu):.1f}" y1="3" y2="21" stroke="{_BLUE}" '
+            f'stroke-width="3"/>{ticks}</svg>'
         )
 
     def html(self, why: bool = True) -> str:

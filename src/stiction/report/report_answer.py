@@ -61,7 +61,8 @@ def question(findings: ReportData) -> str:
         thickness = dict(subject.listed())["coating.thickness"]
         where = "both bodies" if coating.bodies == "both" else f"the {coating.bodies} body"
         film = f", with a film of {plain_name(coating.material.name)} ({thickness}) on {where}"
-    bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}"
+    between = f", interface: {subject.interface.name}" if subject.interface is not None else ""
+    bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}{between}"
     area = with_powers(dict(subject.listed())["nominal_area"])
     return f"What is the {what} of {bodies}, rough, with a nominal area of {area}, {_where(findings)}?"
 

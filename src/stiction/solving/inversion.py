@@ -54,7 +54,7 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Copy the separations found for some contacts into this inversion, in place; return it.
+        """Copy the separations found for some contacts into these arrays; return an inversion with them and all evaluations.
 
         rows: indices of these contacts.
         """

@@ -164,7 +164,7 @@ class MapProblem(Problem):
             raise InputError(
                 "shear",
                 self.options["shear"],
-                "law, because other values need contact pressures without adhesion",
+                "law, because other values need pressures at points, which are known without adhesion only",
             )
         if of_points is not None:
             force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, one))

@@ -87,7 +87,7 @@ def meanings_of(rules: Sequence[Validity]) -> list[str]:
 
 
 def _solved(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results, and the bits of WHY_NOT (contacts, points)."""
+    """Return the results, and bits (contacts, points): bit i is set if the reason WHY_NOT[i] prevents a result."""
     try:
         return _taken(points)
     except (InputError, ArithmeticError):

@@ -20,7 +20,7 @@ _HEAVIEST, _OF_HARDNESS = 0.5, 0.5  # the last of them over modulus times gradie
 
 
 def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the standard deviation of the displacement that shear causes in the contact spots of a map.
+    """Return a table of the standard deviation of the shear displacement of contact spots, against contact area.
 
     Parameters
     ----------
@@ -32,7 +32,8 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
     Returns
     -------
     tuple of numpy.ndarray
-        Real over nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa], where every spot bears the stress tau_p.
+        Real over nominal area (k,), rising to 1, and s/tau_p (k,) [m/Pa]: the standard deviation s of the displacement if
+        every spot bears the stress tau_p.
 
     Raises
     ------

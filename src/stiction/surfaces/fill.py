@@ -92,7 +92,7 @@ def _multigrid(matrix: sparse.csr_array, row: np.ndarray, column: np.ndarray) ->
 def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float]) -> tuple[sparse.csr_array, np.ndarray]:
     """Return the matrix and right side of the equations for the missing heights.
 
-    Each missing height is the mean of its neighbours, weighted by the pitch along x and y.
+    Each missing height is the mean of its neighbours, weighted by 1/pitch^2 along the direction to the neighbour.
     """
     dy, dx = pitch
     number = np.full(missing.shape, -1, dtype=np.int32)

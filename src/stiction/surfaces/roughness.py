@@ -147,8 +147,10 @@ class Roughness(Input):
         """
         rows = np.asarray(levels, dtype=float)
         if self._finished is None or rows.ndim == 0 or len(rows) != len(self.unknowns):
-            names = ", ".join(self.unknowns) or "nothing: sigma, R and N are stated"
-            raise InputError("levels", InWords(f"{len(np.atleast_1d(rows))} rows"), f"a row for each of {names}")
+            allowed = (
+                f"a row for each of {', '.join(self.unknowns)}" if self.unknowns else "nothing, as sigma, R and N are stated"
+            )
+            raise InputError("levels", InWords(f"{len(np.atleast_1d(rows))} rows"), allowed)
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
     def attached(self, **what: Any) -> "Roughness":

@@ -167,9 +167,7 @@ def moments_by_spectrum(spectrum: "PowerSpectrum", cutoff: float | None = None) 
     powers = _powers(spectrum, math.inf if cutoff == 0.0 else 2.0 * math.pi / cutoff * _ROUNDING)
     if not powers[0, 0] > 0.0:
         longest = 2.0 * math.pi / spectrum.lowest
-        raise InputError(
-            "cutoff", cutoff, f"at most {longest:.4g} m, the longest wavelength of the map, whose heights must differ"
-        )
+        raise InputError("cutoff", cutoff, f"at most {longest:.4g} m, the longest wavelength of a map of unequal heights")
     x = Moments(*map(float, powers[0, _EVEN]))
     if spectrum.is_profile:
         return ProfileMoments(x, None, x, x, cutoff, "power spectrum")

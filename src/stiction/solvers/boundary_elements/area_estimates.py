@@ -139,7 +139,8 @@ def _by_rank(heights, size, periodic):
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
     """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3).
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: of the map; the highest points count.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: of the map; the
+    formula uses the rms gradient of the highest points, twice as many as are in contact.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))

@@ -254,9 +254,10 @@ def _of_laws(problem: Problem) -> dict[str, str]:
 
 
 def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
-    """Return the benchmark errors at the working load: mean error of area and of mu, and rms error of the area.
+    """Return the benchmark errors at the working load by name: in words, as JSON, and as three relative numbers.
 
-    They are relative, and NaN if no benchmark surface is near.
+    The numbers are the geometric mean error of area and of mu, and the rms error of the area; NaN if no benchmark surface is
+    near. That of mu is also NaN if the interface strength does not decide mu.
     """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))

@@ -243,7 +243,11 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 
 
 def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the error quantiles, the distance to the benchmark surfaces (0 to 1), and the sampling error, at each load."""
+    """Return, at each load, the error quantiles, the missing trust in them, and the sampling error.
+
+    The quantiles are widened for the few surfaces that they come from, unless the map itself is solved. The missing trust is 0
+    to 1, and 1 where nothing similar was solved.
+    """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
     levels = np.where(known[:, None], errors.levels, 0.0)

@@ -27,7 +27,7 @@ def with_finish(case: Case) -> Case:
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:
         return case
     if any(True for _ in contact.roughness.arrays()):
-        allowed = "one height of a surface with a finish; several heights in a case file"
+        allowed = "single numbers for a surface with a finish; a case file may state several"
         raise InputError("roughness", InWords("several heights"), allowed)
     open_numbers = len(contact.roughness.unknowns)
     points = sobol_points(open_numbers, _ROWS, _SEED)

@@ -33,20 +33,20 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
     )
     nominal = float(np.median(sampled.drawn.nominal_area))
     touching = float(mixture.touching[index])
-    sentences = []
+    sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
     if pull > _STICKS:
         sentences.append("Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu.")
     if area > _FLAT * nominal:
-        sentences.append("Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P.")
+        sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P{added}.")
     elif pressure > _PLASTIC:
-        grows = ", times the growth of junctions under shear" if growth > _GROWN else ""
+        grows = (", times the growth of junctions under shear" if growth > _GROWN else "") + added
         elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
         if elastic > _SOME:
             sentences.append(f"The contacts are probably plastic: then mu = tau_0/H{grows}. If they are elastic, mu is larger.")
         else:
             sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
-        sentences.append(_of_pressure(mixture, pressure, index))
+        sentences.append(_of_pressure(mixture, pressure, index, added))
     if touching < _FEW:
         count = round(max(touching, 1.0))
         sentences.append(
@@ -55,22 +55,25 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
     return " ".join(sentences[:2])
 
 
-def _of_pressure(mixture: Mixture, pressure: float, index: int) -> str:
+def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> str:
     """Return a sentence on the mean pressure of contact spots, and on yielding of the body below a film.
 
-    pressure: mean pressure over the hardness of the softer surface; index: position of the load in `loads`.
+    pressure: mean pressure over the hardness of the softer surface; index: position of the load in `loads`;
+    added: what is added to tau_0 over the pressure, in words.
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
-        return f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu is tau_0 over that pressure."
+        return (
+            f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu is tau_0 over that pressure{added}."
+        )
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     softer = "film" if contact.softer_counterbody is None else "counterbody"
     return (
         f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: contacts bear "
         f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the {softer}'s. "
-        "mu is tau_0 over that pressure."
+        f"mu is tau_0 over that pressure{added}."
     )
 
 

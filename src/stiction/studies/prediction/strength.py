@@ -49,6 +49,11 @@ class Strength:
         return self.takes_states and any(np.any(state.pressure_coefficient_at(middle) > 0.0) for state, _ in self.states)
 
     @property
+    def has_coefficient(self) -> bool:
+        """Return whether the pressure coefficient, stated or of a state, adds to friction."""
+        return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
+
+    @property
     def over_body(self) -> float:
         """Return the median of the stated strength, after ageing, over the shear strength of the weaker body.
 

@@ -152,7 +152,11 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
     points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}
     if len(solved.rules) > _MOST_RULES:
-        raise InputError("model", case.choice.model_key, f"at most {_MOST_RULES} validity ranges in a sweep")
+        raise InputError(
+            "model",
+            case.choice.model_key,
+            f"a model with at most {_MOST_RULES} ranges of validity, because a sweep stores one bit for each",
+        )
     group = zarr.create_group(str(path), zarr_format=3)
     said: dict[str, Any] = {"model": RECOMMENDED, "draws": count_of(plan.size)}
     if solved.attributes:

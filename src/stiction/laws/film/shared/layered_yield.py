@@ -71,10 +71,10 @@ def _onset(along: Any, hardness: Any, parameters: int) -> Any:
 
     @lazy_kernel(worth=300)
     def find(table, pressure, of_hardness, out):
-        """Fill out[i] with u, modulus E_P, hardness, position z and depth at yield.
+        """Fill out[i] with the state at first yield: u, composite modulus and hardness, z, and depth over sigma.
 
-        z runs from -1 (film) to 1 (substrate). pressure: mean pressure at yield over the hardness. of_hardness: parameters of
-        `Hardness`.
+        Modulus and hardness are over the substrate's. z weighs Poisson's ratio: -1 is the film's, 1 the substrate's. pressure:
+        eta times the mean pressure at yield over the hardness. of_hardness: parameters of `Hardness`.
         """
         for i in range(pressure.size):
             row, hard = unpack(table[i], parameters), unpack(of_hardness[i], 4)

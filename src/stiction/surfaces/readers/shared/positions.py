@@ -44,7 +44,11 @@ def gridded(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, tu
     column, dx, columns, notes_x = _places(x, "x")
     row, dy, rows, notes_y = _places(y, "y")
     if columns * rows > 4 * len(z) + 16:
-        raise InputError("scan", f"{len(z)} points on a grid of {rows} x {columns}", "points x y z on a regular grid")
+        raise InputError(
+            "scan",
+            f"{len(z)} points on a grid of {rows} x {columns}",
+            "points x y z on a regular grid, with a height at a quarter of its points or more",
+        )
     flat = row * columns + column
     if np.bincount(flat).max() > 1:
         raise InputError("scan", "several heights at one point x y", "one height per point of a regular grid")
