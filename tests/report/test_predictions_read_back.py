@@ -53,7 +53,7 @@ def test_terminal(called):
     text = called("run", "--details")
     lines = {line[:18].strip(): line[18:].strip() for line in text.splitlines() if line[:18].strip()}
     head = next(name for name in lines if name.startswith("mu = "))
-    assert numbers(head) == [0.02] and numbers(lines[head]) == [90.0, 0.01, 0.04, 500.0, 4.0]  # of 4 loads
+    assert numbers(head) == [0.02] and numbers(lines[head]) == [90.0, 0.01, 0.04, 500.0, 200.0, 1.0]  # N, of 200 N to 1 kN
     assert numbers(lines["friction force"])[:3] == [10.0, 5.0, 20.0]
     assert lines["friction force"].endswith("real contact 100 mm²")
     assert numbers(lines["along the load"]) == [0.05, 0.025, 0.1, 200.0, 0.01, 0.005, 0.02, 1.0]

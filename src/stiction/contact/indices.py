@@ -358,7 +358,7 @@ class Groups(Indices):
     def __init__(self, /, **arrays: Any):
         unknown = arrays.keys() - type(self).model_fields.keys()
         if unknown:
-            raise TypeError(f"there is no group {', '.join(sorted(unknown))}")
+            raise TypeError(f"there is no dimensionless group {', '.join(sorted(unknown))}; Groups takes the fields of Indices")
         made = type(self).model_construct(**arrays)
         for name in ("__dict__", "__pydantic_fields_set__", "__pydantic_extra__", "__pydantic_private__"):
             object.__setattr__(self, name, getattr(made, name))

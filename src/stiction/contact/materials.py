@@ -223,7 +223,7 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
-    """Return the chemical symbols, formulas and designations of this preset only, the most common one first."""
+    """Return the chemical symbols, formulas and designations that this preset has and no other, in its order."""
     every = [symbol for preset in _presets().values() for symbol in preset.symbols]
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 

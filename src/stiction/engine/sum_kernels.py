@@ -106,7 +106,7 @@ def scattering(along: Callable, coordinate: Callable, density: Callable, window:
 
     @kernel
     def scatter(h, law, heights, laws, rules, out):
-        """Fill out[i] with the five QUANTITIES of the law law[i] at the separation h[i]."""
+        """Fill out[i] with the five QUANTITIES, summed over asperities at separation h[i], for row law[i] of the laws."""
         (shape, knots), (table, edges, branch, two_sided), (rule_table, counts) = heights, laws, rules
         for i in range(h.size):
             row = unpack(table[law[i]], parameters)

@@ -103,7 +103,9 @@ def from_curve(
 
 @cache
 def _curve(load: Callable, area: Callable) -> tuple[Callable, Callable]:
-    """Return the formulas `normal` and `coordinate` for two functions of the displacement.
+    """Return two formulas for a law given by load and area against displacement w.
+
+    `normal(u)` gives w, dw/du, load and area; `coordinate(w)` gives u, the square root of the displacement beyond the start.
 
     The function is cached, so that the same functions give the same formulas and kernels are compiled once.
     """

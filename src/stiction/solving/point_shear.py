@@ -29,11 +29,11 @@ _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
 def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
-    """Yield the state, the pressures [Pa] and the areas [m2] of points in contact.
+    """Yield the state, the pressures [Pa] of its points, the area of a pixel [m2] and the area that each point counts with.
 
     First the points that do not flow, then those that flow, if any. Each point counts with its whole area, less its
-    share of the excess area at contact edges. That excess is subtracted from the points that do not flow, as far as
-    their area suffices.
+    share of the excess area at contact edges. That excess is subtracted from the points that do not flow; if their area
+    does not suffice, all points are reduced by one factor.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size

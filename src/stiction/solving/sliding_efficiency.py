@@ -15,7 +15,7 @@ radius a and a square nominal area of side L, which ends, with the share c in co
     a^2 = sigma R F_1(t)/F_0(t),    c = pi eta R sigma F_1(t),
 
 F_0, F_1 the share of Gaussian heights above t and their mean excess (Greenwood & Williamson 1966). k_a, d and q are fitted to
-the same maps, whose s the numbers of their asperities give within 11 % (standard deviation of ln); k_L is that of a uniform
+the same maps, whose s the numbers of their asperities give with a standard error of 11 %; k_L is that of a uniform
 square. Single discs of 0.3 to 12 l_c, which were not fitted, come out within 1.1 %. Own formulas (grade C): no
 published law of this was found.
 """

@@ -118,9 +118,9 @@ class Roughness(Input):
         return changed(**changes).roughness()
 
     def part(self, name: str) -> Any:
-        """Return the field of this name, or the body "first" or "second" of a finish.
+        """Return the field of this name; for "first" or "second", what the finish of that body states.
 
-        The result is None if there is no such field or body.
+        The result is None if there is no such field, or no finish.
         """
         return getattr(self._finished, name, None) if name in ("first", "second") else super().part(name)
 

@@ -69,7 +69,8 @@ _coordinate, _largest_root = jkr.coordinate, roy_chowdhury_ghosh_1994.largest_ro
 def onset(eta_y, S):
     """Return the coordinate u_y of JKR's contact at which the central pressure reaches its limit (yield).
 
-    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with eta_y = eta p_y/H (limiting pressure p_y) and S = sqrt(6 pi/theta).
+    It is the largest root of 3 u^3 - 2 eta_y u - S = 0, with eta_y = eta p_y/H, the limiting pressure p_y, and
+    S = sqrt(6 pi/theta).
     """
     return _largest_root(-2.0 / 3.0 * eta_y, S / 3.0)
 

@@ -49,9 +49,9 @@ def resistance(u, w, load, area, *row):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance | None:
-    """Return the resistance on an elastic segment of a JKR asperity; None for other segments.
+    """Return the tangential resistance of a JKR asperity in an elastic segment; None, which is no resistance, in others.
 
-    The energy balance does not apply to plastic asperities, which resist nothing.
+    The energy balance does not apply to plastic asperities.
     """
     if groups.n_E is None:
         return of_a_half_space(segment, groups)

@@ -157,7 +157,7 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest sampling step that leaves enough points in contact.
+        """Return the coarsest solvable sampling step that leaves enough points in contact, or the finest if none does.
 
         area: area fraction A/A0.
         """

@@ -154,7 +154,8 @@ def plain_coordinate(w, *row):
 def _approached(w, row):
     """Return the coordinate u at the displacement w >= 0, with JKR's adhesion.
 
-    Newton's method on ln(w_H/(w + v)), where v is the adhesive part of the displacement. This function rises with ln u.
+    With the displacement w_H(u) without adhesion, and the amount v(u) by which adhesion lowers it, w = w_H - v. Newton's method
+    solves ln(w_H/(w + v)) = 0, which rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):

@@ -59,6 +59,7 @@ def shear_compliance(bodies: Bodies, radius: float) -> tuple[float, float]:
 def shear_curve(bodies: Bodies) -> np.ndarray:
     """Return the coefficients c_k (TERMS,) of ln(K beta) against contact size.
 
+    K beta: 4/3 of the contact modulus without a film, times the tangential compliance beta of T = 8 a delta/beta.
     ln(K beta) = (1 - z)/2 ln(film only) + (1 + z)/2 ln(no film) + (1 - z^2) Sum c_k z^k, with the ends of `shear_ends` and z
     of `curves`.
     """

@@ -62,7 +62,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
     if not printed:
         return f"{area}, never against measured friction"
-    return f"{area}, {printed['held']} of {printed['contacts']} handbook values of friction inside"
+    return f"{area}; its interval overlaps {printed['held']} of {printed['contacts']} handbook ranges for such interfaces"
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:

@@ -125,7 +125,7 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, state, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the entries of a column (n, 1) of sampled inputs for these sample indices; one entry serves all samples."""
+        """Return the rows of a column (n or 1, m or 1) of sampled inputs for these samples; a single row serves all."""
         return column[inputs % len(column)]
 
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:

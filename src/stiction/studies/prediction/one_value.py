@@ -62,7 +62,11 @@ def predict_value(output: str, *pairs: str | float) -> float:
     changed = Path(str(file)).stat().st_mtime_ns if file is not None and Path(str(file)).is_file() else 0
     values = _predicted(tuple(named_values.items()), changed)[name]
     if values.size != 1:
-        raise InputError("pairs", f"{values.size} contacts or loads", 'a single contact and load, e.g. add "load", 5')
+        raise InputError(
+            "pairs",
+            f"{values.size} contacts or loads",
+            'names and values that leave one contact at one load; the two arguments "load", 5 choose it',
+        )
     return float(values.squeeze())
 
 

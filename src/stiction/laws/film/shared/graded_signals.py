@@ -76,9 +76,9 @@ NUMBERS = np.arange(7)
 
 @lazy_kernel(worth=100_000)
 def signal(which, u, law, level):
-    """Return the value at u of one of several functions: a signal, the slope of the load, or the load minus `level`.
+    """Return the value at u of the function number `which`: one of `signals`, the slope of the load, or the load minus `level`.
 
-    which: index of the function.
+    SLOPE is the slope, in the units of `load_before_plateaus`; lower numbers are signals, whose zeros are sought.
     """
     if which < SLOPE:
         return signals(u, law)[which]
