@@ -121,8 +121,8 @@ def test_where_neither_is_stated_it_is_a_mixture_and_says_so():
     )
     assert "not stated" in found.warnings[0] and found.next_step.startswith("state the interface")
     low, high = map(float, re.search(r"([\d.]+) to ([\d.]+) with oxidised metal", found.warnings[0]).groups())
-    assert low == pytest.approx(stated.friction_coefficient_low.item(), rel=0.2)
-    assert high == pytest.approx(stated.friction_coefficient_high.item(), rel=0.2)
+    assert low == pytest.approx(stated.friction_coefficient_low.item(), rel=0.03)
+    assert high == pytest.approx(stated.friction_coefficient_high.item(), rel=0.03)
     assert found.friction_coefficient_low < stated.friction_coefficient_low
     assert not any("not stated" in one for one in stated.warnings)
 

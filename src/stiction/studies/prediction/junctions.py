@@ -5,9 +5,9 @@ the hardness H. The pressure falls, and the area grows by 1/sqrt(1 - c^2), where
 interface over that of the body. A junction that stays elastic up to the pressure H sqrt(1 - c^2) does not grow. Three
 assumptions are sampled with weights set by judgement: no growth; a bulk that shears at Y/sqrt(3) (yield stress Y, von Mises);
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
-experiments, the largest weight). Hardening strengthens the interface of clean metals with the body, but not an interface whose
-strength is stated as a number: the harder body then makes such a junction grow less. None of the three limits growth for c
-near 1, so that c is limited to 0.999.
+experiments, the largest weight). Hardening strengthens the interface of clean metals with the body, but not an interface
+whose strength is stated as a number well below the body's: the harder body then makes such a junction grow less. None of the
+three limits growth for c near 1, so that c is limited to 0.999.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
 a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,

@@ -29,8 +29,7 @@ class Samples:
     """Results of the samples, arrays (n, m) over samples and loads; NaN for an impossible sample.
 
     force [N]; area: real contact area [m2]; pull: factor of the area due to adhesion and menisci; growth: factor due to
-    junction growth; strength: shear strength of the interface [Pa], (n, 1); state: index of the state of the interface, (n, 1);
-    pressure: mean pressure of contact spots over the
+    junction growth; strength: shear strength of the interface [Pa], (n, 1); pressure: mean pressure of contact spots over the
     hardness, before shear; efficiency: force over the sum of the strengths of all spots, 1 unless strength falls with slip.
     """
 
@@ -39,7 +38,6 @@ class Samples:
     pull: np.ndarray
     growth: np.ndarray
     strength: np.ndarray
-    state: np.ndarray
     pressure: np.ndarray
     efficiency: np.ndarray
 
@@ -121,8 +119,7 @@ class Mixture:
         efficiency = np.ones_like(area)
         if self.onset is not None:
             efficiency = self.onset.efficiency(force / area, area / nominal, levels["spots"], inputs)
-        state = self.strength.states_drawn(levels["state"])[:, None]
-        return Samples(force * efficiency, area, pull, growth, strength, state, pressure / hardness, efficiency)
+        return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
         """Return the rows of a column (n or 1, m or 1) of sampled inputs for these samples; a single row serves all."""

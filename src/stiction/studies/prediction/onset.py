@@ -11,6 +11,7 @@ from stiction.solving.problem import make_problem
 from stiction.solving.sliding_efficiency import (
     LAW_ERROR,
     SPOTS_ERROR,
+    UNLIKE,
     efficiency,
     spot_radius,
     spread_of_edges,
@@ -49,7 +50,8 @@ class Onset:
 
     slip: weakening slip [m]; residual: residual strength (fraction); deviation [m], radius [m], density [1/m2]: of the
     asperities; side: side of the nominal area [m]; compliance: tangential compliance [1/Pa] of the touching surfaces, and of
-    the bodies below them; thickness: film thickness [m], 0 without a film; spots: of a solved map, None without a map.
+    the bodies below them; unlike: magnitude of Dundurs' beta of the touching surfaces; thickness: film thickness [m], 0
+    without a film; spots: of a solved map, None without a map.
     """
 
     slip: np.ndarray
@@ -59,6 +61,7 @@ class Onset:
     density: np.ndarray
     side: np.ndarray
     compliance: tuple[np.ndarray, np.ndarray]
+    unlike: np.ndarray
     thickness: np.ndarray
     spots: MapSpots | None
 
@@ -78,6 +81,7 @@ class Onset:
             sampled.column(rough.asperity_density),
             sampled.column(contact.nominal_area**0.5),
             (faces, bodies),
+            sampled.column(_mismatch(contact.touching)),
             sampled.column(0.0 if coating is None else coating.thickness),
             _spots_of(sampled),
         )
@@ -95,11 +99,21 @@ class Onset:
         if self.spots is None:
             of_spots = self._by_numbers(share, rows) * np.exp(SPOTS_ERROR * score)
             of_edges = bodies * spread_of_edges(side, share)
-            return efficiency(strength * np.hypot(of_spots, of_edges) / slip, residual)
+            return self._coupled(efficiency(strength * np.hypot(of_spots, of_edges) / slip, residual), residual, score, rows)
         # Waves shorter than the map are in its solution; the ends of the nominal area add those that are longer.
         longer = np.sqrt(np.maximum(side**2 - self.spots.side**2, 0.0))
         spread = bodies * np.hypot(self.spots.at(share), spread_of_edges(longer, share))
-        return np.clip(efficiency(strength * spread / slip, residual) * np.exp(-LAW_ERROR * score), residual, 1.0)
+        found = efficiency(strength * spread / slip, residual) * np.exp(-LAW_ERROR * score)
+        return self._coupled(np.clip(found, residual, 1.0), residual, score, rows)
+
+    def _coupled(self, like: np.ndarray, residual: np.ndarray, score: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Return the efficiency of unlike bodies from that of like bodies (n, m).
+
+        There is no loss where the residual strength is the whole strength.
+        """
+        mean, error = UNLIKE
+        loss = _drawn(self.unlike, rows) * np.maximum(mean + error * score, 0.0)
+        return np.where(residual < 1.0, np.maximum(like * np.exp(-loss), np.minimum(residual, like)), like)
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the standard deviation of the spots' displacement over their shear strength (n, m) [m/Pa], without a map.
@@ -123,6 +137,12 @@ def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
 def _compliance(pair):
     """Return the tangential compliance [1/Pa] of two bodies: the sum of (2 - nu)/(2 G)."""
     return sum((2.0 - body.poissons_ratio) / (2.0 * body.shear_modulus) for body in pair)
+
+
+def _mismatch(pair):
+    """Return the magnitude of Dundurs' second parameter beta of two bodies."""
+    one, other = (((1.0 - 2.0 * body.poissons_ratio) / body.shear_modulus) for body in pair)
+    return abs(one - other) / (2.0 * sum((1.0 - body.poissons_ratio) / body.shear_modulus for body in pair))
 
 
 def _spots_of(sampled: SampledCase) -> MapSpots | None:

@@ -19,7 +19,7 @@ from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
 from stiction.studies.prediction.mixture import Mixture, Samples
-from stiction.studies.prediction.regime import next_step, regime_of, warnings_of
+from stiction.studies.prediction.regime import mu_by_state, next_step, regime_of, warnings_of
 from stiction.studies.prediction.sampled_case import SampledCase
 from stiction.studies.prediction.shares import shares_of_variance
 from stiction.studies.prediction.unused import not_used, refusal_of
@@ -123,7 +123,11 @@ def predict(
         levels = draws_of(case)
         mixture = Mixture.of(SampledCase(case, loads, levels.inputs))
         samples = mixture.samples(levels, np.arange(len(levels)))
-        attributes = _attributes(mixture, samples, working_index, level, shares_of_variance(mixture, levels, working_index))
+        shares, by_state = (
+            shares_of_variance(mixture, levels, working_index),
+            mu_by_state(mixture, levels, working_index, level),
+        )
+        attributes = _attributes(mixture, samples, working_index, level, shares, by_state)
     else:
         samples, attributes, updated = _given(read_measured(measured, case), case, loads, working_index, level, stated)
     data = _dataset(samples, loads, level).assign_attrs(attributes)
@@ -279,7 +283,12 @@ def _beside_area(contact: Contact) -> list[str]:
 
 
 def _attributes(
-    mixture: Mixture, samples: Samples, working_index: int, level: float, shares: Mapping[str, float]
+    mixture: Mixture,
+    samples: Samples,
+    working_index: int,
+    level: float,
+    shares: Mapping[str, float],
+    by_state: Sequence[str] = (),
 ) -> dict[str, Any]:
     strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
     return {
@@ -287,7 +296,7 @@ def _attributes(
         "regime": regime_of(mixture, samples, working_index),
         "shares": dict(shares),
         "strength": strength.tolist(),
-        "warnings": warnings_of(mixture, samples, working_index, shares, level),
+        "warnings": warnings_of(mixture, samples, working_index, shares, by_state),
         "inputs_not_used": not_used(mixture.sampled, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: float(law.weight[working_index]) for law in mixture.laws if law.weight[working_index] > 0.0},

@@ -1,12 +1,13 @@
 """Texts of an answer: the contact regime, warnings, and the input to measure next."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.state import of_the_map
+from stiction.studies.prediction.levels import Levels
 from stiction.studies.prediction.mixture import Mixture, Samples
 
 _STICKS = 2.0  # factor of the area by adhesion above which it, and not the load, makes the contact
@@ -77,18 +78,22 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> s
     )
 
 
-def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float], level: float = 0.9) -> list[str]:
+def warnings_of(
+    mixture: Mixture, samples: Samples, index: int, shares: Mapping[str, float], by_state: Sequence[str] = ()
+) -> list[str]:
     """Return the warnings about a prediction, the most serious first.
 
-    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown; level: probability of
-    intervals.
+    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown; by_state:
+    texts of `mu_by_state`.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
     warnings = []
     if impossible > _MANY:
         warnings.append(f"{impossible:.0%} of the draws are physically impossible and are excluded.")
     if len(mixture.strength.states) > 1:
-        warnings.append(f"The interface is not stated: mu is {', '.join(_by_state(mixture, samples, index, level))}.")
+        warnings.append(
+            f"The interface is not stated: mu is {', '.join(by_state)}." if by_state else "The interface is not stated."
+        )
     if (times := mixture.strength.over_body) > 1.0:
         warnings.append(f"The stated interface is {times:.3g} times as strong as the weaker body, which limits mu.")
     elif times > _STEEP and mixture.sampled.metallic:
@@ -112,14 +117,20 @@ def warnings_of(mixture: Mixture, samples: Samples, index: int, shares: Mapping[
     return warnings
 
 
-def _by_state(mixture: Mixture, samples: Samples, index: int, level: float) -> list[str]:
-    """Return the interval of mu for each possible state of the interface in words, the weakest first."""
-    mu = samples.force[:, index] / mixture.loads[index]
-    intervals = []
-    for place, (state, _) in enumerate(mixture.strength.states):
-        known = mu[(samples.state[:, 0] == place) & np.isfinite(mu)]
-        if known.size:
-            intervals.append((*np.quantile(known, [0.5 - 0.5 * level, 0.5 + 0.5 * level]), state.name))
+def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
+    """Return the interval of mu for each possible state of an unstated interface in words, the weakest first; else [].
+
+    Each state takes all samples. index: position of the load in `loads`; level: probability of the intervals.
+    """
+    states, single, intervals = mixture.strength.states, mixture.at_load(index), []
+    if len(states) < 2:
+        return []
+    weights = np.array([weight for _, weight in states])
+    for (state, _), place in zip(states, (np.cumsum(weights) - 0.5 * weights) / weights.sum(), strict=True):
+        fixed = Levels(levels.inputs, {**levels.others, "state": np.full(len(levels), place)})
+        mu = single.samples(fixed, np.arange(len(levels))).force[:, 0] / single.loads[0]
+        if np.isfinite(mu).any():
+            intervals.append((*np.nanquantile(mu, [0.5 - 0.5 * level, 0.5 + 0.5 * level]), state.name))
     return [f"{low:.2g} to {high:.2g} with {name}" for low, high, name in sorted(intervals)]
 
 
