@@ -371,4 +371,4 @@ def test_figures_writes_pictures_curves_and_the_map_of_the_claims(tmp_path, monk
 def test_figures_prints_what_each_claim_means_and_that_its_indices_were_chosen(tmp_path, monkeypatch):
     monkeypatch.setattr("stiction.studies.paper.claims.claim_map.__defaults__", (np.array([40.0]), np.array([10.0]), iter))
     text = command("figures", "--variant", "published", "--out", tmp_path / "figures").stdout
-    assert "(a)" in text and "holds if" in text and "not printed in the paper" in text
+    assert "(a)" in text and "holds if" in text and "paper does not state theta and lambda" in text

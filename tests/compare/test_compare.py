@@ -267,7 +267,7 @@ def refused(*arguments):
 
 @pytest.mark.parametrize("load", ("0 N", "-1 N"))
 def test_a_working_load_presses(case, load, tmp_path):
-    assert refused(case, "--load", load, "--out", tmp_path / "out") == f"stiction: --load: '{load}'; allowed: > 0 N\n"
+    assert refused(case, "--load", load, "--out", tmp_path / "out") == f"stiction: --load: '{load}'; allowed: one load > 0 N\n"
     with refusal("load", load, "> 0 N"):
         compare(SHEARED, load=load)
     assert refused(case, "--load", "2 m").startswith("stiction: --load: '2 m'; ")

@@ -181,7 +181,7 @@ def test_names_of_a_comparison_are_names_of_models():
     contact = drawn(np.random.default_rng(5), film=True)
     for one in candidates(contact):
         assert choice_of(one.name, {}, contact) == one.choice
-    with refusal("model", "nobody_1900", "jackson_green_2005"):
+    with refusal("model", "nobody_1900", "stiction models"):
         choice_of("nobody_1900", {}, contact)
     data = st.compare(contact, load=contact.nominal_area * hardness_of(contact) * 1e-3)
     for name, mu in zip(data["model"].values, data["friction_coefficient_at_load"].values, strict=True):

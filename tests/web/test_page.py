@@ -115,7 +115,7 @@ async def test_an_interface_or_a_strength_is_stated():
         await _until(user, lambda: _mu(user) == _predicted(tables))
         assert "state the interface" in _card(user)
         _labelled(user, ui.select, "interface").set_value("a stated strength")
-        strength = "shear strength of the interface at no pressure tau_0"
+        strength = "shear strength of the interface at zero pressure tau_0"
         await _until(user, lambda: any(one.props.get("aria-label") == strength for one in _elements(user, ui.input)))
         _input(user, strength).set_value("20 MPa")
         tables["contact"] |= {"interfacial_shear_strength": "20 MPa"}

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "fuzz"))
 import numpy as np
 import visitors
 
-from stiction.web.address import packed
+from stiction.web.address import encoded
 from stiction.web.background import STUDIES, Progress
 from stiction.web.fields import example_cases, first_case
 from stiction.web.query import Query, compared, headline, solved
@@ -48,9 +48,9 @@ def test_who_leaves_within_a_computation_does_not_change_the_answer_of_another(s
     answer = solved(Query(OTHER))
     mu = headline(answer, answer.middle())[0]
     assert mu != headline(solved(Query(first_case())), answer.middle())[0]
-    pages = _asked(server, packed(OTHER), "", packed(OTHER), packed(OTHER), leaves=(0, 1, 2))
+    pages = _asked(server, encoded(OTHER), "", encoded(OTHER), encoded(OTHER), leaves=(0, 1, 2))
     assert pages[:3] == [None] * 3 and mu in pages[3]
-    assert mu in _asked(server, packed(OTHER))[0]
+    assert mu in _asked(server, encoded(OTHER))[0]
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="this system does not say how much memory a process has")

@@ -12,7 +12,8 @@ $$
 
 with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$ and the contact modulus
 $E^*$. `stiction compare` prints $r$. Full contact lasts without load if $r<1$. For a surface given by $\sigma$, $R$ and $N$,
-$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, the spectrum of their map gives $U$. A rough ball in
+$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, the spectrum of their map
+gives $U$, up to 15 % too low on periodic maps, because their rms height is taken after levelling. A rough ball in
 full contact sticks like a smooth one with the work of adhesion $\gamma_\mathrm{eff}$.
 
 *Check*: $E^*=2$ MPa, $\gamma=50$ mJ/m^2, waves of one wavelength with $h_\mathrm{rms}=0.1$ um, $h'=0.1$: $U/\gamma=0.1$,
