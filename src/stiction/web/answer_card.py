@@ -96,7 +96,8 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
     if named:
         return card._replace(decides="", next_step="", worn_through="")
-    action = card.next_step.partition(": stiction fit")[0]
+    action, command, _ = card.next_step.partition(": stiction fit")
+    action += " (tab Studies)" if command else ""
     for words, on_page in _ON_PAGE.items():
         action = action.replace(words, on_page)
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
