@@ -57,7 +57,7 @@ class Card(NamedTuple):
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
-        rows = [("Confidence", self.confidence), ("Mostly from", self.decides)]
+        rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides)]
         rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
