@@ -149,3 +149,10 @@ def test_a_nominal_area_beyond_its_map_has_ends():
         for times in (1.0, 1.1, 100.0, 1e4)
     ]
     assert (np.diff(shares) < 0.0).all() and shares[0] - shares[1] < 0.01 and shares[3] < 0.75
+
+
+def test_unlike_bodies_lose_nothing_where_like_bodies_lose_nothing():
+    long = {"weakening_slip": "1 mm", "residual_strength": 0.3, "first": "silicon"}
+    assert float(st.predict(on_map(5, 0.3, 4, 12, 4e-3, **long), load="10 mN").friction_efficiency) == pytest.approx(
+        1.0, rel=1e-3
+    )

@@ -37,8 +37,7 @@ class Contact(Subject):
     Parameters
     ----------
     first, second : Material, str or dict
-        Material, name of a preset, or its numbers. Their order changes no result, but the
-        direction in which `st.slide` moves unlike bodies over a map, which changes mu by some percent.
+        Material, preset or numbers. Their order only sets the direction in which `st.slide` moves unlike bodies over a map.
     roughness : Roughness, dict, HeightMap, topography or (array, size)
         Numbers of the asperities; or a scan of the first body, the second being smooth; or a dict like the table of a case
         file, with a scan or numbers as `first`, `second` or both, and how asperities are found.

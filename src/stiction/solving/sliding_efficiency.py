@@ -34,10 +34,11 @@ as one of 10 um that was moved aside later was 0.37 off."""
 LAW_ERROR = 0.02
 """Standard deviation of ln of the efficiency of a map whose displacement is known: more than on the maps of the fit, which do
 not yield."""
-UNLIKE = (0.8, 0.3)
-"""Mean of -ln of the efficiency of unlike bodies over that of like bodies, divided by Dundurs' parameter beta, and its standard
-deviation. Pressing unlike bodies shears the contact, which uses up a part of the slip. On four maps at three loads with beta of
-.04 and .12 the quotient is .4 to 1.2 (mean .8, standard deviation .2); larger beta were not fitted (grade C)."""
+UNLIKE = (0.85, 0.3, 0.08)
+"""Loss of unlike bodies, -ln of their efficiency over that of like bodies, divided by Dundurs' beta: mean, standard deviation,
+and the part y of the strength that can be lost at which 1 - 1/e of this loss is reached. Pressing unlike bodies shears the
+contact, which uses up a part of the slip. On four maps at three loads with beta of .04 and .12 the quotient is .4 to 1.2;
+larger beta were not fitted (grade C)."""
 _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 

@@ -109,11 +109,12 @@ class Onset:
     def _coupled(self, like: np.ndarray, residual: np.ndarray, score: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the efficiency of unlike bodies from that of like bodies (n, m).
 
-        There is no loss where the residual strength is the whole strength.
+        Unlike bodies lose nothing where like bodies lose nothing.
         """
-        mean, error = UNLIKE
-        loss = _drawn(self.unlike, rows) * np.maximum(mean + error * score, 0.0)
-        return np.where(residual < 1.0, np.maximum(like * np.exp(-loss), np.minimum(residual, like)), like)
+        mean, error, most = UNLIKE
+        lost = (1.0 - like) / np.maximum(1.0 - residual, 1e-12)
+        loss = _drawn(self.unlike, rows) * np.maximum(mean + error * score, 0.0) * -np.expm1(-lost / most)
+        return np.maximum(like * np.exp(-loss), np.minimum(residual, like))
 
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the standard deviation of the spots' displacement over their shear strength (n, m) [m/Pa], without a map.
