@@ -10,7 +10,7 @@ import pytest
 import stiction as st
 from refusals import refusal
 from stiction.contact.indices import Groups, stiffness_group
-from stiction.engine.at_loads import starts
+from stiction.engine.at_loads import Approach
 from stiction.engine.heights import empirical, exponential_heights, gaussian, weibull
 from stiction.engine.summation import on_grid, scattered, totals_on_grid
 from stiction.engine.tiers import VARIABLE, Allowance, all_compiled, interpreted, specialised
@@ -67,7 +67,9 @@ def test_python_gives_what_compiled_loops_give(force_loops, model):
     law = RNG.integers(0, 3, 6)
     plain, compiled = by_both(force_loops, lambda: scattered(parts, h, gaussian(), law), ("interpreted", "shared"))
     assert_same(plain, compiled, (0, 1))
-    plain, compiled = by_both(force_loops, lambda: starts(parts, np.full((3, 2), [0.01, 0.1])).h, ("interpreted", "shared"))
+    plain, compiled = by_both(
+        force_loops, lambda: Approach(parts).starts(np.full((3, 2), [0.01, 0.1])).h, ("interpreted", "shared")
+    )
     np.testing.assert_allclose(plain, compiled, rtol=1e-9, atol=1e-12)
 
 
@@ -102,7 +104,7 @@ def test_grids_are_the_same(force_loops, model):
 @pytest.mark.parametrize("model", MODELS)
 def test_starts_are_the_same(force_loops, model):
     parts, targets = regimes(model), np.tile(np.geomspace(1e-4, 1.0, 5), (60, 1))
-    shared, alone = by_both(force_loops, lambda: starts(parts, targets))
+    shared, alone = by_both(force_loops, lambda: Approach(parts).starts(targets))
     for name in ("tension", "where", "h", "slope", "size"):
         one, other = getattr(shared, name), getattr(alone, name)
         assert np.array_equal(np.isnan(one), np.isnan(other))

@@ -5,7 +5,7 @@ import re
 import pytest
 
 import stiction as st
-from stiction.report.answer import at_working_load, load_in_words
+from stiction.report.answer import at_working_load, working_load_in_words
 from stiction.report.card import Card, card_of, shortened
 
 CASE = """
@@ -73,5 +73,5 @@ def test_a_warning_has_twelve_words_at_most(warning):
 
 
 def test_the_load_of_several_has_their_range(predicted):
-    assert card_of(predicted).load == load_in_words(predicted) == "1 N (loads 100 mN to 10 N)"
-    assert load_in_words(predicted.isel(load=0)) == "100 mN"
+    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (loads 100 mN to 10 N)"
+    assert working_load_in_words(predicted.isel(load=0)) == "100 mN"

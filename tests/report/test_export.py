@@ -199,6 +199,10 @@ def test_abaqus_gets_the_compliance_of_the_interface(case, units):
     gap = st.solve(st.read_case(case).subject.as_numbers(), load=[1.3, 77.0], **own).mean_separation.values
     read = np.interp(np.array([1.3, 77.0]) / AREA / of_pressure, pressure, closure) * length
     assert np.diff(read) == pytest.approx(-np.diff(gap), rel=0.03)  # rows interpolate the separation to 2 % of itself
+    rows_of = np.array([1, len(pressure) // 2, len(pressure) - 1])
+    loads = pressure[rows_of] * of_pressure * AREA
+    gap = st.solve(st.read_case(case).subject.as_numbers(), load=loads.tolist(), **own).mean_separation.values
+    assert np.diff(closure[rows_of]) * length == pytest.approx(-np.diff(gap), rel=1e-4)
     table = st.export(case, "csv")
     at = table.attrs["working_row"]
     slip = float(table.friction_coefficient[at] * table.nominal_pressure[at] / table.tangential_stiffness[at])

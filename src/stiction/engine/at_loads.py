@@ -356,11 +356,6 @@ class Approach:
             yield some, nodes, way, lowest
 
 
-def starts(regimes: Sequence[Regime], targets: np.ndarray) -> Starts:
-    """Return what `Approach.starts` returns for the laws of these regimes."""
-    return Approach(regimes).starts(targets)
-
-
 def _plain(loads: np.ndarray, tension: np.ndarray) -> np.ndarray:
     """Return for each law (n,) whether the grid of separations covers the whole approach.
 

@@ -163,7 +163,7 @@ def headline(data: "xarray.Dataset") -> str:
     return f"mu = {number(float(point[_MU]))}, {data.attrs['level']:.0%} interval {span(point, _MU)}"
 
 
-def load_in_words(data: "xarray.Dataset") -> str:
+def working_load_in_words(data: "xarray.Dataset") -> str:
     """Return the working load of a prediction, with the range of its loads if there are several."""
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
@@ -189,7 +189,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     rows = [
         (
             f"mu = {number(float(point[_MU]))}",
-            f"{level} interval {span(point, _MU)}, at {load_in_words(data)}; confidence: {sure}",
+            f"{level} interval {span(point, _MU)}, at {working_load_in_words(data)}; confidence: {sure}",
         ),
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),

@@ -10,9 +10,9 @@ from stiction.report.answer import (
     at_working_load,
     confidence,
     confidence_in_words,
-    load_in_words,
     number,
     part_name,
+    working_load_in_words,
 )
 
 if TYPE_CHECKING:
@@ -113,7 +113,9 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     bare = attrs["bare_metal"]
     worn = f"mu = {number(bare[0])} to {number(bare[1])} where oxide or film is gone" if bare else ""
     rows = answer_lines(data)
-    return Card(mu, low, high, attrs["level"], load_in_words(data), decides, warning, attrs["next_step"], rows, named, worn)
+    return Card(
+        mu, low, high, attrs["level"], working_load_in_words(data), decides, warning, attrs["next_step"], rows, named, worn
+    )
 
 
 def shortened(warning: str) -> str:

@@ -6,6 +6,7 @@ symmetric about its sides.
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
@@ -38,24 +39,27 @@ class UnlikeBodies(MovingMap):
 
     @classmethod
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "UnlikeBodies":
-        surface = problem.surface()
-        whole = surface if surface.periodic else _period(surface)
-        contacts = contacts if surface.periodic else tuple(_contact_of_period(one) for one in contacts)
+        if not problem.surface().periodic:
+            contacts = tuple(_contact_of_period(one) for one in contacts)
         strengths = tuple(problem.strengths(one) for one in contacts)
-        return cls(problem, contacts, strengths, operator_of(problem, whole))
+        return cls(problem, contacts, strengths, operator_of(problem, _period(problem.surface())))
 
-    @property
+    @cached_property
     def surface(self) -> "HeightMap":
         """Return one period of the map."""
-        surface = self.problem.surface()
-        return surface if surface.periodic else _period(surface)
+        return _period(self.problem.surface())
+
+    @cached_property
+    def coupling(self) -> "Coupling":
+        """Return the operator that couples pressure and shear on one period of the map."""
+        return _coupling_of(self.problem, self.surface)
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
         from stiction.solvers.shear.coupled import slide_coupled
 
-        coupling, pressing = _coupling_of(self.problem, self.surface), self.pressing(index)
+        pressing = self.pressing(index)
         path = slide_coupled(
-            self.operator, coupling, pressing, lambda pressure: self.strength_at(index, pressure), shifts.tolist(),
+            self.operator, self.coupling, pressing, lambda pressure: self.strength_at(index, pressure), shifts.tolist(),
             pixel=self.pixel(index), weakening=weakening,
         )  # fmt: skip
         return path if pressing.converged else replace(path, states=tuple(replace(s, converged=False) for s in path.states))
@@ -116,15 +120,14 @@ def effect_of_coupling(problem: MapProblem, contacts: "tuple[MapContact, ...]") 
     from stiction.solvers.shear.coupled import force_when_all_slide
 
     moving = UnlikeBodies.of(problem, contacts)
-    coupling = _coupling_of(problem, moving.surface)
 
     def effect(index: int) -> float:
         def strength(pressure: np.ndarray) -> np.ndarray:
             return moving.strength_at(index, pressure)
 
         pressing = moving.pressing(index)
-        alone = pressing(np.zeros(coupling.shape))
-        coupled, _ = force_when_all_slide(coupling, pressing, strength, alone)
+        alone = pressing(np.zeros(moving.coupling.shape))
+        coupled, _ = force_when_all_slide(moving.coupling, pressing, strength, alone)
         return abs(coupled / float(strength(alone).sum()) - 1.0)
 
     return max(effect(index) for index in range(len(contacts)))
@@ -141,7 +144,9 @@ def _coupling_of(problem: MapProblem, surface: "HeightMap") -> "Coupling":
 
 
 def _period(surface: "HeightMap") -> "HeightMap":
-    """Return a window and its mirror images as one period."""
+    """Return a periodic map, or a window and its mirror images, as one period."""
+    if surface.periodic:
+        return surface
     rows, columns = surface.size
     return replace(surface, heights=_mirrored(surface.heights), size=(2.0 * rows, 2.0 * columns), periodic=True)
 

@@ -123,10 +123,8 @@ def predict(
         levels = draws_of(case)
         mixture = Mixture.of(SampledCase(case, loads, levels.inputs))
         samples = mixture.samples(levels, np.arange(len(levels)))
-        shares, by_state = (
-            shares_of_variance(mixture, levels, working_index),
-            mu_by_state(mixture, levels, working_index, level),
-        )
+        shares = shares_of_variance(mixture, levels, working_index)
+        by_state = mu_by_state(mixture, levels, working_index, level)
         attributes = _attributes(mixture, samples, working_index, level, shares, by_state)
     else:
         samples, attributes, updated = _given(read_measured(measured, case), case, loads, working_index, level, stated)

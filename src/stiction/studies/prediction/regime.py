@@ -122,9 +122,10 @@ def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> l
 
     Each state takes all samples. index: position of the load in `loads`; level: probability of the intervals.
     """
-    states, single, intervals = mixture.strength.states, mixture.at_load(index), []
+    states = mixture.strength.states
     if len(states) < 2:
         return []
+    single, intervals = mixture.at_load(index), []
     weights = np.array([weight for _, weight in states])
     for (state, _), place in zip(states, (np.cumsum(weights) - 0.5 * weights) / weights.sum(), strict=True):
         fixed = Levels(levels.inputs, {**levels.others, "state": np.full(len(levels), place)})
