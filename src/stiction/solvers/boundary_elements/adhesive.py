@@ -59,12 +59,12 @@ _LEFT, _OF_TENSION = 0.1 * MOST_ATTRACTION_LEFT, 3e-3
 class AdhesiveContact:
     """Store the adhesive contact of a map at one load.
 
-    load [N], > 0 if pressed together. area: of the touching points, corrected for pixel size [m2]. area_pixels: without this
-    correction [m2]. points: number of touching points. perimeter: of the area [m]. mean_gap [m]. attraction: of all points,
-    including the touching ones [N]. detached: whether there is no contact at this load; the area is then 0. residual: largest
-    pressure error where faces do not touch, divided by w/rho. points_at_edge: number of points along the length over which
-    the edge is pulled. pressure: contact pressure minus attraction [Pa], (rows, columns) of the solved grid, which is at
-    least as fine as the map.
+    load [N], > 0 if pressed together. area: contact area, corrected for pixel size [m2]. area_pixels: contact area without this
+    correction [m2]. points: number of points in contact. perimeter: length of the contact edge [m]. mean_gap: mean distance of
+    the faces [m]. attraction: sum of the attractive forces at all points, also at those in contact [N]. detached: whether there
+    is no contact at this load; the area is then 0. residual: largest pressure error at points that do not touch, divided by
+    w/rho. points_at_edge: number of points along the length over which the contact edge is pulled. pressure: contact pressure
+    minus attraction [Pa], (rows, columns) of the solved grid, which is at least as fine as the map.
     """
 
     load: float
@@ -87,9 +87,9 @@ def solve_adhesive(
 ) -> list[AdhesiveContact]:  # fmt: skip
     """Solve the contact of a periodic map with a flat face at a series of loads.
 
-    loads [N]: solved in the order given, each from the solution before; negative loads pull. heights, size, modulus, film: as
-    in `solve_map`; work: of adhesion [J/m2], > 0; reach: rho [m], > 0. Raises InputError for unusable arguments, and for a
-    film on a rigid base under a rigid face, where mean displacements count.
+    loads [N]: solved in the order given, each from the solution before; negative loads pull. work: work of adhesion [J/m2], >
+    0. reach: range of attraction rho [m], > 0. heights, size, modulus, film: as in `solve_map`. Raises InputError for unusable
+    arguments, and if both the substrate of the film and the counterbody are rigid.
     """
     loads = [float(load) for load in loads]
     if not loads or not np.isfinite(loads).all():
@@ -126,10 +126,10 @@ def _descended(faces: Faces, gap: np.ndarray, pressure: float) -> DescentSearch:
 
 @dataclass(frozen=True)
 class AdhesiveState:
-    """Store the adhesive contact of a map at one load, as a start for less adhesion.
+    """Store the adhesive contact of a map at one load, so that it can be solved again with less adhesion.
 
     faces: heights and stiffness. gap: (rows, columns), divided by the range of attraction. grid: quantities that do not
-    depend on load. pressure: mean pressure, divided by the largest attraction.
+    depend on load. pressure: mean pressure, divided by the largest attraction w/rho.
     """
 
     faces: Faces
@@ -154,10 +154,10 @@ class AdhesiveState:
         return self.grid.area(int(np.count_nonzero(touching)), edges(touching, True).count) * self.pixel
 
     def with_share(self, share: np.ndarray | None) -> "AdhesiveState":
-        """Return the contact after the work of adhesion is reduced.
+        """Return the contact with only a fraction of the work of adhesion.
 
-        share: fraction of the work of adhesion that remains at every point (rows, columns); None for all of it. The energy is
-        minimised from the present gap.
+        share: remaining fraction at every point (rows, columns); None for all of it. The energy is minimised from the present
+        gap.
         """
         faces = replace(self.faces, share=share)
         return replace(self, faces=faces, gap=_descended(faces, self.gap, self.pressure).gap)
@@ -183,7 +183,7 @@ def adhesive_state(
 
 
 def _before_adhesion(heights, size, compliance, load, work, reach) -> AdhesiveState:
-    """Return the contact at a load [N] with the gap that it has without adhesion."""
+    """Return the start of an adhesive solution: the gap of the same contact without adhesion, at a load [N]."""
     points_at_edge = reach**2 / (compliance.near * work) / coarsest_pitch(heights.shape, size)
     grid = _Grid(size, work / reach, reach, points_at_edge)
     gap = _without_adhesion(heights, size, compliance, max(load, 0.0) / grid.nominal) / reach
@@ -209,7 +209,7 @@ class _Grid:
 
     @property
     def excess(self) -> float:
-        """Return the coefficient c, by which the area is corrected for pixel size; see (2)."""
+        """Return the coefficient c of (2), by which the area is corrected for pixel size."""
         return PIXEL_EXCESS + _AT_EDGE / max(self.points, 1.0)
 
     def area(self, points: int, sides: int) -> float:
@@ -228,7 +228,11 @@ class _Grid:
 
 
 def _between_points(heights: np.ndarray, size: tuple[float, float], edge: float) -> np.ndarray:
-    """Return the map, refined by Fourier interpolation if the contact edge needs more points."""
+    """Return the heights (rows, columns) [m] on a grid fine enough for the contact edge, by Fourier interpolation.
+
+    edge: length over which the contact edge is pulled [m]. The map is returned unchanged if it is fine enough, or if it would
+    need more than 2.5 times as many points along a side.
+    """
     finer = LEAST_POINTS * coarsest_pitch(heights.shape, size) / edge
     if not 1.0 + 1e-9 < finer <= _BETWEEN:
         return heights
@@ -250,7 +254,10 @@ def _faces(heights, size, compliance, work, reach) -> Faces:
 
 
 def _without_adhesion(heights, size, compliance, mean) -> np.ndarray:
-    """Return the gap [m] of the same contact without adhesion, under at least a small pressure."""
+    """Return the gap (rows, columns) [m] of the same contact without adhesion.
+
+    mean: mean pressure [Pa]; a small positive pressure replaces a smaller one.
+    """
     length = rms_step(heights)
     least = 1e-3 * length / (size[0] / heights.shape[0]) / compliance.near
     displacement = PeriodicBoundary(compliance, heights.shape, size)

@@ -57,8 +57,8 @@ def adhesive_curve(surface: "HeightMap", bodies: Bodies, pressures: Sequence[flo
 def _as_contact(one: AdhesiveContact, whole: float) -> MapContact:
     """Convert an adhesive contact to a MapContact without a pressure map.
 
-    The separation of faces that do not touch is infinite. The pressure map is left out because adhesive tension acts inside
-    the contact too.
+    The separation is infinite if the faces do not touch. The pressure map is omitted because adhesive tension also acts inside
+    the contact.
     """
     return MapContact(
         load=one.load, mean_pressure=one.load / whole, nominal_area=whole, area=one.area, area_pixels=one.area_pixels,

@@ -42,9 +42,10 @@ _FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12.0, np.array([-1.0, 
 class MapSlopes:
     """Store the slopes of a map that the area formulas need.
 
-    gradient: rms gradient of the map [1]. alpha: Nayak's parameter. lay: ratio R of the largest to the smallest rms slope, >=
-    1. Points are sorted from highest to lowest and divided into bins. ranks: fraction of all points down to the end of each
-    bin. squares: mean square gradient in each bin, divided by that of the map.
+    gradient: rms gradient of the map [1]. alpha: Nayak's parameter. lay: ratio R of the largest to the smallest rms slope of
+    all directions, >= 1. For the two arrays, all points are sorted from highest to lowest and divided into bins. ranks (bins,):
+    fraction of all points that lie in the bins up to and including this one. squares (bins,): mean square gradient in each bin,
+    divided by that of the map.
     """
 
     gradient: float
@@ -54,9 +55,9 @@ class MapSlopes:
     squares: np.ndarray
 
     def top(self, share: float) -> float:
-        """Return the rms gradient of the highest points over the rms gradient of the map.
+        """Return the rms gradient of the highest points, divided by the rms gradient of the map.
 
-        share: fraction of all points that counts, from the highest down.
+        share: fraction of all points that are averaged, from the highest down.
         """
         counts = np.diff(self.ranks, prepend=0.0)
         return math.sqrt(float(np.interp(share, self.ranks, np.cumsum(self.squares * counts) / self.ranks)))
@@ -102,12 +103,15 @@ def _of_differences(heights, size):
 
 
 def _between(rows, pitch):
-    """Return the derivative along the first axis, midway between neighbouring points."""
+    """Return the derivative of an array (n, ...) along its first axis, midway between neighbouring points."""
     return (27.0 * (rows[2:-1] - rows[1:-2]) - (rows[3:] - rows[:-3])) / (24.0 * pitch)
 
 
 def _at_points(rows, unit, weights):
-    """Return the derivative along the first axis at points, without the two outermost points at each end."""
+    """Return a derivative of an array (n, ...) along its first axis, at all points but the two outermost at each end.
+
+    unit: point spacing to the power of the derivative's order. weights: of five neighbouring points.
+    """
     count = len(rows) - 4
     return sum(weight * rows[first : first + count] for first, weight in enumerate(weights)) / unit
 
@@ -118,9 +122,10 @@ def _lay(xx, yy, xy):
 
 
 def _by_rank(heights, size, periodic):
-    """Return the rank at the end of each bin, and the relative mean square gradient in it.
+    """Return two arrays (bins,): the rank at the end of each bin, and the relative mean square gradient in the bin.
 
-    Points are sorted from highest to lowest. A rank is a fraction of all points. Gradients are over the gradient of the map.
+    Points are sorted from highest to lowest. A rank is a fraction of all points. Square gradients are divided by their mean
+    over the map.
     """
     square = np.zeros(heights.shape)
     for axis, length in enumerate(size):
@@ -139,8 +144,7 @@ def _by_rank(heights, size, periodic):
 def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
     """Return the area fraction A/A0 of a Gaussian isotropic map by formula (3).
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: of the map; the
-    formula uses the rms gradient of the highest points, twice as many as are in contact.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: slopes of the map.
     """
     c = 0.672 - 0.071 * math.log(slopes.alpha)
     ratio = np.sqrt(np.cumsum(slopes.squares) / np.arange(1, len(slopes.squares) + 1))
@@ -149,9 +153,9 @@ def by_top_slopes(pressure: float, slopes: MapSlopes) -> float:
 
 
 def by_ranks(pressure: float, slopes: MapSlopes) -> float:
-    """Return the area fraction A/A0 by formula (4), also for skewed, worn or lay maps.
+    """Return the area fraction A/A0 of any map by formula (4).
 
-    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient.
+    pressure: mean pressure divided by E* h', > 0; h' is the rms gradient. slopes: slopes of the map.
     """
     c = 0.655 - 0.071 * math.log(slopes.alpha) + 0.183 * math.log(slopes.lay)
     count = np.arange(1, len(slopes.squares) + 1)
@@ -162,9 +166,9 @@ def by_ranks(pressure: float, slopes: MapSlopes) -> float:
 
 
 def first_crossing(area, wanted, beyond):
-    """Return the area at which `area` first reaches `wanted`, or `beyond` if it never does.
+    """Return the value at which the array `area` first reaches the array `wanted`, by linear interpolation.
 
-    area, wanted: arrays (n,). The crossing is interpolated linearly.
+    area, wanted: (n,). beyond: the value returned if `area` never reaches `wanted`.
     """
     reached = np.flatnonzero(area >= wanted)
     if not len(reached):

@@ -11,8 +11,8 @@ class Bodies:
     """Describe two bodies that are pressed together.
 
     modulus: contact modulus E* of the bodies without their films [Pa], infinite if both are rigid. film, counter_film: film
-    on each body, or None. hardness: largest pressure [Pa], None for elastic bodies. menisci: of the liquid between them, None
-    if dry.
+    on each body, or None. hardness: largest contact pressure [Pa]; None for elastic bodies. menisci: liquid between the bodies;
+    None if they are dry.
     """
 
     modulus: float

@@ -80,11 +80,15 @@ def _solver() -> bytes:
 
 
 def _file(name: str, load: float) -> Path:
+    """Return the path of the cache file of one load [N]."""
     return cache_folder("contacts") / f"{name}-{load.hex()}.npz"
 
 
 def _read(path: Path, shape: tuple[int, ...]) -> MapContact | None:
-    """Return the contact read from a file, or None if the file is missing, damaged, or was written under another name."""
+    """Return the contact stored in a cache file.
+
+    shape: (rows, columns) of the map. The result is None if the file is missing, damaged, or was written under another name.
+    """
     try:
         with path.open("rb") as opened, np.load(opened, allow_pickle=False) as file:
             if file["name"].item() != path.name:

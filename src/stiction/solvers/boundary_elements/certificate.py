@@ -28,13 +28,13 @@ _MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, 
 
 @dataclass(frozen=True)
 class Certificate:
-    """Store how far a computed pressure is from the exact solution on its grid.
+    """Store bounds of the error of a computed pressure, relative to the exact solution on the same grid.
 
     overlap: deepest overlap of the faces at points without pressure [m]. opening: largest gap, of either sign, at points in
     elastic contact [m]. lift: largest positive gap at points whose pressure is the hardness [m]. pressure_error: bound on the
-    relative error of the pressure, as square root of elastic energy. area_error: number of points that may wrongly count as
-    in or out of contact, divided by the points in contact. This is an estimate: it counts points closer to the change than
-    three times the largest gap error.
+    relative error of the pressure, as the square root of elastic energy. area_error: estimated number of points that may
+    wrongly count as in or out of contact, divided by the number of points in contact. The estimate counts points whose gap or
+    pressure is within three times the largest gap error of a change.
     """
 
     overlap: float
@@ -69,13 +69,16 @@ def certify(problem: Problem, found: Found) -> Certificate:
 
 
 def _energy(problem: Problem, found: Found) -> float:
-    """Return the elastic energy norm <p C p>, multiplied by the number of points."""
+    """Return the elastic energy norm <p C p> of a solution, multiplied by the number of points."""
     raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure.shape))
     return raised + found.offset * float(found.pressure.sum())
 
 
 def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
-    """Return the error bound (1) or (2), multiplied by the number of points."""
+    """Return the error bound (1), or (2) if the map has free edges, multiplied by the number of points.
+
+    missed: error of the gap at every point (rows, columns) [m].
+    """
     if problem.displacement.inverts:
         scale = float(np.abs(missed).max()) or 1.0
         missed = (missed / scale).astype(np.float32)

@@ -80,9 +80,9 @@ class Film:
         return self.thickness / self.modulus * (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu)
 
     def over_half_space(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance of the film and its substrate, divided by that of a half-space.
+        """Return the compliance of the film on its substrate, divided by that of a half-space of film material.
 
-        The half-space consists of film material: (2) divided by 2/(E1* k). k: wavenumbers > 0 [1/m], any shape.
+        This is (2) divided by 2/(E1* k). k: wavenumbers > 0 [1/m], any shape.
         """
         parts = self._parts()
         y = 2.0 * self.thickness * np.asarray(k, dtype=float)
@@ -123,9 +123,9 @@ def _away(y, el, k, *_):
 
 @dataclass(frozen=True)
 class Compliance:
-    """Describe the normal compliance of both bodies together.
+    """Describe the normal compliance of two bodies in contact, each with or without a film.
 
-    modulus: contact modulus E* of the half-spaces without films [Pa], infinite if rigid. film, counter_film: films, each on
+    modulus: contact modulus E* of the bodies without films [Pa], infinite if they are rigid. film, counter_film: films, each on
     its own half-space. Raises InputError unless the modulus is > 0, and finite if there is no film.
     """
 
@@ -174,10 +174,9 @@ class Compliance:
         return total
 
     def at(self, k: np.ndarray) -> np.ndarray:
-        """Return the compliance C(k) of both bodies [m/Pa] at wavenumbers k >= 0 [1/m].
+        """Return the compliance C(k) of both bodies together [m/Pa] at wavenumbers k >= 0 [1/m], any shape.
 
-        At k = 0 the result is the limit where it is finite. Otherwise it is 0, because the mean displacement of half-spaces
-        is not defined.
+        At k = 0 the result is the limit if this is finite, and 0 otherwise. Half-spaces have no finite mean displacement.
         """
         k = np.asarray(k, dtype=float)
         positive = k > 0.0

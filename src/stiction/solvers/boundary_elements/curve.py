@@ -22,7 +22,7 @@ class MapCurve:
 
     contacts: in the order of the pressures; None for a load that an interruption left unsolved. every: sampling step; 2 means
     that every second point was solved. of_map: quantities of the map that do not depend on load, by name. more: further
-    quantities of every contact, by name.
+    quantities, by name, each an array over the contacts.
     """
 
     contacts: tuple[MapContact | None, ...]
@@ -41,10 +41,10 @@ class MapCurve:
 
 
 def curve_of_map(surface: HeightMap, bodies: Bodies, pressures: Sequence[float], *, sampled: bool = False) -> MapCurve:
-    """Solve the contact of a map at nominal pressures [Pa].
+    """Solve the contact of a map at nominal pressures [Pa], or read it from the cache.
 
-    sampled: whether to solve only as many points as are accurate enough (see `sampled`). Solutions are cached. Raises
-    InputError as `solve_map` does.
+    sampled: whether to skip points of the map that the accuracy does not need (see `sampled`). Raises InputError as `solve_map`
+    does.
     """
     nominal = surface.size[0] * surface.size[1]
 
@@ -79,7 +79,10 @@ def _in_order(contacts: MapContacts, pressures: Sequence[float]) -> tuple[MapCon
 
 
 def of_map(surface: HeightMap, bodies: Bodies, every: int) -> dict[str, float]:
-    """Return the quantities of a map that do not depend on load, by name."""
+    """Return the quantities of a map that do not depend on load, by name.
+
+    bodies: of the contact; a film adds the number of points in its thickness. every: sampling step.
+    """
     seen = waves(surface.heights, surface.size, surface.periodic)
     numbers = {
         "points_in_shortest_wave": seen.points_in_shortest_wave,

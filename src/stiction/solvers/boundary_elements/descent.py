@@ -35,8 +35,8 @@ _LARGEST = 700.0  # exponent, of a floating point number
 class Faces:
     """Store the heights and the stiffness of two faces that attract each other.
 
-    heights: h, divided by the range of attraction. stiffness: dimensionless K of every entry of `rfft2`, 0 for the mean.
-    share: fraction of the work of adhesion that remains at every point; None for all of it.
+    heights (rows, columns): heights h, divided by the range of attraction. stiffness: dimensionless K of every entry of
+    `rfft2`, 0 for the mean. share (rows, columns): fraction of the work of adhesion that remains; None for all of it.
     """
 
     heights: np.ndarray
@@ -50,14 +50,14 @@ class Faces:
         object.__setattr__(self, "_smooth", (1.0 / inverse).astype(np.float32))
 
     def elastic(self, shape: np.ndarray) -> np.ndarray:
-        """Return the elastic restoring pressure of a displacement map: K applied to it.
+        """Return the elastic restoring pressure of a displacement: K applied to it, (rows, columns).
 
-        shape: displacement, for instance gap plus heights.
+        shape: displacement (rows, columns), for instance gap plus heights.
         """
         return self._through(shape, self.stiffness)
 
     def attraction(self, gap: np.ndarray) -> np.ndarray:
-        """Return the attraction e^(-g) at the gaps g, times the remaining share of the work of adhesion."""
+        """Return the attraction e^(-g) at the gaps g (rows, columns), times the remaining fraction of the work of adhesion."""
         whole = np.exp(-gap)
         return whole if self.share is None else self.share * whole
 
@@ -77,8 +77,8 @@ class Faces:
 class DescentSearch:
     """Minimise the energy (1) of attracting faces under a mean pressure P.
 
-    gap: current gap, divided by the range of attraction. residual: largest remaining gradient at open points, or tension at
-    touching points. apart: whether the faces have separated completely.
+    gap: current gap (rows, columns), divided by the range of attraction. residual: largest gradient of the energy among points
+    that are apart and touching points under tension. apart: whether the faces have separated completely.
     """
 
     def __init__(self, faces: Faces, gap: np.ndarray, pressure: float):
@@ -104,7 +104,7 @@ class DescentSearch:
                 self._way = None
 
     def _arrive(self) -> None:
-        """Update gradient, free points and residual after a change of the gap."""
+        """Compute gradient, free points and residual anew after the gap has changed."""
         self._near = self._faces.attraction(self.gap)
         self._slope = self._elastic + self._near
         self._slope += self._pressure

@@ -21,11 +21,11 @@ _MOST = 300
 
 
 def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarray) -> float:
-    """Return the contact stiffness per nominal area [Pa/m] at fixed contact area.
+    """Return the contact stiffness per nominal area [Pa/m] at fixed contact area: change of mean pressure per approach.
 
-    It is the change of mean pressure per approach: NaN without elastic contact points, infinite in full contact of
-    half-spaces. displacement: compliance operator. free: mask of the points in elastic contact. start: first guess of the
-    pressure change, > 0, for instance the pressure.
+    The result is NaN without elastic contact points, and infinite in full contact of half-spaces. displacement: compliance
+    operator. free: mask (rows, columns) of the points in elastic contact. start: first guess of the pressure change, > 0, for
+    instance the pressure.
     """
     count = int(np.count_nonzero(free))
     if not count:

@@ -45,7 +45,7 @@ _MOST_SKEWNESS, _MOST_LAY, _TOP, _TOP_RANGE = 0.5, 1.3, 0.05, (0.75, 1.3)
 
 @dataclass(frozen=True, eq=False)
 class MapArea:
-    """The real contact area of one map, as a function of mean pressure and hardness.
+    """Compute the real contact area of one map at any mean pressure and hardness.
 
     heights: (rows, columns) [m], without missing points. size: (y, x) [m]. periodic: whether the map is one period of an
     endless surface.
@@ -74,7 +74,7 @@ class MapArea:
         return [MapArea(np.ascontiguousarray(part), (high, wide), periodic=False) for part in parts]
 
     def sample_error(self, pressure: np.ndarray, hardness: float) -> np.ndarray:
-        """Return the standard error of ln A of a map that is a window of a larger surface.
+        """Return the standard error of ln A that arises because the map is only a window of a larger surface.
 
         The error is estimated from the scatter between the quadrants of the map. It is 0 for a periodic map. If the window
         holds few of the longest waves, its quadrants resemble each other and the error is increased (_OF_WAVES). pressure,
@@ -91,9 +91,9 @@ class MapArea:
 
     @cached_property
     def solvable(self) -> list[int]:
-        """Return the sampling steps that can be solved, coarsest first; empty if there are none.
+        """Return the sampling steps with which the map can be solved, coarsest first; empty if there are none.
 
-        Each step leaves few enough points to solve, and enough points in the shortest wave.
+        With each step, few enough points are left to solve. Steps above 1 also leave enough points in the shortest wave.
         """
         in_wave = self.waves.points_in_shortest_wave
         all_of_them = range(1, min(self.heights.shape) // 16 + 1)
@@ -143,8 +143,8 @@ class MapArea:
     def solved_with(self, compliance: Compliance, pressure: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Return the area fraction A/A0 (n,) of elastic bodies with films, by solving the map.
 
-        compliance: bodies and films. pressure: mean pressures (n,), ascending, in the unit of the compliance. expected:
-        approximate A/A0 (n,). The result is NaN where too few points touch or the map is too large.
+        compliance: bodies and films. pressure: mean pressures (n,), ascending [Pa]. expected: approximate A/A0 (n,), from which
+        the number of points to solve follows. The result is NaN where too few points touch or the map is too large.
         """
         areas = np.full(len(pressure), np.nan)
         if not self.solvable:
@@ -157,17 +157,17 @@ class MapArea:
         return areas
 
     def every(self, area: float) -> int:
-        """Return the coarsest solvable sampling step that leaves enough points in contact, or the finest if none does.
+        """Return the coarsest sampling step that leaves enough points in contact, or the finest one if none does.
 
-        area: area fraction A/A0.
+        area: expected area fraction A/A0.
         """
         expected = area * self.heights.size
         return next((step for step in self.solvable if expected / step**2 >= LEAST_CONTACT), self.solvable[-1])
 
     def solve(self, pressure: np.ndarray, every: int, **how) -> np.ndarray:
-        """Return the area fraction A/A0 (n,) at mean pressures (n,), solved with sampled points.
+        """Return the area fraction A/A0 (n,) at mean pressures (n,), solved at every `every`-th point.
 
-        every: sampling step. how: keywords of `solve_map` for the bodies. The result is NaN where too few points touch.
+        how: further keywords of `solve_map`, such as modulus and films. The result is NaN where too few points touch.
         """
         heights, (high, wide) = every_point(self.heights, self.size, every)
         loads = (pressure * high * wide).tolist()
@@ -269,7 +269,7 @@ def map_area(surface: HeightMap) -> MapArea:
 
 
 class _Held:
-    """A wrapper that makes maps compare equal, because a digest already identifies them in the cache."""
+    """Hold a map that is always equal to another one, because a digest already identifies maps in the cache."""
 
     def __init__(self, surface: HeightMap):
         self.surface = surface

@@ -22,9 +22,9 @@ from stiction.solvers.boundary_elements.minimise import Found
 def warnings_of_map(
     heights: np.ndarray, size: tuple[float, float], film: Film | None, periodic: bool
 ) -> tuple[ValidityWarning, ...]:
-    """Return the warnings that hold for a map at any load.
+    """Return the validity warnings of a map that hold at any load.
 
-    heights: (rows, columns) [m]; size: (y, x) [m].
+    heights: (rows, columns) [m]; size: (y, x) [m]. film: film on one of the bodies, or None.
     """
     seen = waves(heights, size, periodic)
     return (*_warnings_of_waves(seen), *(() if film is None else _warnings_of_film(film, seen.pitch)))
@@ -53,9 +53,10 @@ def _warnings_of_film(film, pitch):
 
 
 def warnings_of_load(solution: Found, load_error: float, ends: bool, tolerance: float) -> tuple[ValidityWarning, ...]:
-    """Return the warnings about the solution at one load.
+    """Return the validity warnings of the solution at one load.
 
-    ends: whether the map has free edges, so that nothing presses outside of it.
+    load_error: relative error of the summed pressures. ends: whether the map has free edges, so that nothing presses outside
+    it. tolerance: of the residual.
     """
     return (*_warnings_of_solution(solution, load_error, tolerance), *(_warnings_of_ends(solution.pressure) if ends else ()))
 

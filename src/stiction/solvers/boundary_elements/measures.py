@@ -80,18 +80,18 @@ def corrected_area(pressure: np.ndarray, pixel: float, periodic: bool, hardness:
 
 
 def _changes(contact, periodic):
-    """Count how often neighbouring points along the rows differ in contact."""
+    """Return how many pairs of neighbouring points in the same row consist of one in contact and one not."""
     count = int(np.count_nonzero(contact[:, 1:] != contact[:, :-1]))
     return count + int(np.count_nonzero(contact[:, 0] != contact[:, -1])) if periodic else count
 
 
 @dataclass(frozen=True)
 class Waves:
-    """The characteristic wavelengths of a map [m].
+    """Store the characteristic wavelengths and the gradient of a map.
 
-    shortest: waves shorter than this contribute 1 % of the mean square gradient. longest: waves longer than this contribute
-    half of the mean square height. gradient: rms gradient of all waves [1]. pitch: the larger point spacing. side: the
-    shorter side of the map.
+    shortest [m]: waves shorter than this contribute 1 % of the mean square gradient. longest [m]: waves longer than this
+    contribute half of the mean square height. gradient: rms gradient of all waves [1]. pitch: the larger point spacing [m].
+    side: the shorter side of the map [m].
     """
 
     shortest: float
@@ -102,7 +102,7 @@ class Waves:
 
     @property
     def points_in_shortest_wave(self) -> float:
-        """Return the number of points in the shortest wave."""
+        """Return the shortest wavelength divided by the point spacing."""
         return self.shortest / self.pitch
 
     @property
@@ -147,7 +147,7 @@ def _where_sum_reaches(edge, part, share):
 
 
 def rms_step(heights: np.ndarray) -> float:
-    """Return the rms step between neighbouring heights [m], the solvers' unit of gaps.
+    """Return the rms height difference of neighbouring points [m], which the solvers use as unit of gaps.
 
     The mean squared differences along both axes are added before the root is taken.
     """

@@ -42,8 +42,8 @@ class Menisci:
 class Condensed:
     """Store the solution of a contact with condensed liquid.
 
-    found: solution of problem (1): contact pressure plus suction [Pa], and the gap. wet: mask of the points with liquid.
-    problem: problem (1).
+    found: solution of problem (1), with the contact pressure plus suction [Pa] and the gap [m]. wet: mask (rows, columns) of
+    the points with liquid. problem: problem (1).
     """
 
     found: Found
@@ -55,9 +55,9 @@ def condense(
     problem: Problem, menisci: Menisci | None, start: np.ndarray, *, tolerance: float, most: int,
     seen: Callable[[int, float], None] | None = None,
 ) -> Condensed:  # fmt: skip
-    """Solve a contact together with the liquid that condenses around the dry contact.
+    """Solve a contact together with the liquid that condenses around its dry contact spots.
 
-    problem: the dry contact. menisci: the liquid, or None for a dry contact. Other arguments: as in `minimise`.
+    problem: the dry contact. menisci: the liquid, or None for a dry contact. start, tolerance, most, seen: as in `minimise`.
     """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)

@@ -36,7 +36,7 @@ import numpy as np
 
 
 class Boundary(Protocol):
-    """Define the compliance operator of a map: displacement from pressure.
+    """Define the compliance operator of a map, which computes displacements from pressures.
 
     Results have the precision of the argument. inverts: whether `inverse` is exact. knows_approach: whether displacements are
     absolute; if not, their mean is zero.
@@ -77,7 +77,7 @@ class Problem:
 
     @cached_property
     def point_stiffness(self) -> float:
-        """Return the pressure on a point, divided by its displacement, while all others stay [Pa/m]."""
+        """Return the stiffness of a point [Pa/m]: its pressure over its displacement while all other points stay."""
         point = np.zeros(self.heights.shape, dtype=np.float32)
         point[0, 0] = 1.0
         return float(self.displacement.inverse(point)[0, 0])
@@ -87,9 +87,9 @@ class Problem:
 class Found:
     """Store the numerical solution of the minimisation problem (1).
 
-    pressure [Pa] and gap [m]: (rows, columns). offset: the length a in the gap of (2) [m]. residual: rms violation of (2) per
-    point in contact, divided by the problem's length. steps: number of steps taken. converged: whether the residual is below
-    the tolerance.
+    pressure [Pa] and gap [m]: (rows, columns). offset: the length a of (2) [m]. residual: rms violation of (2) per point in
+    contact, divided by the problem's length. steps: number of steps taken. converged: whether the residual is at most the
+    tolerance.
     """
 
     pressure: np.ndarray
@@ -103,10 +103,10 @@ class Found:
 def minimise(
     problem: Problem, start: np.ndarray, *, tolerance: float, most: int, seen: Callable[[int, float], None] | None = None
 ) -> Found:
-    """Return the solution of the minimisation problem (1).
+    """Solve the minimisation problem (1) for the pressure of a map.
 
-    start: any pressure map [Pa]. tolerance: largest residual. most: largest number of steps. seen: called before each step
-    with its number and the residual. Without convergence, the pressure with the smallest residual is returned.
+    start: first guess of the pressure [Pa]. tolerance: largest accepted residual. most: largest number of steps. seen: called
+    before each step with its number and the residual. Without convergence, the pressure with the smallest residual is returned.
     """
     best = last = _in_double(problem, on_level(np.clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)
@@ -122,7 +122,7 @@ def minimise(
 
 
 def _in_double(problem: Problem, pressure: np.ndarray) -> Found:
-    """Return a pressure map [Pa] with its gap, offset and residual, in double precision."""
+    """Return gap, offset and residual of a pressure map [Pa], computed in double precision."""
     gap = problem.displacement(pressure)
     gap -= problem.heights
     offset, residual, _ = _settle(problem, pressure, gap, problem.length)
@@ -163,9 +163,9 @@ def _between(touches: np.ndarray, gap: np.ndarray) -> float:
 
 
 def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return the gap where its sign is forbidden by (2), and 0 elsewhere.
+    """Return the gap (rows, columns) where its sign is forbidden by (2), and 0 elsewhere.
 
-    Forbidden is a negative gap at points without pressure, and a positive one where the pressure is the hardness.
+    A negative gap is forbidden at points without pressure, and a positive gap where the pressure is the hardness.
     """
     wrong = np.minimum(gap, 0.0)
     wrong *= pressure <= 0.0
@@ -175,7 +175,7 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
-    """Return the error of the gap [m] at every point: by how much condition (2) is violated."""
+    """Return by how much the gap violates condition (2) at every point: (rows, columns) [m]."""
     missed = _wrong(problem, pressure, gap)
     missed += gap * ((pressure > 0.0) & (pressure < problem.hardness))
     return missed
@@ -235,9 +235,9 @@ class _Search:
         return self._accept(on_level(pressure, self._problem))
 
     def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
-        """Return the pressure after a step of this length, and whether all of it was in 0 to H.
+        """Return the pressure after a step of this length, and whether it stayed within 0 to H before it was clipped.
 
-        Points whose gap has a forbidden sign are corrected. The pressure is then clipped to 0 to H.
+        Points whose gap has a forbidden sign are also corrected.
         """
         problem, pressure, inside = self._problem, self._other, True
         mend = _WRONG * problem.point_stiffness * problem.length
@@ -318,7 +318,7 @@ class _Search:
         return slope
 
     def _free(self, rows: slice) -> np.ndarray:
-        """Return 1 at points of these rows with 0 < pressure < hardness, 0 elsewhere."""
+        """Return a mask of the points in these rows with 0 < pressure < hardness, as 1 and 0."""
         here = self._pressure[rows]
         return ((here > 0.0) & (here < self._problem.hardness)).astype(np.float32)
 

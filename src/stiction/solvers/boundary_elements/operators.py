@@ -76,7 +76,8 @@ class _Kernel:
 class PeriodicBoundary:
     """Compute displacements of a periodic map from its pressure.
 
-    shape: (rows, columns). size: (y, x) [m]. knows_approach: whether displacements are absolute; if not, their mean is zero.
+    shape: (rows, columns). size: (y, x) [m]. The attribute `knows_approach` says whether displacements are absolute; if not,
+    their mean is zero.
     """
 
     inverts = True
@@ -109,9 +110,9 @@ class PeriodicBoundary:
 
 
 class MirroredBoundary(PeriodicBoundary):
-    """Compute displacements of a window that its mirror images continue on all sides.
+    """Compute displacements of a window of a larger surface, which mirror images continue on all sides.
 
-    It is a periodic map of twice the sides that is even about every side.
+    Window and mirror images together are a periodic map with twice the sides.
     """
 
     def _wavenumbers(self, shape, size):
@@ -152,15 +153,15 @@ class FreeBoundary:
         return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
-        """Return a pressure [Pa] that nearly causes this displacement [m].
+        """Return a pressure [Pa] that approximately causes this displacement [m].
 
-        The pressure is exact for a periodic map, but not for a map with free edges.
+        The result would be exact for a periodic map.
         """
         return self._periodic.inverse(displacement)
 
 
 def _through(pressure, grid, kernel):
-    """Return the convolution of a pressure map, zero-padded to the grid, with a kernel."""
+    """Return the convolution of a pressure map with a kernel; the map is first padded with zeros to the grid."""
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(pressure, s=grid, workers=workers)
     waves *= kernel.like(pressure)

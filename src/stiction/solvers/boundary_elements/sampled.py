@@ -23,9 +23,9 @@ LEAST_CONTACT = 1000  # points in contact, at the lightest load
 
 @dataclass(frozen=True)
 class SampledContacts:
-    """Store the contacts of a map, solved at every r-th point.
+    """Store the contacts of a map that was solved at every r-th point.
 
-    every: r; 1 if all points were solved.
+    contacts: one for each load. every: the step r; 1 if all points were solved.
     """
 
     contacts: MapContacts
@@ -60,7 +60,7 @@ def fewest_points(heights: np.ndarray, size: tuple[float, float], periodic: bool
 
 
 def _candidates(heights, size, periodic):
-    """Return the allowed sampling steps r, in descending order; the last is 1."""
+    """Return the allowed sampling steps r of a map, in descending order; the last is 1."""
     if np.ndim(heights) != 2 or not np.isfinite(heights).all() or np.ptp(heights) == 0.0 or min(np.shape(heights)) < 16:
         return [1]  # refused there
     longest = int(waves(heights, size, periodic).points_in_shortest_wave / LEAST_POINTS)

@@ -35,19 +35,19 @@ _COARSE_TOLERANCE = 1e-2
 
 @dataclass(frozen=True)
 class MapContact:
-    """The contact of a map at one load. All values refer to the whole map.
+    """Store the contact of a map at one load. All values refer to the whole map.
 
     load [N]. mean_pressure: load over nominal area [Pa]. nominal_area [m2]. area: real area, corrected for edge pixels [m2].
-    area_pixels: area of all pixels in contact [m2]. perimeter: of the real area [m]. separation: distance from the mean plane
-    of the undeformed heights to the face [m]; for half-spaces on a periodic map, to the mean of the deformed face. mean_gap:
-    mean distance of the faces [m], 0 where they touch. approach: since first touch [m]; None for half-spaces on a periodic
-    map. stiffness: derivative of load by approach [N/m]; NaN without elastic points. plastic_area: area where the pressure
-    equals the hardness [m2]. plastic_share: fraction of the load on it [1].
+    area_pixels: area of all pixels in contact [m2]. perimeter: length of the contact edge [m]. separation: distance from the
+    mean plane of the undeformed heights to the face [m]; for half-spaces on a periodic map, to the mean of the deformed face.
+    mean_gap: mean distance of the faces [m], with 0 where they touch. approach: approach since first touch [m]; None for
+    half-spaces on a periodic map. stiffness: derivative of load by approach [N/m]; NaN without elastic points. plastic_area:
+    area where the pressure equals the hardness [m2]. plastic_share: fraction of the load on this area [1].
 
     pressure: (rows, columns) [Pa]; None if not kept. residual, steps: of the solution. pressure_error, area_error, overlap
-    [m]: error bounds on this grid (see `certificate`). load_error: relative. points: number of points in contact.
-    load_at_ends: fraction of the load on the outermost points; 0 for a map that does not end. pull: force by which the liquid
-    pulls outside the contact [N]; the contact carries it in addition to the load.
+    [m]: error bounds on this grid (see `certificate`). load_error: relative error of the summed pressures. points: number of
+    points in contact. load_at_ends: fraction of the load on the outermost points; 0 for a map without free edges. pull: force
+    by which the liquid pulls outside the contact [N]; the contact carries it in addition to the load.
     """
 
     load: float
@@ -77,9 +77,10 @@ class MapContact:
 
 @dataclass(frozen=True)
 class MapContacts:
-    """The contacts of a map at increasing loads, as a sequence of MapContact.
+    """Store the contacts of a map, one for each load, as a sequence of MapContact.
 
-    validity_warnings: warnings that hold for the map at all loads. complete: False if the solution was interrupted.
+    contacts: in the order in which the loads were given. validity_warnings: warnings that hold for the map at all loads.
+    complete: False if the solution was interrupted.
     """
 
     contacts: tuple[MapContact, ...]
@@ -104,8 +105,8 @@ class MapContacts:
 class Progress:
     """Report the progress of a map solution.
 
-    load: index of the current load, from 0. loads: number of loads. step: number of the step. residual: current residual; the
-    solution ends when it is below the tolerance.
+    load: index of the current load, from 0; loads are solved in increasing order. loads: number of loads. step: number of the
+    step. residual: current residual; the solution ends when it is at most the tolerance.
     """
 
     load: int
@@ -195,7 +196,7 @@ class _Request:
 
     @property
     def ends(self) -> bool:
-        """Return whether the map has free edges: nothing presses outside of it."""
+        """Return whether the map has free edges, with no pressure outside."""
         return self.how.free and not self.periodic
 
     @classmethod
@@ -231,7 +232,7 @@ def usable_map(heights) -> np.ndarray:
 
 
 def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) -> Iterator[MapContact]:
-    """Yield the contact at each of the increasing mean pressures.
+    """Yield the contact at each of the mean pressures (n,) [Pa], which increase.
 
     Each solution starts from the one before.
     """
@@ -272,7 +273,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
-    """Return a map with twice the rows; each new row is the mean of its neighbours."""
+    """Return a map with twice as many rows; each new row is the mean of the two rows beside it."""
     fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
     fine[::2] = coarse
     fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])

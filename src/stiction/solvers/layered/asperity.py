@@ -31,7 +31,7 @@ _MOST_STEPS = 100
 
 @formula
 def _place(u, per_root):
-    """Return the curve coordinate z and its derivative dz/d ln u = (1 - z^2)/2.
+    """Return the curve coordinate z at the asperity's coordinate u, and dz/d ln u = (1 - z^2)/2.
 
     At infinite u they are 1 and 0.
     """
@@ -48,7 +48,7 @@ def _next(z, sums, coefficient):
 
 @formula
 def _polynomial(z, c):
-    """Return the polynomial Sum c_k z^k and its derivative by z.
+    """Return the polynomial Sum c_k z^k of a curve, and its derivative by z.
 
     The terms are written out because the compiler does not vectorise a loop over a tuple.
     """
@@ -62,7 +62,7 @@ def _polynomial(z, c):
 
 @formula
 def _curve(z, by_u, c):
-    """Return (1 - z^2) Sum c_k z^k, and its derivative by ln u.
+    """Return the value (1 - z^2) Sum c_k z^k of a curve, and its derivative by ln u.
 
     by_u: dz/d ln u.
     """
@@ -97,7 +97,10 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) and the derivative of its logarithm by ln u; B is dS/da over 2."""
+    """Return 1/sqrt(B) and the derivative of its logarithm by ln u.
+
+    2 B is the derivative of the contact stiffness by the contact radius.
+    """
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]
 
@@ -110,7 +113,7 @@ def _stiffness(E_P, D, load_slope, approach_slope):
 
 @formula
 def parted(u, row):
-    """Return the load P_H without adhesion, and by how much JKR's load at this radius is less."""
+    """Return the load P_H without adhesion at coordinate u, and the amount by which JKR's load is smaller."""
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     u3, softness = u * u * u, _edge(z, by_u, row)[0]
     return E_P * u3 * u3, _stiffness(E_P, D, load_slope, approach_slope) * row[2] * softness * u3
@@ -132,9 +135,9 @@ def edged(u, *row):
 
 @formula
 def plain_coordinate(w, *row):
-    """Return the coordinate u at the displacement w of an asperity (Hertz or DMT).
+    """Return the coordinate u of an asperity (Hertz or DMT) at the displacement w.
 
-    Newton's method on logarithms: ln w_H rises with ln u at a slope close to 4.
+    Newton's method is used on logarithms, because ln w_H rises with ln u at a slope close to 4.
     """
     if not w > 0.0:
         return 0.0
@@ -154,8 +157,8 @@ def plain_coordinate(w, *row):
 def _approached(w, row):
     """Return the coordinate u at the displacement w >= 0, with JKR's adhesion.
 
-    With the displacement w_H(u) without adhesion, and the amount v(u) by which adhesion lowers it, w = w_H - v. Newton's method
-    solves ln(w_H/(w + v)) = 0, which rises with ln u.
+    Adhesion lowers the displacement w_H(u) by v(u), so that w = w_H - v. Newton's method solves ln(w_H/(w + v)) = 0, whose left
+    side rises with ln u.
     """
     u = max(math.sqrt(math.sqrt(w)), max(row[2], 1e-200) ** (1.0 / 3.0))
     for _ in range(_MOST_STEPS):
@@ -181,7 +184,7 @@ def touch(row):
 
 @formula
 def _comes_off(u, row):
-    """Return whether the contact is unstable at u: the displacement does not rise with u."""
+    """Return whether the contact is unstable at coordinate u: the displacement does not rise with u."""
     return edged(u, *row)[1] <= 0.0
 
 
@@ -217,9 +220,9 @@ def edged_coordinate(w, *row):
 
 @formula
 def pulled_off(row):
-    """Return the coordinate u at which an asperity with JKR's adhesion detaches.
+    """Return the coordinate u at which an asperity with JKR's adhesion detaches while the bodies are moved apart.
 
-    The bodies are moved apart at given displacement. Contact ends at the first point with dw/du = 0.
+    Contact ends where the displacement first stops falling with u, at dw/du = 0.
     """
     low = high = touch(row)
     while not _comes_off(low, row):

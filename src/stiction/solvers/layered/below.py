@@ -31,9 +31,9 @@ def carried_at_depth(depth: np.ndarray, nu: np.ndarray) -> np.ndarray:
 
 
 def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
-    """Return the pressure (n, m) at which the body below the film yields, over the hardness H.
+    """Return the mean pressure (n, m) on a contact spot at which the body below the film yields, over its hardness.
 
-    spot: contact area (n, m), divided by pi R sigma.
+    spot: contact area (n, m), divided by pi R sigma. groups: dimensionless groups of n contacts.
     """
     whole = groups.resolved()
     radius = np.sqrt(spot) * per_root(whole)[:, None] ** 2
@@ -42,7 +42,7 @@ def pressure_carried_below(spot: np.ndarray, groups: Groups) -> np.ndarray:
 
 
 def _stress(z: np.ndarray, nu: np.ndarray) -> np.ndarray:
-    """Return the von Mises stress on the axis of a Hertz contact, over the largest pressure.
+    """Return the von Mises stress on the axis of a Hertz contact, divided by the largest pressure.
 
     z: depth divided by the contact radius. nu: Poisson's ratio.
     """

@@ -15,11 +15,11 @@ _NAMED = ("n_E", "films", "coated_share", "layer_nu", "coated_nu", "counter_nu")
 
 
 class Bodies(NamedTuple):
-    """Describe the two bodies of a contact with films.
+    """Store the elastic constants of two bodies in contact, one or both with a film.
 
-    pair: the films, with their shares of the elastic compliance. coated: elastic constants of each coated body. The remaining
-    numbers are the ratio of the film's plane-strain modulus to the contact modulus of the bodies without a film, and the
-    uncoated body's fraction of the compliance and Poisson's ratio.
+    pair: the films, with their fractions of the elastic compliance. coated: elastic constants of each coated body.
+    film_modulus: plane-strain modulus of the film over the contact modulus of the bodies without films. bare_share, bare_nu:
+    fraction of the compliance and Poisson's ratio of the body without a film.
     """
 
     pair: Pair
@@ -32,7 +32,7 @@ class Bodies(NamedTuple):
 def per_root(groups: Groups) -> np.ndarray:
     """Return the factor (n,) that converts x^(1/4) to sqrt(a/t_1): (R sigma)^(1/4)/sqrt(t_1).
 
-    x: a^2/(R sigma). a: contact radius. t_1: thickness of one film.
+    x: a^2/(R sigma). a: contact radius. t_1: thickness of one film. R, sigma: asperity radius and rms height.
     """
     aspect = np.broadcast_to(groups.film_aspect / groups.films, len(groups))
     return 1.0 / np.sqrt(np.clip(aspect, _THINNEST, _THICKEST))
@@ -44,10 +44,10 @@ def columns_of(groups: Groups) -> np.ndarray:
 
 
 def film_share(given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the film's fraction of the compliance, and its modulus over that of its body: (n,) each.
+    """Return the film's fraction of the elastic compliance, and its modulus over that of its body: (n,) each.
 
-    given: rows as of `columns_of`. The compliance is that of the two surface materials; the fraction is 1 if both bodies are
-    coated. Raises InputError for impossible bodies.
+    given: rows as returned by `columns_of`. The compliance is that of the two surface materials; the fraction is 1 if both
+    bodies are coated. Raises InputError for impossible bodies.
     """
     n_E, bodies, first = given[:3]
     single = bodies == 1.0

@@ -44,10 +44,10 @@ Pair = tuple[Layer, ...]
 
 
 def poisson_excess(ratio, nu, nu_below):
-    """Return 4 beta - alpha, with Dundurs' parameters of a film on a body, from arrays.
+    """Return 4 beta - alpha for arrays, with Dundurs' parameters alpha and beta of a film on a body.
 
-    It lies in -1 to 1 for any ratio of moduli. alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2 nu_2) -
-    (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
+    The result lies in -1 to 1 for any ratio of moduli. alpha = (E1 - E2)/(E1 + E2) of plane-strain moduli; beta = (m (1 - 2
+    nu_2) - (1 - 2 nu_1))/(2 m (1 - nu_2) + 2 (1 - nu_1)), m the ratio of the shear moduli (Dundurs 1969, as commonly restated).
     ratio: E1/E2 of film and body.
     """
     softness, softness_below = 1.0 - nu, 1.0 - nu_below
@@ -68,7 +68,7 @@ def _film(x: np.ndarray, ratio: float, excess: float) -> np.ndarray:
 def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
     """Return the elastic compliance (n,) of two coated bodies at wavenumbers x = k t (n,).
 
-    It is divided by 2/(E1 k), the compliance of half-spaces of the two surface materials. t is the thickness of one film.
+    The compliance is divided by 2/(E1 k), the one of half-spaces of the two surface materials. t is the thickness of one film.
     """
     total = np.full(np.shape(x), 1.0 - sum(layer.share for layer in pair))
     for layer in pair:
@@ -77,7 +77,7 @@ def compliance(x: np.ndarray, pair: Pair) -> np.ndarray:
 
 
 def modulus_without_film(pair: Pair) -> float:
-    """Return the contact modulus of the bodies without films, over that of the surface materials.
+    """Return the contact modulus of the bodies without films, divided by that of half-spaces of the surface materials.
 
     It is infinite if both bodies are rigid.
     """

@@ -56,7 +56,7 @@ def edge_curves(bodies: Bodies) -> np.ndarray:
 def _of_body(bodies: Bodies, body: CoatedBody) -> np.ndarray:
     """Return the edge coefficients ln D, A and B of one coated body: (radii + 2, FORMS).
 
-    The first row is for an infinitely thick film, the last for zero thickness, the others for the radii.
+    The first row is for an infinitely thick film, the last for a film of zero thickness, the others for the radii between.
     """
     solved = [_forms(Stresses(bodies.pair, body, float(radius), _REACH).in_film(*_PLACE)) for radius in _RADII]
     return np.array([_forms(half_space(body.nu)), *solved, _forms(stretched(half_space(body.nu_below), body))])
@@ -69,9 +69,9 @@ def half_space(nu: float) -> Radial:
 
 
 def _forms(radial: Radial) -> tuple[float, float, float]:
-    """Return the coefficients ln D, A and B of the von Mises stress at the trailing edge.
+    """Return the coefficients ln D, A and B of the von Mises stress at the trailing edge of the contact.
 
-    The stress under traction is largest there.
+    Under traction the stress is largest at this edge.
     """
     A, B, D, _ = (float(form[0, 0]) for form in forms_of(radial))
     return np.log(D), A / D, -B / D

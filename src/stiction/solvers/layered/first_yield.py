@@ -42,10 +42,10 @@ Forms = tuple[np.ndarray, ...]
 
 
 class Yield(NamedTuple):
-    """Store where a coated body first yields, at mean pressure 1 and a proportional traction.
+    """Store where a coated body first yields, and the von Mises stress there, at mean pressure 1 and a given traction.
 
-    excess: von Mises stress there, over the yield stress of that material divided by the yield stress of the body. where:
-    "film", "interface" (either side) or "body". x: position ahead of the axis, z: depth below the surface, both divided by
+    excess: von Mises stress there, divided by the yield stress of the material there over that of the body. where:
+    "film", "interface" (either side) or "body". x: position ahead of the axis. z: depth below the surface. Both are divided by
     the contact radius.
     """
 
@@ -56,9 +56,9 @@ class Yield(NamedTuple):
 
 
 def first_yield(stresses: Stresses, traction: float, film_strength: float = 1.0) -> Yield:
-    """Locate first yield for traction = `traction` times pressure (`traction` >= 0).
+    """Locate first yield in a coated body under a pressure and a traction of `traction` times this pressure.
 
-    film_strength: ratio of the yield stresses of film and body below.
+    traction: >= 0. film_strength: ratio of the yield stresses of film and body below.
     """
     candidates = []
     for name, (radial, r, z), strength in zip(("film", "body"), _fields(stresses), (film_strength, 1.0), strict=True):
@@ -90,7 +90,7 @@ def at_interface(stresses: Stresses, traction: float) -> tuple[float, float]:
 def norms(stresses: Stresses, angles: np.ndarray) -> np.ndarray:
     """Return the largest von Mises stress in each region of film and body: (PARTS, m).
 
-    angles: (m,), arctan(q/s) for mean traction q and mean pressure s, with s^2 + q^2 = 1. The last region is the body; the
+    angles (m,): arctan(q/s), with q the mean traction, s the mean pressure and s^2 + q^2 = 1. The last region is the body; the
     others belong to the film.
     """
     (film, _, _), (body, _, _) = _fields(stresses)

@@ -57,7 +57,7 @@ def _add_up(s, weighed, r, z, out):
 
 @lru_cache(maxsize=64)
 def _path(depth: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return nodes s and weights ds of the complex integration path of this depth T."""
+    """Return nodes s and weights ds of the complex integration path that starts at the depth T = `depth`."""
     v, weights = np.polynomial.legendre.leggauss(int(60.0 + 9.0 / depth))
     v, weights = (v + 1.0) / 2.0, weights / 2.0
     left, step = np.pi / 2.0 * v**2, np.pi * v

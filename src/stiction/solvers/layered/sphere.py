@@ -109,9 +109,9 @@ def value_of(g: np.ndarray, s: np.ndarray) -> np.ndarray:
 
 
 def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
-    """Return the Hankel transform P(k) of the pressure at wavenumbers k a (m,) > 0.
+    """Return the Hankel transform P(k) (m,) of the pressure under a sphere.
 
-    g: coefficients of the pressure, as `pressure` returns them.
+    g: coefficients of the pressure, as `pressure` returns them. k: wavenumbers times the contact radius (m,), > 0.
     """
     order = np.arange(g.size)
     return (g * np.sqrt(4.0 * order + 1.0) * (-1.0) ** order) @ _even_bessel(k, g.size)
@@ -120,8 +120,8 @@ def transform(g: np.ndarray, k: np.ndarray) -> np.ndarray:
 def _solve(pair: Pair, radius: float) -> tuple[np.ndarray, ...]:
     """Solve for the flat punch g_0, for g_2, and for the change of g_0 with the contact radius.
 
-    g_2 is the solution for the displacement s^2. Returns (m,) weights times the relative excess compliance of each wave; the
-    coefficients (n,) of the three solutions; and (n,) the factors that give the edge values g(1) from coefficients.
+    g_2 is the solution for the displacement s^2. Returns weights times the relative excess compliance of each wave (m,); the
+    coefficients of the three solutions (n,); and the factors (n,) that give the edge value g(1) from coefficients.
     """
     k, weights, even, at_edge, _ = _waves(radius)
     softer = weights * (compliance(k / radius, pair) - 1.0)
@@ -149,7 +149,7 @@ def _waves(radius: float) -> tuple[np.ndarray, ...]:
 
 
 def gauss(ends: Sequence[float], radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return Gauss-Legendre nodes and weights for waves x = k t between these ends.
+    """Return Gauss-Legendre nodes and weights for integrals over waves x = k t between these ends.
 
     The nodes are dense enough to integrate cos^2(x radius).
     """

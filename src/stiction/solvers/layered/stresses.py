@@ -141,7 +141,7 @@ def _across_body(waves: Waves, depth: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _assembled(of: Callable[[str, int], np.ndarray]) -> Radial:
-    """Return all stresses from a function that gives the transforms <f>_n.
+    """Return all stresses under pressure and traction, assembled from the transforms <f>_n.
 
     of: function (name of the amplitude f, order n) -> <f>_n.
     """

@@ -38,7 +38,7 @@ class CoatedBody:
 
 @dataclass(frozen=True)
 class Waves:
-    """The amplitudes of waves with wavenumbers x = k t (m,) in film and body.
+    """Store the amplitudes of waves in film and body, for wavenumbers x = k t (m,).
 
     added (4, 2, m): factors of exp(-z), z exp(-z), exp(-y) and y exp(-y), with y = x - z, in the stress function that the
     film adds to that of a half-space. The second axis is (pressure, shear along the wave). below (2, 2, m): factors of
@@ -56,18 +56,18 @@ class Waves:
     across_below: np.ndarray
 
     def surface_compliances(self, nu: float) -> np.ndarray:
-        """Return the surface displacement (2, m) along and across a wave of unit shear.
+        """Return the surface displacements (2, m) along and across a wave, each under unit shear in its own direction.
 
-        It is multiplied by k and the shear modulus of the film: 1 - nu and 1 on a half-space.
+        They are multiplied by k and the shear modulus of the film. On a half-space they are 1 - nu and 1.
         """
         F, _, F2, _ = _film(0.0, self.x)
         along = ((1.0 - nu) * (2.0 + np.sum(F2 * self.added[:, 1], axis=0)) + nu * np.sum(F * self.added[:, 1], axis=0)) / 2.0
         return np.stack([along, 1.0 + 2.0 * self.across * np.exp(-self.x)])
 
     def surface_coupling(self, nu: float) -> np.ndarray:
-        """Return the tangential surface displacement (m,) under a wave of unit pressure, towards the pressure.
+        """Return the tangential surface displacement (m,) under a wave of unit pressure, positive towards the pressure.
 
-        It is multiplied by k and the shear modulus of the film: 1/2 - nu on a half-space.
+        It is multiplied by k and the shear modulus of the film. On a half-space it is 1/2 - nu.
         """
         F, _, F2, _ = _film(0.0, self.x)
         bent, stress = np.sum(F2 * self.added[:, 0], axis=0), np.sum(F * self.added[:, 0], axis=0)
@@ -75,7 +75,10 @@ class Waves:
 
 
 def waves(x: np.ndarray, body: CoatedBody) -> Waves:
-    """Return the stress functions of film and body for surface tractions of wavenumbers x = k t (m,) > 0."""
+    """Return the amplitudes of waves in film and body under unit surface tractions.
+
+    x: wavenumbers k t (m,) > 0, with t the film thickness.
+    """
     m = body.shear_ratio
     equations, right = np.zeros((x.size, 6, 6)), np.zeros((x.size, 6, 2))
     top, bottom, under = _film(0.0, x), _film(x, x), _decaying(np.zeros_like(x))
@@ -99,15 +102,15 @@ def waves(x: np.ndarray, body: CoatedBody) -> Waves:
 
 
 def film_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return the film's part of the stress function F at one depth, with F' and F'' (3, 2, m).
+    """Return the stress function F that a film adds to that of a half-space, at one depth, with F' and F'': (3, 2, m).
 
-    It is added to that of a half-space. depth: divided by the film thickness. The second axis is (pressure, shear).
+    depth: divided by the film thickness. The second axis is (pressure, shear).
     """
     return _sum(_film(depth * waves.x, waves.x), waves.added)
 
 
 def body_function(waves: Waves, depth: float) -> np.ndarray:
-    """Return the stress function F of the body at one depth, with F' and F'' (3, 2, m).
+    """Return the stress function F of the body below the film at one depth, with F' and F'': (3, 2, m).
 
     depth: divided by the film thickness, >= 1. The second axis is (pressure, shear).
     """
@@ -129,7 +132,7 @@ def _decaying(z) -> np.ndarray:
 
 
 def _film(z, x) -> np.ndarray:
-    """Return the four functions of a film with their first three derivatives: (4, 4, m)."""
+    """Return the four functions of depth z in a film, with their first three derivatives: (4, 4, m)."""
     z = np.broadcast_to(z, x.shape)
     down, up = _decaying(z), _decaying(x - z)
     up[1::2] *= -1.0

@@ -72,7 +72,7 @@ class ShearCompliance:
 
     @property
     def near(self) -> float:
-        """Return the sum of 1/G [1/Pa] over the two surface materials; a coated body counts with its film."""
+        """Return the sum of 1/G over the two surface materials [1/Pa]; the film is the surface of a coated body."""
         of_films = (2.0 * (1.0 + body.poisson) / body.modulus for body in self.bodies if isinstance(body, Film))
         return self.sums[0] + sum(of_films)
 
@@ -105,10 +105,10 @@ class ShearCompliance:
         return total
 
     def coupling(self, k: np.ndarray) -> np.ndarray:
-        """Return M(k) [1/Pa], shape (...), for wavenumbers k > 0 [1/m], shape (...); it couples pressure and shear.
+        """Return the coefficient M(k) [1/Pa] that couples pressure and shear, at wavenumbers k > 0 [1/m], any shape.
 
-        A wave of pressure p moves the faces past each other by M p/k, and a wave of shear moves them apart alike. M is 0 for
-        two equal bodies.
+        A wave of pressure p shifts the faces relative to each other by M p/k. A wave of shear likewise moves them apart. M is 0
+        for two equal bodies.
         """
         total = np.zeros(np.shape(k))
         for sign, body in zip((1.0, -1.0), self.bodies, strict=True):

@@ -91,9 +91,10 @@ class Coupling:
 
 
 class Pressing:
-    """Solve the pressure of a map under a mean pressure; each solution starts from the last one.
+    """Solve the pressure of a map under a mean pressure, each time starting from the last solution.
 
-    problem: of the map without shear. pressure: first start (rows, columns) [Pa]. converged: whether all solutions did.
+    problem: the contact of the map without shear. pressure: first start (rows, columns) [Pa]. converged: whether all solutions
+    have converged.
     """
 
     def __init__(self, problem: Problem, pressure: np.ndarray):
@@ -107,7 +108,7 @@ class Pressing:
         return found.pressure
 
     def under(self, share: float) -> "Pressing":
-        """Return the same map under a share of the mean pressure."""
+        """Return the same contact under a fraction of the mean pressure."""
         return Pressing(replace(self._problem, mean=share * self._problem.mean), share * self._last)
 
 
@@ -115,9 +116,10 @@ class Pressing:
 class CoupledState(State):
     """Store pressure, traction and slip of a map after one step.
 
-    pressure, strength [Pa]: (rows, columns); the strength before any slip. turns: alternating
-    iterations of pressure and traction. change: relative change of the pressure in the last iteration. misfit: of strengths,
-    relative to those that the pressure gives; points at the edge that would touch in every second turn cause it.
+    pressure, strength [Pa]: (rows, columns). strength is the shear strength that a point has before any slip. turns: number of
+    alternating solutions of pressure and traction. change: relative change of the pressure in the last turn. misfit: sum of the
+    differences between the strengths used and those that the pressure gives, over the sum of the latter. It is caused by points
+    at the edge that would touch in every second turn.
     """
 
     pressure: np.ndarray = field(repr=False)
@@ -139,12 +141,12 @@ def press_and_shear(
     shift: Sequence[float] = (0.0, 0.0), *, weakening: Weakening | None = None, tolerance: float = 1e-5,
     most: int = _MOST_STEPS,
 ) -> CoupledState:  # fmt: skip
-    """Return the next state after pressing again, at a rigid shift (x, y) [m] measured from first contact.
+    """Solve pressure and traction of a map at a rigid shift, starting from the state before.
 
-    press: returns the pressure for a given normal displacement due to shear. strength: returns the shear strength for a given
-    pressure [Pa]. weakening: how strength falls with slip; None for constant strength. tolerance: largest relative change of
-    the pressure in the last iteration. most: largest number of steps of the traction solver. Points without contact follow
-    the faces, so that slip starts anew when they touch.
+    shift: (x, y) [m], measured from first contact. press: returns the pressure for a given normal displacement due to shear.
+    strength: returns the shear strength for a given pressure [Pa]. weakening: how strength falls with slip; None for constant
+    strength. tolerance: largest relative change of the pressure in the last turn. most: largest number of steps of the traction
+    solver. Points without contact move with the faces, so that their slip starts anew when they touch.
     """
     start, before, strengths = state, state.pressure, _Strengths()
     rigid = np.asarray(shift, dtype=float)[:, None, None] - state.slip
@@ -166,12 +168,11 @@ def press_and_shear(
 
 
 class _Strengths:
-    """Follow the strength of points from turn to turn, so that the turns end.
+    """Limit how often the strength of a point changes between turns, so that the turns end.
 
-    A point has its whole strength as soon as it touches. Some points at the edge touch without it and not with it. After a
-    few turns, a point that has touched in one turn and not in the next moves only part of the way to its new strength, and
-    after the second such change it keeps the strength that it has. misfit: of all strengths, relative to those that the
-    pressure gives.
+    Some points at the edge would touch in one turn and not in the next. After a few free turns, such a point first moves only
+    part of the way to its new strength. After its second such change it keeps its strength. misfit: difference of all strengths
+    from those that the pressure gives, relative to their sum.
     """
 
     def __init__(self) -> None:
@@ -179,7 +180,7 @@ class _Strengths:
         self.misfit = 0.0
 
     def next(self, wanted: np.ndarray) -> np.ndarray:
-        """Return the strength of the next turn; wanted: by the pressure of this turn, both (rows, columns) [Pa]."""
+        """Return the strengths of the next turn from those that the pressure of this turn gives, both (rows, columns) [Pa]."""
         self._turn += 1
         touching = wanted > 0.0
         if self._turn > _FREE_TURNS:
@@ -193,10 +194,10 @@ def slide_coupled(
     operator: ShearOperator, coupling: Coupling, pressing: Pressing, strength: Strength, shifts: Sequence[float], *,
     pixel: float, weakening: Weakening | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Press a map of unlike bodies, then shift it through the given rigid shifts along x [m], in their order.
+    """Press a map of unlike bodies, then shift it through rigid shifts along x [m], in the given order.
 
-    The load rises in steps, because points slip already then (Spence 1968). Slip under the rising load does not weaken
-    points. pressing: under the whole load. strength, weakening: as in `press_and_shear`. pixel: area of a point [m2].
+    The load rises in steps, because points already slip while it rises (Spence 1968). This slip does not weaken the points.
+    pressing: the contact under its full load. strength, weakening: as in `press_and_shear`. pixel: area of a point [m2].
     """
     state = at_rest(coupling.shape)
     for step in range(1, _PRESSED_IN + 1):
@@ -222,9 +223,9 @@ def slide_coupled(
 def force_when_all_slide(
     coupling: Coupling, pressing: Pressing, strength: Strength, pressure: np.ndarray
 ) -> tuple[float, bool]:  # fmt: skip
-    """Return the sum of strengths [Pa] when every point slides along x, and whether its iteration converged.
+    """Return the sum of strengths [Pa] when every point slides along x, and whether the iteration converged.
 
-    The pressure is the one that this shear brings. pressure: first guess (rows, columns) [Pa].
+    Pressure and shear are computed alternately, because shear changes the pressure. pressure: first guess (rows, columns) [Pa].
     """
     strengths, change = _Strengths(), math.inf
     for _ in range(_MOST_TURNS):
@@ -237,7 +238,7 @@ def force_when_all_slide(
 
 
 def _of_pixels(shape: tuple[int, ...], pitch: tuple[float, float]) -> list[np.ndarray]:
-    """Return (x, y)/(2 pi r^2) integrated over a pixel, on the grid of FFT distances."""
+    """Return x/(2 pi r^2) and y/(2 pi r^2), each integrated over a pixel, on the grid of FFT distances."""
     y, x = (np.fft.fftfreq(count, 1.0 / (count * step)) for count, step in zip(shape, pitch, strict=True))
     kernels = [np.zeros(shape), np.zeros(shape)]
     for across, sign_x in ((0.5, 1.0), (-0.5, -1.0)):

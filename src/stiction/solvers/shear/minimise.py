@@ -46,7 +46,7 @@ def size_of(vectors: np.ndarray) -> np.ndarray:
 
 
 def within(traction: np.ndarray, strength: np.ndarray) -> np.ndarray:
-    """Return the traction, shortened at each point to at most the strength."""
+    """Return the traction (components, rows, columns), shortened where its magnitude exceeds the strength (rows, columns)."""
     if len(traction) == 1:
         return np.clip(traction, -strength, strength)
     length = size_of(traction)
@@ -58,8 +58,8 @@ def shear(
 ) -> Sheared:
     """Compute the shear traction and slip of a map under a rigid shift, by solving (1).
 
-    strength [Pa]: (rows, columns), 0 outside of contact. shift: rigid shift minus earlier slip [m], and start: first guess of
-    the traction [Pa], both (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
+    strength: (rows, columns) [Pa], 0 outside of contact. shift: rigid shift minus earlier slip [m]. start: first guess of the
+    traction [Pa]. Both are (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
     Without convergence the last state is returned with `converged` False.
     """
     total = float(strength.sum())

@@ -174,7 +174,7 @@ def _mirrored(field: np.ndarray) -> np.ndarray:
 
 
 def _of_pixels(shape, pitch, S, N) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the displacement of every grid point per unit traction on one pixel, by (1).
+    """Return the displacement of every grid point per unit traction on one pixel [m/Pa], by (1).
 
     The three arrays are xx, xy and yy: displacement along the first letter, traction along the second.
     """

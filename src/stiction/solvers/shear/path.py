@@ -28,7 +28,7 @@ SHAPES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "linear": lambda slip: np.maximum(1.0 - slip, 0.0),
     "exponential": lambda slip: np.exp(-slip),
 }
-"""Share of the strength above the residual one that is left after a slip, over the slip D_c."""
+"""How the strength falls with slip, by name: from slip/D_c to the fraction of tau_p - tau_r that remains."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Weakening:
             raise InputError("weakening.shape", self.shape, nearest(self.shape, list(SHAPES)))
 
     def share(self, slip: np.ndarray) -> np.ndarray:
-        """Return the fraction of the strength that remains after a slip [m]; arrays of any shape."""
+        """Return the fraction of the strength that remains after a slip [m], an array of any shape."""
         return self.residual + (1.0 - self.residual) * SHAPES[self.shape](slip / self.slip)
 
 
@@ -85,8 +85,8 @@ StateT = TypeVar("StateT", bound=State)
 class SlidingPath:
     """Store the states of a map at all rigid shifts, and the state with the largest force.
 
-    strength: of points before the shift (rows, columns) [Pa]. pixel: area of a point [m2]. limit: force that the map tends to
-    at large shifts if strength does not fall with slip, summed over points [Pa]; otherwise None.
+    strength: strength of each point before any slip (rows, columns) [Pa]. pixel: area of a point [m2]. limit: force at very
+    large shifts, summed over points [Pa]; None if strength falls with slip.
     """
 
     states: tuple[State, ...]
@@ -102,7 +102,10 @@ class SlidingPath:
 
     @property
     def largest(self) -> float:
-        """Return the largest force [N]; if strength does not fall with slip, at least the force that the map tends to."""
+        """Return the largest friction force [N] of the path.
+
+        If strength does not fall with slip, the result is at least the force at very large shifts.
+        """
         return max(self.peak.force, self.limit or 0.0) * self.pixel
 
     def array(self, name: str) -> np.ndarray:
@@ -112,11 +115,11 @@ class SlidingPath:
 
 
 def through_spring(path: SlidingPath, stiffness: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask.
+    """Return the drive displacement [m] at each state of a map that a spring pulls, and a mask of the states that are reached.
 
-    The mask selects the states that are reached. stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at
-    U + F/stiffness. The drive only moves forward. A state that would need it to move back is not reached; the map jumps to
-    the next reachable state (slow drive, no inertia). Raises InputError for a stiffness that is not positive.
+    stiffness: of the spring [N/m], > 0. At shift U and force F the drive is at U + F/stiffness. The drive only moves forward. A
+    state that would need it to move back is not reached; the map jumps to the next reachable state (slow drive, no inertia).
+    Raises InputError for a stiffness that is not positive.
     """
     if not stiffness > 0.0:
         raise InputError("stiffness", stiffness, "> 0 N/m")
@@ -147,9 +150,10 @@ def at_force(operator: ShearOperator, strength: np.ndarray, force: float, *, pix
 
 
 def full_shift(operator: ShearOperator, strength: np.ndarray, weakening: Weakening | None = None) -> float:
-    """Return a rigid shift [m] at which every point slips.
+    """Return a rigid shift [m] at which every point of a map slips.
 
-    With `weakening`, strength has then fallen fully if it falls linearly. strength: (rows, columns) [Pa].
+    strength: (rows, columns) [Pa]. With a linear `weakening`, all points have also reached their residual strength at this
+    shift.
     """
     displaced = float(operator(strength[None])[0].max(where=strength > 0.0, initial=0.0))
     return displaced + (weakening.slip if weakening is not None else 0.0)
@@ -178,13 +182,12 @@ def slide_map(
     weakening: Weakening | None = None, directions: int = 1, tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS,
     keep_maps: bool = True, done: Callable[[State], None] | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Shift a map through the given rigid shifts, in their order, starting without traction.
+    """Shift a map through rigid shifts along x [m], in the given order, starting without traction.
 
-    strength: (rows, columns) [Pa], 0 outside of contact. shifts: along x [m]. pixel: area of a point [m2]. weakening: how
-    strength falls with slip; None for constant strength. directions: 1 neglects the traction across the sliding direction, 2
-    includes it. tolerance, most_steps: of the traction solver at each shift. keep_maps, done: as in `follow`. With weakening,
-    the steps around the largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not
-    finite, or all 0.
+    strength: (rows, columns) [Pa], 0 outside of contact. pixel: area of a point [m2]. weakening: how strength falls with slip;
+    None for constant strength. directions: 1 neglects the traction across the sliding direction, 2 includes it. tolerance,
+    most_steps: of the traction solver at each shift. keep_maps, done: as in `follow`. With weakening, the steps around the
+    largest force are repeated with smaller steps. Raises InputError for strengths that are negative, not finite, or all 0.
     """
     strength = np.asarray(strength, dtype=float)
     if not np.isfinite(strength).all() or strength.min() < 0.0 or not strength.max() > 0.0:
@@ -233,7 +236,11 @@ def follow(
 
 @dataclass(frozen=True)
 class SlipStep:
-    """Store traction and slip of one step. left: strength after the slip (rows, columns) [Pa]. settled: of the iterations."""
+    """Store the result of one step of slip.
+
+    found: traction and slip. left: strength after the slip (rows, columns) [Pa]. settled: whether the iterations of slip and
+    strength ended.
+    """
 
     found: Sheared
     left: np.ndarray
@@ -271,9 +278,9 @@ def slip_step(
 
 
 def after_step(state: State, step: SlipStep, touching: np.ndarray, apart: np.ndarray | float = 0.0) -> dict[str, Any]:
-    """Return the attributes of the state after a step, except the shift.
+    """Return all attributes of the state after a step but the shift, by name.
 
-    state: before the step. touching: mask (rows, columns) of points in contact. apart: slip of the other points [m].
+    state: the state before the step. touching: mask (rows, columns) of points in contact. apart: slip of the other points [m].
     """
     found, slid = step.found, size_of(step.found.slip)
     sliding = touching & (size_of(found.traction) >= step.left * (1.0 - 1e-9))

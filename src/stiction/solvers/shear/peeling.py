@@ -41,10 +41,10 @@ _APPROACH = 0.7  # of the way to the force that the present contact bears
 class Peeled:
     """Store the adhesive contact of a map under a tangential force.
 
-    force: T [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the work of
-    adhesion. released: G_T of the nearest edge point, averaged over the map [J/m2]; 0 without a law of mode mixity. peeled:
-    whether the contact is lost, or no adhesion remains somewhere. turns: iterations. converged: whether the area stayed in
-    the last one. touching: mask (rows, columns).
+    force: T [N]. area: contact area, corrected for pixel size [m2]. share: smallest remaining fraction of the work of adhesion.
+    released: energy G_T released at the nearest edge point, averaged over the points of the map [J/m2]; 0 without a law of mode
+    mixity. peeled: whether the contact is lost, or no adhesion remains at some point. turns: number of iterations. converged:
+    whether the area stayed in the last one. touching: mask (rows, columns).
     """
 
     force: float
@@ -88,7 +88,7 @@ def peel_map(
 def _at_force(
     state: AdhesiveState, operator: ShearOperator, force: float, work: float, mode_mixity: str | None, zeta: float
 ) -> tuple[AdhesiveState, Peeled]:
-    """Return the contact under a force, starting from the contact under a smaller one."""
+    """Return the contact under a tangential force [N], starting from the contact under a smaller force."""
     released, left = np.zeros(state.gap.shape), np.ones(state.gap.shape)
     converged, turn = mode_mixity is None or force == 0.0, 0
     while not converged and turn < _MOST_TURNS and state.touching.any():
@@ -107,7 +107,8 @@ def _at_force(
 class PeelingState(State):
     """Store the state of an adhesive map at one rigid shift.
 
-    contact: with the work of adhesion that is left. share: fraction of it that is left at every point (rows, columns).
+    contact: the contact under its remaining adhesion. share: remaining fraction of the work of adhesion at every point (rows,
+    columns).
     """
 
     contact: AdhesiveState = field(repr=False)
@@ -118,10 +119,10 @@ def slide_and_peel(
     contact: AdhesiveState, operator: ShearOperator, strength: Callable[[AdhesiveState], np.ndarray], shifts: Sequence[float],
     *, work: float, law: ModeMixity, zeta: float, weakening: Weakening | None = None,
 ) -> SlidingPath:  # fmt: skip
-    """Shift an adhesive map through the given rigid shifts [m], in their order; shear lowers its adhesion.
+    """Shift an adhesive map through rigid shifts [m], in the given order, while shear lowers its adhesion.
 
-    contact: without shear. strength: returns the shear strength of every point of a contact (rows, columns) [Pa]. work: of
-    adhesion [J/m2]. law, zeta: of mode mixity, and the fraction of the shear energy that opens the edge. weakening: how
+    contact: without shear. strength: returns the shear strength of every point of a contact (rows, columns) [Pa]. work: work of
+    adhesion [J/m2]. law: law of mode mixity. zeta: fraction of the shear energy that opens the edge, 0 to 1. weakening: how
     strength falls with slip. Contact that is lost does not come back when the force falls.
     """
     full, zero, none = strength(contact), np.zeros((1, *contact.gap.shape)), np.zeros(contact.gap.shape, dtype=bool)
@@ -150,7 +151,7 @@ def slide_and_peel(
 
 
 class _UnitRelease:
-    """Compute G_T at the edge per squared force; a contact that has not changed is not solved again."""
+    """Compute the energy G_T that a unit force releases at the edge, and keep it until the contact changes."""
 
     def __init__(self, operator: ShearOperator):
         self._operator, self._touching, self._released = operator, np.zeros(0, dtype=bool), np.zeros(0)
