@@ -58,7 +58,10 @@ def confidence(mu: float, low: float, high: float) -> str:
 
 
 class PredictionAnswer(TypedDict):
-    """Answer of a prediction at its working load; an interval is its two ends. SI units."""
+    """Define the JSON answer of a prediction at its working load, in SI units.
+
+    Every interval is a list of its two ends.
+    """
 
     load: float
     friction_coefficient: float
@@ -82,7 +85,10 @@ class PredictionAnswer(TypedDict):
 
 
 class ModelAnswer(TypedDict):
-    """Result of one model at one load; interval and level are None if no input is uncertain. SI units."""
+    """Define the JSON answer of one model at one load, in SI units.
+
+    interval (two ends) and level are None if no input is uncertain.
+    """
 
     load: float
     friction_coefficient: float | None
@@ -91,7 +97,7 @@ class ModelAnswer(TypedDict):
 
 
 def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
-    """Return the answer of a prediction as a dict for JSON."""
+    """Return the answer of a prediction at its working load as a dict for JSON."""
     point = at_working_load(data)
 
     def ends(name: str) -> list[float]:
@@ -121,7 +127,7 @@ def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
 
 
 def model_record(data: "xarray.Dataset") -> ModelAnswer:
-    """Return the result of one model as a dict for JSON, at the middle point of its curve.
+    """Return the result of one model as a dict for JSON, at the middle load of its curve.
 
     The entry `interval` is the interval of mu over the uncertain inputs. It is None if no input is uncertain, if no sample
     has a result, or if mu is the same in all samples.
@@ -144,7 +150,11 @@ def number(value: float) -> str:
 
 
 def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str:
-    """Format the interval of a result as "low to high", with units if `quantity` is given."""
+    """Format the prediction interval of a result as "low to high".
+
+    name: name of the result, for example "friction_coefficient". quantity: key of the table of quantities, for the unit; None
+    gives no unit.
+    """
     low, high = (float(point[f"{name}_{end}"]) for end in ("low", "high"))
     if quantity is None:
         return f"{number(low)} to {number(high)}"
@@ -152,19 +162,22 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 
 
 def confidence_in_words(mu: float, low: float, high: float) -> str:
-    """Return the confidence in mu as a word, with the factors from mu up and down to its interval ends."""
+    """Return the confidence in mu as a word, with the factors by which mu may be lower or higher.
+
+    low, high: ends of the prediction interval.
+    """
     word = confidence(mu, low, high)
     return f"{word}: mu may be {number(mu / low)} times lower or {number(high / mu)} times higher" if low > 0.0 else word
 
 
 def headline(data: "xarray.Dataset") -> str:
-    """Return one line with mu and its interval."""
+    """Return one line with mu at the working load of a prediction, and its interval."""
     point = at_working_load(data)
     return f"mu = {number(float(point[_MU]))}, {data.attrs['level']:.0%} interval {span(point, _MU)}"
 
 
 def working_load_in_words(data: "xarray.Dataset") -> str:
-    """Return the working load of a prediction, with the range of its loads if there are several."""
+    """Format the working load of a prediction, and the range of its loads if there are several."""
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
     )
@@ -180,7 +193,7 @@ def beside_area(attrs: dict[str, Any]) -> str:
 
 
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the answer as pairs of heading and text, the numbers first."""
+    """Return the answer of a prediction at its working load as pairs of heading and text."""
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
@@ -208,7 +221,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 
 def _sliding(point: "xarray.Dataset") -> str:
-    """State the friction force as a fraction of the sum of the strengths of all contact spots.
+    """State which fraction of the summed strength of all contact spots the friction force reaches.
 
     point: prediction at one load. The text is empty if the prediction has no friction efficiency.
     """
@@ -219,7 +232,7 @@ def _sliding(point: "xarray.Dataset") -> str:
 
 
 def _along(data: "xarray.Dataset") -> str:
-    """State mu with its interval at the smallest and the largest load; "" for a single load."""
+    """State mu with its interval at the smallest and the largest load of a prediction; "" for a single load."""
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
     ordered = data[[_MU, f"{_MU}_low", f"{_MU}_high"]].sortby("load")  # not the samples, which are many
@@ -234,7 +247,7 @@ def _along(data: "xarray.Dataset") -> str:
 
 
 def _of_measured(data: "xarray.Dataset") -> str:
-    """State the interface strength and other inputs after an update with measured friction.
+    """State the interface strength and other inputs after they were updated with measured friction.
 
     The text is empty if the prediction uses no measured friction.
     """
@@ -257,7 +270,7 @@ def _of_measured(data: "xarray.Dataset") -> str:
 
 
 def models_in_words(names: Iterable[str]) -> str:
-    """Return the names of the contact area models that a prediction combines.
+    """Return the names of contact area models that a prediction combines, as one text.
 
     >>> models_in_words(["persson_2001", "hertz + bowden_tabor_1943"])
     '2 combined: persson_2001; hertz with bowden_tabor_1943'
@@ -274,7 +287,7 @@ def _bare(interval: list[float]) -> str:
 
 
 def part_name(name: str) -> str:
-    """Return the readable name of a source of uncertainty or of an uncertain input."""
+    """Return the readable name of a source of uncertainty or of an uncertain input, "hardness of first"."""
     body, _, quantity = name.rpartition(".")
     return _NAMES.get(name, f"{quantity} of {body}" if body else name).replace("_", " ")
 
@@ -285,10 +298,9 @@ def _shares(shares: dict[str, float]) -> str:
 
 
 def model_line(used: Mapping[str, Any]) -> str:
-    """Return one line with the model, laws, options and height distribution of a result.
+    """Return one line that names the model, laws, options and height distribution of a result.
 
     used: attributes of the result.
-
     >>> model_line({"model": "greenwood_williamson_1966", "asperity": "hertz", "film": "none"})
     'greenwood_williamson_1966, asperity law hertz'
     """

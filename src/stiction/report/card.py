@@ -24,11 +24,11 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches f
 
 
 class Card(NamedTuple):
-    """The content of the answer card of a prediction.
+    """Store the content of the answer card of a prediction, at its working load.
 
     low, high: ends of the prediction interval of mu. level: coverage probability of the interval. decides: main sources of
     uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that the user named,
-    in words, or "".
+    in words; "" if none was named.
     """
 
     mu: float
@@ -50,7 +50,10 @@ class Card(NamedTuple):
 
     @property
     def confidence(self) -> str:
-        """Return the confidence as a word, with the factors from mu to both ends of its interval."""
+        """Return the confidence in mu as a word, with the factors by which mu may be lower or higher.
+
+        The factors are omitted if the user named a model.
+        """
         ends = self.mu, self.low, self.high
         return confidence(*ends) if self.named else confidence_in_words(*ends)  # a named model has two numbers already
 
@@ -102,7 +105,7 @@ class Card(NamedTuple):
 def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     """Return the answer card of a prediction at its working load.
 
-    named: result of the model that the user named, in words, or "".
+    data: the prediction. named: result of the model that the user named, in words; "" if none was named.
     """
     point, attrs = at_working_load(data), data.attrs
     mu, low, high = (float(point[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))

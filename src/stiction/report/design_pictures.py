@@ -18,7 +18,11 @@ _BARS = 12
 
 
 def design_figure(data: "xarray.Dataset") -> Figure:
-    """Draw the best design of each combination of list choices, with all evaluated designs or the Pareto front."""
+    """Draw the result of a design study.
+
+    The first panel, if lists were given, shows the best design for each of their combinations. The next shows all
+    evaluated designs, or the Pareto front of two objectives.
+    """
     texts = data.attrs["objectives"].split("\n")
     objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]
     several, two = data.sizes["design"] > 1, len(objectives) == 2

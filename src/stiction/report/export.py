@@ -103,7 +103,10 @@ def export(
 
 
 def _spheres(contact: "Contact | CaseLike", load: "QuantityLike | None", radius: "QuantityLike", units: str) -> dict[str, Any]:
-    """Return what discrete-element formats need of two spheres, in the named system of units."""
+    """Return radius, work of adhesion, moduli and Poisson's ratios of two spheres, for discrete-element formats.
+
+    units: key of UNITS in which the values are returned.
+    """
     with field_named("radius"):
         effective_radius = to_si(radius, "asperity_radius")
         if np.ndim(effective_radius):
@@ -113,7 +116,7 @@ def _spheres(contact: "Contact | CaseLike", load: "QuantityLike | None", radius:
 
 
 def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
-    """Convert the table from SI to the named system of units."""
+    """Convert a friction table from SI to the named system of units."""
     length, force, (meter, newton, pascal) = UNITS[units]
     converted_units = {
         "m": (length, meter),

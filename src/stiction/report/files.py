@@ -30,7 +30,10 @@ _ABANDONED = 600.0  # s: in less, whoever is alive has written something
 
 
 def as_json(content: Any, only_ascii: bool = False) -> str:
-    """Return strict JSON, in which NaN and infinities are null; only_ascii: other characters are escaped."""
+    """Return content as strict JSON text, in which NaN and infinities are null.
+
+    only_ascii: whether to escape all other characters.
+    """
     return json.dumps(_plain(content), ensure_ascii=only_ascii, allow_nan=False, indent=2)
 
 
@@ -45,13 +48,16 @@ def _plain(value: Any) -> Any:
 
 
 def unit_of(variable: "xarray.DataArray") -> str:
-    """Return the unit of a result, or the divisor of a normalised one; "" if it has neither."""
+    """Return the unit of a variable, or the formula by which a normalised variable was divided; "" if it has neither."""
     unit = variable.attrs.get("normalised_by") or variable.attrs.get("units", "")
     return "" if unit == "1" else unit
 
 
 def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any]:
-    """Return a result for JSON: attributes, groups, and variables with unit, meaning, dimensions and values."""
+    """Return a result as a dict for JSON: attributes, dimensionless groups, and variables.
+
+    Each variable has its unit, meaning, dimensions and values. groups: dimensionless groups by name.
+    """
     variables = {}
     for name in _names(data):
         variable = data[name]
@@ -125,7 +131,7 @@ def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) 
 
 
 def rows_of(data: "xarray.Dataset", names: Iterable[str]) -> list[list[Any]]:
-    """Return the values of the named one-dimensional variables as table rows."""
+    """Return one-dimensional variables of a dataset as table rows, one column for each name."""
     return [list(row) for row in zip(*(data[name].values.tolist() for name in names), strict=True)]
 
 
@@ -159,7 +165,7 @@ def undrawn_of(names: Iterable[str]) -> list[str]:
 
 
 def check_folder(folder: Path) -> None:
-    """Raise InputError, before any computation, if no folder can be created at this path."""
+    """Raise InputError if no output folder can be created at this path; call it before computing."""
     require_place(folder, "a folder, new or existing")
     if folder.exists() and not folder.is_dir():
         raise InputError("--out", str(folder), "a new or existing folder, but this is a file")

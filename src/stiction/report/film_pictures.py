@@ -18,8 +18,9 @@ _LEVELS = 12
 
 
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw a cross-section of von Mises stress over yield stress, and the stresses along the interface.
+    """Draw the stresses in a film under the mean touching asperity.
 
+    Left: cross-section of the von Mises stress over the yield stress. Right: stresses along the interface of film and body.
     data: result of `film_stresses` at one point. section: result of `film_section`.
     """
     figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))

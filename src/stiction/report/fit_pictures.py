@@ -20,7 +20,10 @@ _TOP = 12.0  # of the rise of chi square that is shown
 
 
 def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw measured and fitted values, residuals and predictions, one row of panels for each measured quantity."""
+    """Draw a fit: one row of panels for each measured quantity.
+
+    The panels show measured and fitted values, residuals and, if present, predictions.
+    """
     quantities = list(dict.fromkeys(data["quantity"].values.tolist()))
     predicted = [name for name in quantities if f"predicted_{name}" in data]
     columns = 3 if predicted else 2
@@ -40,9 +43,9 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield name, style, x values and rows of the dataset for each sample that has this quantity, in the order of x.
+    """Yield name, style, x values and rows of the dataset for each sample in which the quantity `name` was measured.
 
-    x is the load; if any load is unknown, the number of the point for all.
+    The rows are in the order of x. x is the load, or the number of the measured value if any load is unknown.
     """
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))

@@ -42,10 +42,10 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 
 
 class ReportAnswer(TypedDict):
-    """Answer of a report, as `write_report` returns it.
+    """Define the answer of a report, as `write_report` returns it.
 
-    friction_coefficient: None if no load is compressive, or if the model has no friction. answer: of the prediction, or of
-    the named model; None for a case with array parameters. measured_error: errors of the model on solved surfaces; None for
+    friction_coefficient: None if no load is compressive, or if the model has no friction. answer: answer of the prediction, or
+    of the named model; None for a case with array parameters. measured_error: errors of the model on solved surfaces; None for
     a prediction.
     """
 
@@ -136,8 +136,8 @@ def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progr
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
     """Render a report as HTML.
 
-    findings: results of the report. name: name of the case file. again: command line that makes the report again. The same
-    arguments give the same page on the same day.
+    findings: results of the report. name: name of the case file. again: command line that makes the report again. The page
+    depends only on these arguments and on the date.
     """
     import jinja2
 
@@ -226,7 +226,10 @@ def _answer(findings: ReportData) -> PredictionAnswer | ModelAnswer | None:
 
 
 def check_place(path: Path, case: Any = None) -> None:
-    """Raise InputError if no report can be written to this path; call it before computing."""
+    """Raise InputError if no report can be written to this path; call it before computing.
+
+    case: the case, whose file must not be overwritten.
+    """
     allowed = "a file that ends in .html or .pdf, new or existing"
     if path.suffix.lower() not in _SUFFIXES:
         raise InputError("--out", str(path), allowed)

@@ -29,7 +29,7 @@ def breakable(text: str) -> Markup:
 
 
 def formula(text: str) -> Markup:
-    """Return a symbol, or a text with formulas, as escaped HTML with subscripts and superscripts."""
+    """Return a text with symbols and formulas as escaped HTML, with subscripts and superscripts."""
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
     shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda match: f"<sup>{match[1] or match[2]}</sup>", shown)

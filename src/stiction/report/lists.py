@@ -42,7 +42,7 @@ def _row(preset: Material) -> dict[str, Any]:
 
 
 def with_range(preset: Material, name: str) -> str:
-    """Format a material property with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks the property."""
+    """Format a property of a material preset with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks it."""
     value = getattr(preset, name)
     if value is None:
         return ""
@@ -51,7 +51,7 @@ def with_range(preset: Material, name: str) -> str:
 
 
 def materials_table(names: Iterable[str]) -> Table:
-    """Return a table of material presets: one row each, with the range below each property."""
+    """Return a table of material presets, one row each, with the range of a property below its value."""
     columns = [Column("material\n"), *(Column(f"{QUANTITIES[name].symbol}\nrange", wrap=True) for name in LISTED)]
     rows = [
         [_lines(name, ", ".join(symbols_of(name))), *(_two_lines(material(name), quantity) for quantity in LISTED)]
@@ -61,7 +61,7 @@ def materials_table(names: Iterable[str]) -> Table:
 
 
 def _two_lines(preset: Material, name: str) -> Text:
-    """Return a table cell with a property and, below it, its range."""
+    """Return a table cell with a material property and, on a second line, its range."""
     number, _, ends = with_range(preset, name).partition(" (")
     return _lines(number, ends.removesuffix(")"))
 
@@ -72,7 +72,7 @@ def _lines(first: str, second: str) -> Text:
 
 
 def material_in_full(name: str) -> Group:
-    """Describe one material preset: every property with its range and source."""
+    """Describe one material preset: every property with its value, range and source."""
     preset = material(name)
     symbols = "".join(f", {other_symbol}" for other_symbol in symbols_of(preset.name))
     lines: list[RenderableType] = [Text(preset.name, style="bold") + Text(symbols)]
@@ -125,7 +125,7 @@ def _how_to_state(name: str) -> Text:
 
 
 def interface_in_full(name: str) -> Group:
-    """Describe one interface state: properties, sources, allowed pairs of materials, and where it must not be used."""
+    """Describe one interface state: strength, sources, allowed pairs of materials, and uses to avoid."""
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):

@@ -147,7 +147,10 @@ def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
-    """Return one line for each reason why points are missing, with the methods and cutoffs."""
+    """Return one line for each reason for missing points, with the asperity methods and cutoffs where it applies.
+
+    variables: results that must be present and positive.
+    """
     where: dict[str, list[str]] = {}
     for method in resolution_study[METHOD].values:
         results = resolution_study.sel({METHOD: method})
@@ -169,7 +172,7 @@ def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> 
 
 
 def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction against load for every asperity method, with the range over methods shaded.
+    """Draw friction against load for every method of finding asperities, with the range over methods shaded.
 
     The method that the result uses has a bold line. data: result of `with_band` at one load or along one dimension; its
     first method is the one used. Raises InputError if the result has no friction by method.

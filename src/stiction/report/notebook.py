@@ -21,7 +21,7 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Store a summary as pairs of heading and text, and a list of notes.
+    """Store a summary of a result as pairs of heading and text, with a list of notes.
 
     A notebook shows the summary as HTML; `print` shows it as text.
     """
@@ -83,7 +83,7 @@ def summary(result: "xarray.Dataset") -> Summary:
 
 
 def _range(values: "xarray.DataArray") -> str:
-    """Format the smallest and the largest value with their unit, and name the dimensions."""
+    """Format the smallest and the largest value of a variable with their unit, and the names of its dimensions."""
     unit = values.attrs.get("units", "1")
     ends = [f"{float(end):.4g}" for end in (values.min(), values.max())]
     along = f", along {', '.join(map(str, values.dims))}" if values.dims else ""

@@ -32,7 +32,7 @@ _VARYING: tuple[dict[str, Any], ...] = (
 
 
 def panel_figure(curves: "PanelCurves") -> Figure:
-    """Draw one figure of the paper: friction coefficient against load for several films and for the bare surface."""
+    """Draw one figure of the 2015 paper: friction coefficient against load for several films and for the bare surface."""
     figure, (axes,) = canvas(7, 5.4)
     along = curves.panel.along
     _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)

@@ -59,7 +59,10 @@ WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
-    """Return the label of an axis: meaning, symbol and unit; above `longest` characters the unit is on a second line."""
+    """Return the axis label of a variable: meaning, symbol and unit.
+
+    longest: number of characters above which the unit is on a second line.
+    """
     name = str(variable.name).rpartition(".")[2]  # of one of two bodies: "first.hardness"
     meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
@@ -109,7 +112,10 @@ def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
 
 
 def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
-    """Draw one panel of a curve as a separate figure. what: quantity along y. against: quantity along x."""
+    """Draw one panel of a curve as a separate figure.
+
+    what: quantity along y. against: quantity along x. Both are names of variables.
+    """
     figure, (axes,) = canvas(5.2, 3.9)
     _draw_panel(axes, data, what, against)
     return figure
@@ -143,7 +149,10 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 
 
 def add_titles(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
-    """Write title lines above a figure and validity warnings below it; enlarge the figure to make room."""
+    """Write title lines above a figure and validity warnings below it, and enlarge the figure to make room.
+
+    more: further title lines.
+    """
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
         figure.set_figheight(figure.get_figheight() + 0.16 * len(notes))
@@ -167,12 +176,15 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Return markers, which show computed points, for a line of few points; {} for a line of many."""
+    """Return line properties that mark computed points; {} if the line has more than twenty points."""
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
 def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw friction against load with its bands: interval, range over asperity methods, and quantiles over uncertain inputs."""
+    """Draw friction against load in one panel, with all bands that the result has.
+
+    The bands are the prediction interval or the range over asperity methods, and quantiles over uncertain inputs.
+    """
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     drawn = (load > 0.0) & (mu > 0.0)
     text = "median" if "level" in data.attrs else "at nominal inputs" if f"{_MU}_quantile" in data else ""
@@ -203,7 +215,10 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
-    """Draw reference slopes of an elastic sphere (-1/3) and Amontons (0), if mu varies 2-fold and load 1000-fold."""
+    """Draw reference lines with the slopes of an elastic sphere (-1/3) and of Amontons' law (0).
+
+    They are drawn only if mu varies at least 2-fold and the load at least 1000-fold.
+    """
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
     axes.set_yscale("log")
@@ -225,7 +240,7 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
 
 
 def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
-    """Set a logarithmic friction axis if max / min of the values exceeds `wide`; else start a linear one at 0."""
+    """Set the scale of a friction axis: logarithmic if max/min of the values exceeds `wide`, else linear from 0."""
     if axes.get_yscale() == "log" or values.max() > wide * values.min():
         axes.set_yscale("log")
     else:
@@ -241,7 +256,10 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 
 
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
-    """Yield (low, high, style) of each friction band: interval or range over asperity methods, then quantile ranges."""
+    """Yield (low, high, style) of each friction band of a result, the widest kind first.
+
+    First comes the prediction interval, or the range over asperity methods; then come quantile ranges over uncertain inputs.
+    """
     if f"{_MU}_low" in data:
         text = f"{METHOD_BAND}; used:\n{data.attrs.get('roughness_method', 'first method')}"
         text = f"{data.attrs['level']:.0%} interval" if "level" in data.attrs else text
@@ -360,7 +378,7 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
 
 
 def along_points(axes: Axes, points: "xarray.DataArray") -> None:
-    """Label and scale the x axis for the loads or separations of a result, in SI or normalised."""
+    """Label and scale the x axis of a panel for loads or separations, in SI units or normalised."""
     values = points.values
     if points.attrs.get("units", "1") != "1":
         along(axes, "x", str(points.name), values)

@@ -33,7 +33,7 @@ _OPEN = "([{⟨"
 
 @dataclass
 class _Piece:
-    """Store a part of a formula as text, with what decides its spacing.
+    """Store a part of a formula as text, with the properties that decide the spaces around it.
 
     word: put a space between it and another value. relation: put it between two spaces. fraction: a fraction or power; put
     a space before a bracket that follows. function: the name of a function.
@@ -151,7 +151,7 @@ def _apart(before: _Piece, piece: _Piece) -> bool:
 
 
 def _grouped(pieces: list[_Piece], product: bool = False) -> str:
-    """Return an argument as text, in brackets if it is more than one value.
+    """Return the argument of a LaTeX command as text, in brackets if it is more than one value.
 
     product: leave out the brackets of a product too.
     """
@@ -186,14 +186,17 @@ def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """Convert Markdown: formulas become code, links to other pages become text, underscores are escaped."""
+    """Convert Markdown with LaTeX formulas to Markdown without: formulas become code.
+
+    Links to other pages become text, and underscores are escaped.
+    """
     marked = _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
     parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # every second one is code
     return "".join(part if number % 2 else part.replace("_", r"\_") for number, part in enumerate(parts))
 
 
 def as_text(text: str) -> str:
-    """Convert Markdown to plain text without marks of formulas, emphasis, code and links."""
+    """Convert Markdown with LaTeX formulas to plain text, without marks of emphasis, code and links."""
     plain = _replaced(_without_links(text), "{}", "{}", "    ").replace("`", "")
     return re.sub(r"(?<!\w)\*([A-Z][^*\n]*)\*(?!\w)", r"\1", plain)
 

@@ -34,7 +34,7 @@ class Plotting:
         """Draw this result as a matplotlib Figure.
 
         The dataset must be a result of solve, predict, compare, slide, unload, design, fit, sensitivity, film_stresses or
-        validate; others raise InputError.
+        validate. Any other dataset raises InputError.
         """
         require("plot", "matplotlib")
         data = self._data

@@ -28,7 +28,7 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Draw mu against load next to the three largest sources of the prediction interval.
+    """Draw mu against load, and in a second panel the three largest sources of the prediction interval.
 
     data: result of the model that the user named, or the prediction itself.
     """
@@ -78,7 +78,10 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
-    """Draw friction against load, the prediction at its working load, and a legend below the figure."""
+    """Draw friction against load, the prediction at its working load, and a legend below the figure.
+
+    data: result with several loads. prediction: its working load is marked.
+    """
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
     point = at_working_load(prediction)
     low, mu, high = (float(point[f"{_MU}{end}"]) for end in ("_low", "", "_high"))

@@ -17,7 +17,7 @@ _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 @dataclass(frozen=True)
 class Printed:
-    """Store one reference of the bibliography: key, text, and DOI ("" if no DOI was verified)."""
+    """Store one printed reference: bibliography key, text, and DOI ("" if no DOI was verified)."""
 
     key: str
     text: str

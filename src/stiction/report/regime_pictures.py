@@ -22,11 +22,11 @@ _TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw a contact on the adhesion map of Johnson & Greenwood and the plasticity map of Greenwood & Williamson.
+    """Draw where a contact lies on the adhesion map of Johnson & Greenwood and the plasticity map of Greenwood & Williamson.
 
-    The adhesion map is drawn only if the contact has a work of adhesion, and the plasticity map only if it has no film; at
-    least one of the two must be drawn. contact: a single contact. data: its result. If the result has `touching_asperities`,
-    the mean asperity in contact is drawn.
+    The adhesion map needs a work of adhesion, and the plasticity map a contact without a film; at least one of the two must be
+    drawn. contact: a single contact. data: its result. If the result has `touching_asperities`, the mean asperity in contact is
+    marked.
     """
     load = float(data["load"].max())
     drawn: list[Callable[[Axes], None]] = []
@@ -71,7 +71,7 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
 
 
 def negligible_load_of_jkr() -> float:
-    """Return the load over pi w R above which adhesion is below 5 % of the load by the JKR theory.
+    """Return the load, divided by pi w R, above which adhesion is below 5 % of the load by the JKR theory.
 
     The adhesive part of the load is 3 + sqrt(6 P + 9), with P the load over pi w R.
     """
@@ -99,9 +99,10 @@ def _plasticity(axes: Axes, contact: "Contact", pressure: float) -> None:
 
 
 def pressure_of_first_flow(index: float, density: float) -> float:
-    """Return the nominal pressure over hardness at which 2 % of the contact area yields (Greenwood & Williamson 1966).
+    """Return the nominal pressure, divided by the hardness, at which 2 % of the contact area yields.
 
-    index: plasticity index. density: N R sigma. The pressure is infinite if it lies beyond the tabulated separations.
+    The criterion is that of Greenwood & Williamson (1966). index: plasticity index. density: N R sigma. The result is infinite
+    if the pressure is beyond the tabulated separations.
     """
     z, heights, area, load = _gaussian_sums()
     flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)

@@ -37,9 +37,9 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 
 
 def interval_of(point: "xarray.Dataset") -> list[float]:
-    """Return the ends of the interval of mu for the named model; [] if it has no interval.
+    """Return both ends of the interval of mu for the named model; [] if it has no interval.
 
-    The interval covers uncertain inputs; without these it covers the asperity methods.
+    The interval covers the uncertain inputs. Without uncertain inputs it covers the methods of finding asperities.
     """
     if f"{_MU}_quantile" in point:
         ends = [float(point[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
@@ -79,9 +79,9 @@ def load_in_words(findings: ReportData) -> str:
 
 
 def headline(findings: ReportData) -> str:
-    """Return the headline of the report: mu (or the contact area) with significant digits only.
+    """Return the headline of a report: mu, or the contact area of a model without friction.
 
-    Without a working load it states the smallest and the largest value.
+    mu has only significant digits. Without a working load the headline states the smallest and the largest value.
     """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
@@ -132,7 +132,7 @@ def answer_in_words(findings: ReportData) -> str:
 
 
 def _along(findings: ReportData) -> str:
-    """Return the sentence for a curve or for array parameters, where no working load is given."""
+    """Return the answer as a sentence for a curve or for array parameters, where no working load is given."""
     data = findings.data
     dim = points_dimension(data)
     ends = list(dict.fromkeys(of_point(data, end) for end in (0, -1))) if dim else []

@@ -39,7 +39,7 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 
 
 def inline(figure: "Figure", name: str, words: str) -> str:
-    """Convert a figure to HTML in the colours of the page: SVG, or PNG if the SVG is large.
+    """Convert a figure to HTML that follows the colours of the page: SVG, or PNG if the SVG is large.
 
     name: letters, unique on the page. words: description for screen readers. Equal figures give equal HTML.
     """
@@ -100,7 +100,10 @@ def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str =
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
-    """Describe a curve by its values at both ends, for screen readers. what: quantity along y. against: quantity along x."""
+    """Describe a curve by its values at both ends, for screen readers.
+
+    what: quantity along y. against: quantity along x.
+    """
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
     if not known.size:
@@ -143,7 +146,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the name of the part above 99.5 % of the sum of parts at every positive load, else "".
+    """Return the name of the part that exceeds 99.5 % of the sum of parts at every compressive load; "" if there is none.
 
     parts: names of the summed variables, for example the elastic and plastic contact areas.
     """
@@ -154,7 +157,7 @@ def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
 def all_of_one(findings: ReportData) -> list[str]:
     """Return sentences that explain which pictures of a report are omitted; none for a prediction.
 
-    Omitted are curves of a case without a compressive load, and stacked charts in which one part exceeds 99.5 % everywhere.
+    Curves are omitted if no load is compressive. A stacked chart is omitted if one part exceeds 99.5 % everywhere.
     """
     data, lines = findings.data, []
     if findings.prediction is not None:
@@ -170,7 +173,7 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield the picture of the first page, if there is a prediction: mu against load, and the sources of its interval."""
+    """Yield the picture of the first page if there is a prediction: mu against load, and the sources of its interval."""
     data, prediction = findings.data, findings.recommended
     if prediction is not None:
         caption = "mu against load, and the interval that each main source of uncertainty would cause alone."
@@ -178,7 +181,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
-    """Yield the picture of all possible models with the prediction."""
+    """Yield the picture of mu by all possible models, with the prediction."""
     data_of_models, data = findings.comparison, findings.recommended
     if data_of_models is None:
         return
@@ -190,7 +193,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """Yield friction by the named model with its band over uncertain inputs, and with its range over asperity methods."""
+    """Yield pictures of friction by the named model: with its band over uncertain inputs, and by asperity method."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_swept:
         caption = "The friction coefficient with its band over the uncertain inputs."

@@ -153,7 +153,10 @@ def _warning_in_words(warning: ValidityWarning) -> str:
 
 
 def answer_table(findings: ReportData, name: str) -> Table:
-    """Return the rows of the answer of a prediction. name: name of the case file."""
+    """Return the answer of a prediction as a table of headings and texts.
+
+    name: name of the case file.
+    """
     assert findings.prediction is not None  # the template has looked
     rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
     return Table([Column(""), Column("")], rows, "Basis of the answer")
@@ -162,7 +165,7 @@ def answer_table(findings: ReportData, name: str) -> Table:
 def card(findings: ReportData, name: str) -> Markup:
     """Return the answer card as HTML; empty if there is no prediction.
 
-    The result of a model that the user named stands above it. name: name of the case file.
+    The result of a model that the user named is shown above the prediction. name: name of the case file.
     """
     if findings.recommended is None:
         return Markup("")
@@ -245,7 +248,7 @@ def here_table(findings: ReportData) -> Table | None:
 
 
 def model_lines(findings: ReportData) -> list[str]:
-    """State the named model with its laws and grade; empty for a prediction."""
+    """State the model that the user named, with its laws and grade; [] for a prediction."""
     used = findings.data.attrs
     if used.get("model", RECOMMENDED) == RECOMMENDED:
         return []
@@ -272,7 +275,7 @@ def compared(findings: ReportData) -> Table | None:
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
-    """Return the criteria of the comparison, and the models that are not applicable with their reasons."""
+    """Return criteria and not applicable models of a comparison, with the reasons, as a dict of lists of lines."""
     if findings.comparison is None:
         return {}
     used = findings.comparison.attrs
@@ -283,7 +286,7 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
 
 
 def uncertainty_lines(findings: ReportData) -> list[str]:
-    """State which inputs are uncertain, how they were sampled, and how this changes the result."""
+    """Return sentences on the uncertain inputs: which they are, how they were sampled, and their effect on the result."""
     used = findings.data.attrs
     if findings.prediction is not None:
         return [
@@ -332,7 +335,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """Return notes on the result: input warnings, measured errors, unused inputs, and where mu is not defined."""
+    """Return notes on a result: input warnings, measured errors, unused inputs, and loads at which mu is not defined."""
     warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
@@ -376,7 +379,7 @@ def command(name: str, load: Any, ranges: bool | None) -> str:
 
 
 def measured_table(findings: ReportData) -> Table | None:
-    """Return sigma, R and N of the scanned bodies by every asperity method, with the resulting friction."""
+    """Return a table of sigma, R and N of scanned bodies by every asperity method, with the resulting friction."""
     if findings.case.measured is None:
         return None
     from stiction.report.views.surface import roughness_table

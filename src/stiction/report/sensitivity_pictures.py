@@ -62,7 +62,7 @@ def _symbol(name: str) -> str:
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
     """Draw total and first-order Sobol indices of one result with their intervals.
 
-    Total indices of other results are drawn as marks.
+    name: the result. Total indices of other results are drawn as marks.
     """
     results = at_working_load(data)
     order = ranked(results, name, "total_order", "input")[:_SHOWN]

@@ -38,9 +38,9 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Return each part divided by the sum of the absolute values of all parts, (parts, points).
+    """Return the absolute value of each part, divided by the sum over all parts: (parts, points).
 
-    parts: names of variables of the curve. The absolute value of each part is used. The result is NaN where all parts are 0.
+    parts: names of variables of the curve. The result is NaN where all parts are 0.
     """
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
@@ -48,15 +48,18 @@ def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
 
 
 def part_in_words(name: str, total: str) -> str:
-    """Return the readable name of a part: "elastic-plastic" for contact_area_elastic_plastic."""
+    """Return the readable name of a part of a sum: "elastic-plastic" for contact_area_elastic_plastic.
+
+    total: name of the summed variable.
+    """
     stem = "friction_" if total == "friction_force" else f"{total}_"
     return name.removeprefix(stem).replace("_", "-")
 
 
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
-    """Draw one stack of shares against compressive load, with hatches for colour-blind readers.
+    """Draw the shares of one sum as a stack against compressive load, with hatches for colour-blind readers.
 
-    what: a key of `stacks(curve)`.
+    what: a key of `stacks(curve)`, for example "contact area, by state".
     """
     total, parts = stacks(curve)[what]
     figure, (axes,) = canvas(5.2, 3.9)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw tangential force over load against displacement for each load or separation.
+    """Draw tangential force over load against displacement, one line for each load or separation.
 
     If asperities keep their strength, the energy lost in cycles is drawn too. Dotted lines mark the static friction
     coefficient, dots the largest force. data: result of `slide` with at most one dimension of points.
@@ -37,7 +37,7 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 def write_animation(data: "xarray.Dataset", path: Path) -> None:
     """Write a GIF that shows which points of a map stick or slip as the displacement grows.
 
-    It shows the largest load. data: result of `slide` for a map.
+    Of several loads, the largest is shown. data: result of `slide` for a map.
     """
     points = [dim for dim in data["tangential_force"].dims if dim != "displacement"]
     row = data.isel({points[0]: int(np.argmax(data["load"].values))}) if points else data

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def spheres_of(numbers: Any, radius: float, length: float, force: float) -> dict[str, Any]:
-    """Return what discrete-element formats need of two spheres, in units of length [m] and force [N].
+    """Return radius, work of adhesion, moduli and Poisson's ratios of two spheres in units of length [m] and force [N].
 
     numbers: contact in SI units. radius: effective radius [m].
     """
@@ -24,9 +24,9 @@ def spheres_of(numbers: Any, radius: float, length: float, force: float) -> dict
 
 
 def sphere_contact(table: "xarray.Dataset") -> tuple[dict[str, Any], float, float, float]:
-    """Return the spheres of a friction table, and at the stated load: load, mu, pull-off force.
+    """Return the spheres of a friction table, with load, mu and pull-off force at its stated load.
 
-    The pull-off force is (3/2) pi w R, by Johnson, Kendall and Roberts (1971). Raises InputError without spheres.
+    The pull-off force is (3/2) pi w R, by Johnson, Kendall and Roberts (1971). Raises InputError if the table has no spheres.
     """
     spheres = table.attrs.get("spheres")
     if spheres is None:
@@ -36,7 +36,7 @@ def sphere_contact(table: "xarray.Dataset") -> tuple[dict[str, Any], float, floa
 
 
 def sphere_comments(table: "xarray.Dataset") -> list[str]:
-    """Return comment lines that state the limit force, its load and the pull-off force."""
+    """Return comment lines that state friction force, load and pull-off force of two spheres."""
     _, load, mu, pull_off = sphere_contact(table)
     unit = table["load"].attrs["units"]
     limit = f"limit force {mu * load:.6g} {unit} at the load {load:.6g} {unit}; pull-off force {pull_off:.6g} {unit}"

@@ -67,7 +67,7 @@ def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | Non
 
 
 def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor: float) -> str:
-    """Mark every asperity, and return a text for the title that says what the marks are.
+    """Mark every asperity in a picture, and return a text that says what the marks are.
 
     Marks are smaller if there are many. factor: factor from metres to the unit of the height axis.
     """
@@ -90,9 +90,9 @@ def _some(heights: np.ndarray) -> np.ndarray:
 
 
 def _limits(heights: np.ndarray) -> tuple[float, float]:
-    """Return the height limits of a picture: without spikes and the outer 0.1 % at each end.
+    """Return the height limits of a picture, without spikes and without the outer 0.1 % of heights at each end.
 
-    If all heights are alike, the limits are their minimum and maximum.
+    If all heights are equal, the limits are their minimum and maximum.
     """
     low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
     reach = _FAR * 0.5 * (above - below)
@@ -152,7 +152,7 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
 
 
 def _shares(heights: np.ndarray, ends: tuple[float, float], most: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return edges and densities of a histogram of the heights between two heights.
+    """Return edges and densities of a histogram of heights between two limits.
 
     The densities refer to all heights, also those outside the limits. most: largest number of bins.
     """
@@ -256,7 +256,10 @@ def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | No
 
 
 def _ends(sets: list[Asperities]) -> tuple[float, float]:
-    """Return the height limits [m] of the asperity picture: from single asperities, or else from averages."""
+    """Return the height limits [m] of the asperity picture.
+
+    They follow from the heights of single asperities, or from averages if no method gives single asperities.
+    """
     each = [_limits(asperities.heights) for asperities in sets if asperities.count and asperities.deviation > 0.0]
     each = each or [
         (asperities.mean_height - 4.0 * asperities.deviation, asperities.mean_height + 4.0 * asperities.deviation)
@@ -268,7 +271,7 @@ def _ends(sets: list[Asperities]) -> tuple[float, float]:
 
 
 def _summed_up(asperities: Asperities, factor: float, unit: str) -> str:
-    """Return the legend of one method: its name, the number of asperities, sigma, R and N."""
+    """Return the legend text of one asperity method: its name, the number of asperities, sigma, R and N."""
     count = f": {asperities.count}" if asperities.count else ", averages only"
     sigma, radius = show(asperities.deviation, "asperity_height_deviation", 3), show(asperities.radius, "asperity_radius", 3)
     density = f"{asperities.density * factor:.3g}{unit.removeprefix('1')}"

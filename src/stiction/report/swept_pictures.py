@@ -46,9 +46,9 @@ _DECADE = 9.0  # an axis whose values span more than this is logarithmic if they
 
 
 def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction against the array parameters at some of the loads or separations.
+    """Draw friction against the array parameters of a case, at some of its loads or separations.
 
-    A model without friction has its contact area drawn.
+    For a model without friction the contact area is drawn.
     """
     dims, points = varied(data), points_dimension(data)
     if len(dims) > 2 or (len(dims) == 2 and min(data.sizes[dim] for dim in dims) > _LINES):
@@ -72,7 +72,7 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
-    """Draw one line for each of a few positions along dimension `by`.
+    """Draw a result against the dimension `against`, one line for each of a few positions along the dimension `by`.
 
     A single line is drawn with its interval if the interval is known.
     """
@@ -168,9 +168,9 @@ def _rises(values: np.ndarray) -> bool:
 
 
 def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
-    """Return the values along a dimension as axis positions.
+    """Return the positions on the x axis of all points along a dimension.
 
-    The values are those of the first quantity that varies along the dimension, or 1, 2, 3, ... if they are not sorted.
+    They are the values of the first quantity that varies along it, or 1, 2, 3, ... if these values are not sorted.
     """
     values = data[dim if dim == points_dimension(data) else coordinates_along(data, dim)[0]].values
     return values if _rises(values) else np.arange(1.0, values.size + 1.0)
@@ -205,7 +205,7 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
 
 
 def _is_log(values: np.ndarray) -> bool:
-    """Return whether values span a decade and have steps of more equal ratio than equal difference."""
+    """Return whether an axis should be logarithmic: values span a decade, and their ratios vary less than their differences."""
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))

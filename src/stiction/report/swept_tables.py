@@ -28,7 +28,7 @@ def points_dimension(data: "xarray.Dataset") -> str | None:
 
 
 def varied(data: "xarray.Dataset") -> list[str]:
-    """Return the dimensions of the array parameters, in order."""
+    """Return the dimensions of a result that belong to array parameters, in order."""
     return [str(dim) for dim in data[shown_quantity(data)].dims if dim not in _POINT_NAMES]
 
 

@@ -66,7 +66,7 @@ class Table:
 
     @property
     def heads(self) -> list[str]:
-        """Return the heads of the columns; a table may have only empty heads."""
+        """Return the heads of the columns, each of which may be empty."""
         return [column.head for column in self.columns]
 
     def few(self, most: int) -> "Table":
@@ -150,9 +150,9 @@ def shown(value: float, name: str, digits: int = 4) -> str:
 
 
 def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: int = 4) -> str:
-    """Format a value of a result with a prefixed unit, or as a plain number if it has no unit.
+    """Format a value of a variable with a prefixed unit, or as a plain number if it has no unit.
 
-    value: by default the only value of `variable`.
+    value: SI value; by default the only value of `variable`.
     """
     value, name = float(variable if value is None else value), str(variable.name)
     plain = variable.attrs.get("units", "1") == "1" or name not in QUANTITIES
@@ -160,7 +160,10 @@ def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: 
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:
-    """Return (factor, prefixed unit) for SI values of a quantity whose largest value is `largest`."""
+    """Return the prefixed unit that suits a quantity, and the factor from SI to it: (factor, unit).
+
+    largest: largest SI value to be shown.
+    """
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
     return float(text) / size, with_powers(unit)

@@ -43,7 +43,7 @@ HEADS = {
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
     """Return a table of about twelve points of a curve, or of all points, in prefixed units.
 
-    heads: column head by name of the result; by default those of a curve.
+    heads: column head by name of the result; by default HEADS.
     """
     heads = HEADS if heads is None else heads
     count = data["load"].size
@@ -66,7 +66,7 @@ def rows_shown(data: "xarray.Dataset") -> str:
 
 
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
-    """Return the unit for the head of a column, and its cells.
+    """Return the unit for the head of a column, and the texts of its cells.
 
     chosen: indices of the rows to show.
     """
@@ -113,7 +113,7 @@ def _material(material: Any) -> str:
 
 
 def _numbers(part: Any) -> str:
-    """List the numbers of a part of a contact with symbols and units: "E = 210 GPa, nu = 0.3"."""
+    """List the numbers of a part of a contact, such as a body, with symbols and units: "E = 210 GPa, nu = 0.3"."""
     stated = ((QUANTITIES[name], getattr(part, name)) for name in type(part).model_fields if name in QUANTITIES)
     return ", ".join(f"{row.symbol} = {_number(value, row.name)}" for row, value in stated if value is not None)
 
@@ -201,7 +201,7 @@ _NO_TENSION = "none: the load is compressive at every separation"
 
 
 def run_notes(data: "xarray.Dataset") -> list[str]:
-    """Return notes on a result, one line each: normalisation, where mu is undefined, measured errors, and laws."""
+    """Return notes on a result, one line each, for example how it is normalised and where mu is not defined."""
     used = data.attrs
     notes = []
     normalised = [name for name in ("load", "contact_area") if "normalised_by" in data[name].attrs]

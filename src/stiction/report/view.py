@@ -21,7 +21,7 @@ _COLUMNS, _ROWS = 80, 5
 
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
-    """Return how many lines a text or table takes on a terminal of this width."""
+    """Return how many lines a text or table takes on a terminal of `columns` characters."""
     from rich.console import Console
     from rich.text import Text
 
@@ -46,7 +46,7 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """Store a picture that is drawn when needed.
+    """Store how to draw a picture, which happens only when it is needed.
 
     description: text for screen readers. draw: function that returns the figure.
     """
@@ -87,11 +87,11 @@ def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> di
 
 @dataclass(frozen=True)
 class View:
-    """Store what all outputs show of one result.
+    """Store the texts, tables, files and pictures of one result, for all outputs.
 
-    data: the dataset, written as `name`.nc, or None. parts: function that returns the texts and tables for a terminal.
-    record: function that returns the content for JSON. files: functions that write a file, by file name. pictures: by file
-    name. warnings: sentences. short: function that returns the short answer, most important part first; by default it is
+    data: the dataset, written as `name`.nc; None if there is none. parts: function that returns the texts and tables for a
+    terminal. record: function that returns the content for JSON. files: functions that write a file, by file name. pictures: by
+    file name. warnings: sentences. short: function that returns the short answer, most important part first; by default it is
     `parts`. is_brief: whether `parts` already is the short answer.
     """
 
@@ -106,7 +106,7 @@ class View:
     is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
-        """Return, by file name, the function that writes each table, dataset or picture to a path."""
+        """Return the function that writes each table, dataset or picture to a path, by file name."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 def surface_behavior(table: "xarray.Dataset") -> list[str]:
-    """Return the *SURFACE BEHAVIOR lines: contact pressure against overclosure.
+    """Return the *SURFACE BEHAVIOR lines of a friction table: contact pressure against overclosure.
 
-    table: friction table with `mean_separation`.
+    The overclosure is 0 at the separation that the table, extrapolated linearly, has without pressure.
     """
     pressure, gap = table["nominal_pressure"].values, table["mean_separation"].values
     touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
@@ -25,7 +25,7 @@ def surface_behavior(table: "xarray.Dataset") -> list[str]:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the Abaqus input of a friction table."""
+    """Return a friction table as text of an Abaqus input file."""
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION"]
     slip = ""
     if "elastic_slip" in table:

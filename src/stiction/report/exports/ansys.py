@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the APDL commands of a friction table."""
+    """Return a friction table as APDL commands."""
     lines = [f"! {text}" for text in table.attrs["comments"]]
     if "tangential_stiffness" in table:
         stiffness = table["tangential_stiffness"][table.attrs["working_row"]]

@@ -19,7 +19,7 @@ _MOST_ROWS = 20
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the CalculiX input of a friction table.
+    """Return a friction table as text of a CalculiX input file.
 
     Raises InputError if the table has no tangential stiffness, because *FRICTION needs one.
     """

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the COMSOL spreadsheet file of a friction table."""
+    """Return a friction table as text of a COMSOL spreadsheet file."""
     names = [name for name in table if name != "load"]
     heads = [f"{name} [{table[name].attrs['units']}]" for name in names]
     lines = [f"% {text}" for text in (*table.attrs["comments"], "   ".join(heads))]

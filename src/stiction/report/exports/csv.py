@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def heads_and_rows(table: "xarray.Dataset") -> list[list]:
-    """Return the rows of the table as lists; the first list holds the heads, "name [unit]"."""
+    """Return a friction table as lists: first the column heads, "name [unit]", then one list for each row."""
     units = {name: variable.attrs["units"] for name, variable in table.items()}
     heads = [f"{name} [{unit}]" if unit != "1" else str(name) for name, unit in units.items()]
     rows = zip(*(table[name].values for name in units), strict=True)
@@ -17,7 +17,7 @@ def heads_and_rows(table: "xarray.Dataset") -> list[list]:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the table as CSV."""
+    """Return a friction table as CSV text."""
     text = io.StringIO(newline="")
     csv.writer(text, lineterminator="\n").writerows(heads_and_rows(table))
     return text.getvalue()

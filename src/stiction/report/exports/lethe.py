@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the subsections of a parameter file. Raises InputError without spheres."""
+    """Return friction and surface energy of two spheres as text of a Lethe parameter file.
+
+    Raises InputError if the table has no spheres.
+    """
     spheres, load, mu, pull_off = sphere_contact(table)
     shared = {
         "friction coefficient": mu * load / (load + 2.0 * pull_off),

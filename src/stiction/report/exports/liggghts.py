@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the variables of an input script. Raises InputError without spheres."""
+    """Return friction coefficient and cohesion of two spheres as variables of a LIGGGHTS input script.
+
+    Raises InputError if the table has no spheres.
+    """
     spheres, load, mu, pull_off = sphere_contact(table)
     moduli = zip(spheres["youngs_modulus"], spheres["poissons_ratio"], strict=True)
     compliance = sum((1.0 - ratio**2) / modulus for modulus, ratio in moduli)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the constants of a friction table as JSON, one value for each load.
+    """Return the constants of the LuGre model as JSON text, one value for each load of a friction table.
 
     Raises InputError if the table has no tangential stiffness.
     """

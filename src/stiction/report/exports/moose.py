@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return the block of an input file."""
+    """Return a friction table as a [Functions] block of a MOOSE input file."""
     columns = (table["nominal_pressure"].values, table["friction_coefficient"].values)
     x, y = (" ".join(f"{value:.8g}" for value in column) for column in columns)
     lines = [f"# {text}" for text in table.attrs["comments"]]

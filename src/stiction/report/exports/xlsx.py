@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> bytes:
-    """Return the workbook. Raises InputError without openpyxl."""
+    """Return a friction table as the bytes of an Excel workbook.
+
+    Raises InputError if openpyxl is not installed.
+    """
     require("--to xlsx", "openpyxl")
     import openpyxl
 

@@ -31,7 +31,7 @@ _DIGITS = 6  # of a load that is read: its result differs in the sixth
 
 
 def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
-    """Return the command line that computes one model of a comparison again.
+    """Return the command line that computes one model of a comparison alone, at the working load.
 
     exact: whether to state the load with all its digits.
     """
@@ -112,11 +112,11 @@ GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model
 
 @dataclass(frozen=True)
 class Group:
-    """Represent one row of the comparison: models that agree on mu.
+    """Store one row of a comparison: models that agree on mu.
 
-    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: known mean
-    errors of the contact area on benchmark surfaces. least, most: range of mu corrected for the 90 % interval of that
-    error; equal to low and high if the error is unknown. status: status of the first model.
+    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: known mean errors
+    of the contact area on benchmark surfaces. least, most: range of mu after correction for both ends of the 90 % interval of
+    this error; equal to low and high if the error is unknown. status: status of the first model.
     """
 
     family: str
@@ -152,8 +152,8 @@ class Group:
 def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     """Return groups of models whose mu at the working load agrees within 10 %.
 
-    Order: groups within their claimed range, then other possible groups, then impossible ones; within these by family and
-    mu. every: put each model into a group of its own.
+    Groups within their claimed range come first, then other possible groups, then impossible ones. Among equals, groups are
+    sorted by family and mu. every: put each model into a group of its own.
     """
     models = [data.isel(model=index) for index in range(data.sizes["model"])]
     alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]
@@ -182,7 +182,7 @@ def _group(models: "list[xarray.Dataset]") -> Group:
 
 
 def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
-    """Return mu corrected for both ends of the 90 % interval of the area error on benchmark surfaces.
+    """Return mu after correction for both ends of the 90 % interval of the area error on benchmark surfaces.
 
     mu is unchanged where that interval is unknown.
     """
@@ -192,7 +192,7 @@ def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
 
 
 def group_row(group: Group) -> tuple[str, str, str, str]:
-    """Return the table cells of a group, one for each of GROUP_HEADS."""
+    """Return the table cells of a group, in the order of GROUP_HEADS."""
     mu = " to ".join(dict.fromkeys((number(group.low), number(group.high))))
     ends = dict.fromkeys(f"{end:+.0%}" for end in (min(group.errors), max(group.errors))) if group.errors else ["-"]
     status = group.status.replace("does not fit", "no", 1)
@@ -250,7 +250,7 @@ _OF_ANSWER = ("friction force", "warning", "not used")
 def comparison_view(
     case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
-    """Return the view of a comparison, with the prediction above it.
+    """Return the view of a comparison of models, with the prediction above it.
 
     every: show each model in a row of its own, with all notes. more: text that says where every model is listed.
     """

@@ -20,7 +20,7 @@ _ROWS, _COLUMNS = 12, 6
 def dataset_view(name: str, data: "xarray.Dataset") -> View:
     """Return the view of a dataset: its scalars, and a table and a CSV file for each dimension.
 
-    name: name of the study, with which file names begin.
+    name: name of the study; file names begin with it.
     """
     ordered = [*data.coords, *data.data_vars]
     columns = {str(along): [variable for variable in ordered if data[variable].dims == (along,)] for along in data.dims}

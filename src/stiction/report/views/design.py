@@ -34,7 +34,10 @@ def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
 
 
 def design_table(data: "xarray.Dataset", along: str) -> Table:
-    """Return a table with one row for each design, at most twelve rows. along: as for `columns_of`."""
+    """Return a table of the designs along a dimension, one row each, at most twelve rows.
+
+    along: dimension, as for `columns_of`.
+    """
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("constraint_violation", "violated")]
     rows = [[_cell(name, data[columns[name]].values[row]) for name in shown_columns] for row in range(data.sizes[along])]
@@ -63,7 +66,7 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield notes on a design: objectives, constraints, and those that are not met."""
+    """Yield notes on a design: its objectives and constraints, and whether they are met."""
     used = data.attrs
     yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:
@@ -82,7 +85,7 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return the list choices of a design in brackets, to name it; "" if there is only one design."""
+    """Return the list choices of a design in brackets, to tell it from others; "" if there is only one design."""
     taken = [
         data[name].values[row]
         for name in data.data_vars

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
-    """Return a table that states for which part of the theta-lambda plane each claim holds, by variant.
+    """Return a table that states, for each claim and variant, for which part of the theta-lambda plane the claim holds.
 
     point: theta and lambda of the last column, which gives the share of films for which the claim holds at that point.
     """
@@ -44,7 +44,10 @@ def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
 
 
 def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", point: Mapping[str, float], variant: str) -> View:
-    """Return the view of figures 1 to 3 of the paper and of its claims. point: theta and lam of the figures."""
+    """Return the view of figures 1 to 3 of the 2015 paper and of its claims.
+
+    point: theta and lam of the figures. variant: variant of the model that draws the figures.
+    """
     theta, lam = point["theta"], point["lam"]
     rows = summary(claims, theta, lam)
 

@@ -35,7 +35,7 @@ def parameter_table(data: "xarray.Dataset") -> Table:
 
 
 def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield notes on a fit: its quality, parameters that the data do not determine, and correlations."""
+    """Yield notes on a fit: its quality, parameters that the data do not determine, and correlations of parameters."""
     used = data.attrs
     good = f"chi square {used['chi_square']:.4g} of " if "chi_square" in used else ""
     yield Text(f"{good}{used['values']} values, {used['free']} free; errors: {used['errors']}")
@@ -49,7 +49,7 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def evidence_table(data: "xarray.Dataset") -> Table:
-    """Return a table of the models, ranked by how well the data support them."""
+    """Return a table of the compared models of a fit, those that the data support best first."""
     left = "chi_square" if "chi_square" in data else "scatter"
     rows: list[list[Any]] = []
     for number, name in enumerate(data["model"].values.tolist()):
@@ -64,7 +64,7 @@ def evidence_table(data: "xarray.Dataset") -> Table:
 
 
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return column heads and rows of the fitted parameters, for a CSV file."""
+    """Return the fitted parameters as column heads and rows for a CSV file, in SI units."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
     heads = ["parameter", *keys]
     rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
@@ -72,7 +72,7 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return column heads and rows of measured and fitted values in SI units, for a CSV file."""
+    """Return measured and fitted values as column heads and rows for a CSV file, in SI units."""
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
     return keys, rows_of(data, keys)
 

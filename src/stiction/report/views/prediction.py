@@ -28,7 +28,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
     """Return the view of a prediction.
 
     file: name of the case file, for the commands that the view suggests. details: whether to show the full answer.
-    saved: whether files are written, which takes one more line to say.
+    saved: whether files are written, about which the output has one more line.
     """
 
     def parts() -> Iterator[Any]:
@@ -58,7 +58,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
-    """Return the table of an answer, without the least important rows if it exceeds `most` lines."""
+    """Return the table of an answer; if it exceeds `most` lines, the least important rows are omitted."""
     for name in ("model", "along the load", "checked against", "uncertainty from", "bare metal"):
         if lines_of(facts(rows)) <= most:
             break
@@ -82,7 +82,7 @@ def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield what only the detailed answer shows: curve, all warnings, models, samples, inputs and interface."""
+    """Yield the texts that only the detailed answer shows: curve, warnings, models, samples, inputs and interface."""
     if data["load"].size > 1:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""

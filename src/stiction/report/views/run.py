@@ -29,7 +29,10 @@ _ROWS = 12
 
 
 def band_table(data: "xarray.Dataset") -> Table | Text:
-    """Return a table of the nominal result, its quantiles and their largest sampling error, for about twelve points."""
+    """Return a table of the nominal result, its quantiles over uncertain inputs, and the largest sampling error of these.
+
+    It has about twelve points. Of several array parameters the first values are shown.
+    """
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:
         return Text(f"{name} does not vary with the uncertain inputs", style="dim")
@@ -47,13 +50,13 @@ def band_table(data: "xarray.Dataset") -> Table | Text:
 
 
 def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield the table of quantiles, then notes on the uncertain inputs."""
+    """Yield the table of quantiles over uncertain inputs, then notes on these inputs."""
     yield band_table(data)
     yield from notes(uncertain_notes(data))
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield notes: uncertain inputs, how they were sampled, and how many samples are excluded or out of range."""
+    """Yield notes on the uncertain inputs: which they are, how they were sampled, and how many samples are excluded."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
         yield f"uncertain: {line}"
@@ -77,7 +80,10 @@ def with_meaning(warning: str) -> str:
 
 
 def in_draws(share: float, text: str) -> str:
-    """State in which fraction of the random samples a validity warning applies. text: the warning."""
+    """State in which fraction of the random samples a validity warning applies.
+
+    share: the fraction. text: the warning.
+    """
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 

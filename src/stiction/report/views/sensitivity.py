@@ -27,7 +27,7 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 
 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
-    """Return the results that have a variable `{result}_{end}`, friction first.
+    """Return the names of the results for which the variable `{result}_{end}` exists, friction first.
 
     end: e.g. "total_order". Results whose values are all NaN are omitted, except the first.
     """
@@ -40,7 +40,7 @@ def head_of(name: str) -> str:
 
 
 def working_place(data: "xarray.Dataset") -> int:
-    """Return the index of the point nearest to the working load; the middle index without a working load."""
+    """Return the index of the point nearest to the working load, or the middle index if there is no working load."""
     dim = points_dimension(data)
     count = data.sizes[dim] if dim else 1
     if "working_load" not in data.attrs or dim != "load":
@@ -55,7 +55,7 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def ranked(results: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
-    """Return the indices along `dim` that sort `{name}_{end}` by descending absolute value; NaN last."""
+    """Return the indices along `dim` that sort the variable `{name}_{end}` by descending absolute value, NaN last."""
     size = np.abs(results[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
@@ -102,7 +102,7 @@ def _signed(value: float) -> str:
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield the shares of the variance of mu by source, then the logarithmic sensitivities of mu."""
+    """Yield two tables: each source's share of the variance of ln mu, and the logarithmic sensitivities of mu."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)

@@ -27,7 +27,7 @@ _HEADS = {
 
 
 def sliding_table(data: "xarray.Dataset") -> Table:
-    """Return a table with one row for each load.
+    """Return a table of a result of `slide`, one row for each load.
 
     Columns: mu, largest tangential force over load, its displacement, and the tangential stiffness at rest.
     """

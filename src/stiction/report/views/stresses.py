@@ -34,7 +34,7 @@ _HEADS = {
 def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
     """Return the view of the film stresses of a case.
 
-    all_rows: show every point of the curve. with_section: also compute the stresses in a cross-section, for files.
+    all_rows: show every point of the curve. with_section: whether to compute also the stresses in a cross-section, for files.
     """
 
     def parts() -> Iterator[Any]:

@@ -77,7 +77,7 @@ def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
 
 
 def surface_in_short(analysis: Analysis) -> Table:
-    """Return a short table of a scan: size, heights with the kind of surface, spikes, and asperities."""
+    """Return a short table of a scan: size, heights, kind of surface, spikes and asperities."""
     surface, of_heights = analysis.surface, analysis.statistics
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size", 3) for length in surface.size)
@@ -107,7 +107,7 @@ def _in_short(analysis: Analysis) -> str:
 
 
 def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
-    """Return lines for a case file that uses this surface, either by the scan or by its asperities.
+    """Return lines that use this surface in a case file, once by the scan and once by its asperities.
 
     case_table: roughness table of a case that reads the scan again.
     """
@@ -153,7 +153,7 @@ def _moments(profile: ProfileMoments) -> str:
 
 
 def asperity_table(analysis: Analysis) -> Table:
-    """Return a table of sigma, R and N by each asperity method."""
+    """Return a table of sigma, R and N of one scan by each asperity method."""
     rows = []
     for method, result in analysis.asperities.items():
         cells = _cells(result.deviation, result.radius, result.density)
@@ -177,7 +177,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
 
 
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
-    """Return a table of sigma, R and N by each asperity method; the method used is bold.
+    """Return a table of the combined sigma, R and N of both bodies by each asperity method; the method used is bold.
 
     data: result of the case; it adds mu at the smallest and the largest compressive load.
     """
@@ -253,7 +253,7 @@ def _cells(deviation: float, radius: float, density: float) -> list[str]:
 
 
 def _ends(data: "xarray.Dataset") -> list[tuple[int, float]]:
-    """Return (index, load [N]) of the smallest and the largest compressive load; [] without one."""
+    """Return (index, load [N]) of the smallest and of the largest compressive load; [] if there is none."""
     loads = np.atleast_1d(data["load"].values).ravel()
     pressed = np.flatnonzero(loads > 0.0)
     if not pressed.size:

@@ -43,7 +43,7 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
 
 
 def _friction(store: "Store") -> Iterator[str]:
-    """Yield the range of mu over all points, if the store contains mu."""
+    """Yield lines on mu over all points of a sweep: its range, or its scatter between maps; none without mu."""
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
     if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:

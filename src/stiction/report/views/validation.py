@@ -24,7 +24,7 @@ _HOW = {
 
 
 def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield title, source and note of a measured series, and how many values it has."""
+    """Yield the title, source and note of a measured series, and its number of values."""
     about = data.attrs
     if about["kind"] == "synthetic":
         yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
@@ -92,7 +92,10 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
-    """Return the view of models against measured series. series: results by name of the series."""
+    """Return the view of models and prediction against measured series.
+
+    series: results by name of the series.
+    """
 
     def parts() -> Iterator[Any]:
         for data in series.values():
