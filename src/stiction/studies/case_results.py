@@ -150,7 +150,7 @@ def slide_case(
 
 
 def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
-    """Return the dataset with the dimensionless groups of the contact.
+    """Return a result with the dimensionless groups of the contact added.
 
     A single number becomes an attribute. An array becomes a variable, unless it is a coordinate already.
     """
@@ -168,7 +168,10 @@ def _check_choice(choice: Any) -> None:
 
 
 def choice_of_case(case: Case, choice: Choice) -> Choice:
-    """Return the choice for a case, with a model name replaced by the model and laws that it selects. Raises InputError."""
+    """Return the models and laws that a choice selects for a case. Raises InputError.
+
+    The name of a model may be any that `compare` shows; it is replaced by the model and laws that it stands for.
+    """
     _check_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:

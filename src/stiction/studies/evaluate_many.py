@@ -84,6 +84,9 @@ def evaluate_many(
 
 
 def part_of(value: Any, region: Region) -> Any:
-    """Return the part of a labelled array that lies in a region; return other values unchanged."""
+    """Return the part of a labelled array that lies in a region; other values are returned unchanged.
+
+    region: slice by dimension.
+    """
     mine = {dim: some for dim, some in region.items() if dim in getattr(value, "dims", ())}
     return value.isel(mine) if mine else value

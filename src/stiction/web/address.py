@@ -18,13 +18,16 @@ _STATE = "a case, as this page writes it into its address"
 
 
 def encoded(tables: Mapping[str, Any]) -> str:
-    """Return the tables as text for an address; "" if they are too large for an address."""
+    """Return case tables as text for the address of the page; "" if the text would be too long."""
     text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 
 def decoded(text: str) -> dict[str, Any]:
-    """Return the tables in the text of an address. Raises InputError for damaged text, or more than the largest case."""
+    """Return the case tables that the text of an address holds.
+
+    Raises InputError for damaged text, or for a case above 200,000 bytes.
+    """
     if len(text) > _LONGEST:
         raise InputError("address", f"{len(text)} characters", f"at most {_LONGEST} characters")
     try:
@@ -64,9 +67,10 @@ def _files_in(value: Any) -> Iterator[str]:
 
 
 def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
-    """Raise InputError if the tables name a file other than those of the served case and the uploaded ones.
+    """Raise InputError if case tables name a file that is not among the allowed ones.
 
-    Anybody can write an address, so it must not give access to other files of this machine.
+    Anybody can write an address, so it must not give access to other files of this machine. allowed: files of the served case
+    and uploaded files.
     """
     known = set(allowed)
     for name in files_named(tables):

@@ -18,7 +18,7 @@ from stiction.web.query import Answer, predicted_beside, remarks
 
 
 class AnswerCard:
-    """Show every new result as a card; for a named model also show the prediction."""
+    """Show every new answer as a card; if the case names a model, show the prediction as well."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -70,7 +70,7 @@ class AnswerCard:
         self._draw()
 
     def _show_moved_load(self, answer: Answer) -> None:
-        """State that the load changed, if the case states separations and the contact was changed."""
+        """Tell the visitor that the load changed, if the case states separations and its contact was changed."""
         pair, self._before = (self._before, answer), answer
         before, after = (one.query.tables for one in pair)
         solve = after.get("solve", {})
@@ -88,10 +88,10 @@ _ON_PAGE = {" (stiction interfaces)": "", ', e.g. kind = "ground"': "", "stictio
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
-    """Return the short answer card of the page, without commands, because a visitor has no case file.
+    """Return the short answer card of a prediction for the page, without commands, because a visitor has no case file.
 
-    A warning that the next step repeats is omitted. With a named model only the two numbers and the main warning
-    remain.
+    A warning that the next step repeats is omitted. named: result of the model that the case names, or ""; with it, only the
+    two numbers and the main warning remain.
     """
     card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
     if named:

@@ -14,7 +14,7 @@ from stiction.web.explorer import Explorer
 
 
 class AsperityTab:
-    """Draw the stresses after every answer and every move of the two sliders."""
+    """Draw the stresses under one asperity after every answer and after every move of the two sliders."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -53,7 +53,7 @@ class AsperityTab:
         self._sizes.set_text(self._sizes_of(found))
 
     def _sizes_of(self, found: OneAsperity) -> str:
-        """Return contact radius, load and pressure in words, with units where the contact has them."""
+        """Return contact radius, load and mean pressure of the asperity as text, with units if the contact has units."""
         subject: Any = self._explorer.answer.case.subject
         pressure = f"mean pressure {found.pressure:.3g} of the hardness of the bodies"
         rough = getattr(subject, "roughness", None)
@@ -67,7 +67,7 @@ class AsperityTab:
 
 
 def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
-    """Draw the stress over the section in colours: depth downwards, both axes to the same scale."""
+    """Draw the stress in a cross-section below the asperity in colours, with depth downwards and equal scales."""
     ends = [float(found.x[0]), float(found.x[-1])]
     series = [line("contact", [-1.0, 1.0], [0.0, 0.0], 1, z=4), mark("largest stress", found.at, "pin", 30, COLOURS[3])]
     if found.thickness <= found.z[-1]:

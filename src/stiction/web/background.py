@@ -24,9 +24,9 @@ async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) 
 
 
 class Latest(Generic[_T]):
-    """Run a function in a thread for one query at a time; skip all waiting queries but the newest.
+    """Run a function in a thread for one query at a time, and skip all waiting queries but the newest.
 
-    work: the function. show: called in the event loop with its result. refuse: called with an InputError of `work`.
+    work: the function. show: called in the event loop with the result of `work`. refuse: called with an InputError of `work`.
     """
 
     def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[InputError], object] = print):
@@ -59,7 +59,10 @@ class Latest(Generic[_T]):
 
 
 class Progress:
-    """Report the progress of a study, and stop it on request or after a time limit in seconds."""
+    """Record the progress of a study, and stop the study on request or after a time limit.
+
+    seconds: the time limit.
+    """
 
     def __init__(self, seconds: float = LONGEST) -> None:
         self._seconds = seconds
@@ -77,9 +80,10 @@ class Progress:
         self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
-        """Return the result of a function that runs in this thread, and interrupt it when stopped or timed out.
+        """Run a function in this thread, and return its result.
 
-        The time limit starts here, not while other studies run. Raises KeyboardInterrupt.
+        The function is interrupted when the study is stopped or times out. The time limit starts here, not while other studies
+        run. Raises KeyboardInterrupt.
         """
         self._end = time.monotonic() + self._seconds
         late = threading.Timer(self._seconds, self._interrupt)
@@ -96,7 +100,10 @@ class Progress:
                 self._thread = None
 
     def _interrupt(self) -> None:
-        """Raise KeyboardInterrupt in the working thread, because one step may take minutes while other studies wait."""
+        """Raise KeyboardInterrupt in the thread that runs the study.
+
+        A check between steps would come too late, because one step may take minutes.
+        """
         with self._guard:
             if self._thread is not None:
                 self.too_long = time.monotonic() > self._end
@@ -110,7 +117,10 @@ class Progress:
             raise KeyboardInterrupt
 
     def __call__(self, text: str) -> Callable[[Iterable], Iterator]:
-        """Return a function that wraps a list of steps and reports each step."""
+        """Return a function that wraps a list of steps and records each step as progress.
+
+        text: label of the steps.
+        """
 
         def wrapped(steps: Iterable) -> Iterator:
             listed = list(steps)
@@ -123,6 +133,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Report the number of designs that were tried, and a text on how many there will be at most."""
+        """Record how many designs were tried, and a text on how many there will be at most."""
         self.check()
         self.text, self.share = f"{count} designs tried, {text}", 0.0

@@ -12,9 +12,10 @@ _SCALE = 52  # pixels for the scale of colours below a narrow chart
 
 
 def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
-    """Return options of `charts.chart` that fit at every width; options without plane axes are returned unchanged.
+    """Return chart options that fit wide pages and telephones.
 
-    room: pixels for the legend of a wide chart.
+    options: as returned by `charts.chart`; options without plane axes are returned unchanged. room: pixels for the legend of a
+    wide chart.
     """
     if "grid" not in options:
         return dict(options)
@@ -25,7 +26,10 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 
 def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, Any]:
-    """Return the options that differ between narrow and wide charts; all are set, so that none of the other width remains."""
+    """Return the options in which a narrow chart differs from a wide one.
+
+    All of them are set for both widths, so that no option of the other width remains when the page changes.
+    """
     x, y, size = options["xAxis"], options["yAxis"], 11 if narrow else 12
     width, lines = _columns(options, room)
     beside = not (narrow and y["type"] == "category")  # else names stand above what is drawn in their row: there is room
@@ -55,9 +59,9 @@ def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, 
 
 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
-    """Return the width of each legend entry in pixels, that of the longest name, and the number of legend lines.
+    """Return the width of a legend entry in pixels, and the number of legend lines.
 
-    A name that is longer than the room is broken into lines.
+    The width is that of the longest name. A name that is longer than the room is broken into lines.
     """
     names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
     wanted = [_LETTER * len(name) for name in names] or [0.0]

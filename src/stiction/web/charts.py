@@ -28,20 +28,21 @@ _SHORT = (
 
 
 def numbers(values: Any) -> list[float | None]:
-    """Return numbers for JSON; None where they are not finite."""
+    """Return values as a list of numbers for JSON, with None for values that are not finite."""
     return [float(one) if np.isfinite(one) else None for one in np.atleast_1d(np.asarray(values, dtype=float))]
 
 
 def axis_name(variable: xarray.DataArray) -> str:
-    """Return meaning, symbol and unit of a result, short enough for a telephone."""
+    """Return the axis label of a result: meaning, symbol and unit, short enough for a telephone."""
     row, unit = QUANTITIES[str(variable.name)], unit_of(variable)
     return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 
 
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
-    """Return the ECharts options of a chart with named axes. title: description for screen readers.
+    """Return the ECharts options of a chart with named axes.
 
-    x, y: further options of the axes. series: its lines and points. dark: whether the page is dark.
+    title: description for screen readers. x, y: further options of the axes. series: lines and points of the chart. dark:
+    whether the page is dark.
     """
     ink, grid = INK[dark], _GRID[dark]
     look = {
@@ -79,7 +80,7 @@ def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
 
 
 def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour: str = RED) -> dict[str, Any]:
-    """Return a single point, drawn above all other series."""
+    """Return the ECharts series of a single point (x, y), drawn above all other series."""
     return {"name": name, "type": "scatter", "data": [list(map(float, point))], "symbol": symbol, "symbolSize": size, "z": 6,
             "itemStyle": {"color": colour, "borderColor": "white", "borderWidth": 1.5}}  # fmt: skip
 
@@ -87,10 +88,10 @@ def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour:
 def add_cells(
     options: dict[str, Any], name: str, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: tuple[float, str, str]
 ) -> None:
-    """Add coloured cells of values (x, y) below all other series, with their colour scale.
+    """Add coloured cells to a chart, below all other series, with a colour scale.
 
-    x, y: evenly spaced; on logarithmic axes at a constant ratio. scale: largest value (the smallest is 0), and the
-    labels of both ends.
+    x (n,), y (m,): centres of the cells, evenly spaced; on logarithmic axes at a constant ratio. values: (n, m). scale: largest
+    value (the smallest is 0), and the labels of both ends.
     """
     log = options["xAxis"]["type"] == "log"
     halves = [float((at[1] / at[0]) ** 0.5 if log else (at[1] - at[0]) / 2.0) for at in (x, y)]
@@ -127,7 +128,7 @@ def _positive(values: Any) -> np.ndarray:
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return values and axis options of the variable on the horizontal axis."""
+    """Return values and axis options of the variable on the horizontal axis: load or separation."""
     values = np.asarray(curve[against].values, dtype=float)
     axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
     if against == "load":
@@ -139,7 +140,10 @@ def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str,
 
 
 def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
-    """Draw a result against load or separation with its bands; the working load is marked."""
+    """Return the chart of a result against load or separation, with its bands.
+
+    here: index of the working load, which is marked.
+    """
     x, x_axis = _against(curve, against)
     y, predicted = _positive(curve[name].values), "level" in curve.attrs
     bands = {}
@@ -149,7 +153,7 @@ def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark:
     if f"{name}_quantile" in curve:
         shares = curve["quantile"].values[[0, -1]]
         ends = curve[f"{name}_quantile"].sel(quantile=shares).transpose("quantile", ...).values
-        bands["{:.0%} to {:.0%} of what is drawn".format(*shares)] = [_positive(end) for end in ends]
+        bands["{:.0%} to {:.0%} over uncertain inputs".format(*shares)] = [_positive(end) for end in ends]
     wide = _log([y, *(end for band in bands.values() for end in band)])
     y_axis: dict[str, Any] = {"name": axis_name(curve[name])} | ({"type": "log"} if wide else {"min": 0})
     series = [line("median" if predicted else y_axis["name"], x, y, 0)]
@@ -177,7 +181,10 @@ def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[d
 
 
 def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
-    """Draw the parts of a result as stacked shares of the sum of their absolute values."""
+    """Return the chart of the parts of a result as stacked shares of the sum of their absolute values.
+
+    what: a key of `share_pictures.stacks`.
+    """
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)
     series = []

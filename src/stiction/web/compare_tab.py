@@ -27,7 +27,10 @@ _PARTS = {"These fit the contact": (True, True), "These do not fit": (False, Tru
 
 
 class CompareTab:
-    """Compare models when the tab is opened and after every change while it is open; an outdated comparison is grey."""
+    """Compare models when the tab is opened, and after every change of the case while it is open.
+
+    A comparison is grey while it is outdated.
+    """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -90,7 +93,7 @@ class CompareTab:
 
 
 def tables_of(data: xarray.Dataset, groups: list[Group]) -> Iterator[tuple[str, Table]]:
-    """Yield title and table of suitable, unsuitable and impossible models, each sorted by mu."""
+    """Yield titles and tables of the models that suit the contact, do not suit it, or are impossible, each sorted by mu."""
     for title, kind in _PARTS.items():
         some = sorted((one for one in groups if (one.fits, one.possible) == kind), key=lambda one: one.low)
         rows = [[_title(one), group_row(one)[1], _why(data, one)] for one in some]
@@ -104,9 +107,9 @@ def _title(group: Group) -> str:
 
 
 def _why(data: xarray.Dataset, group: Group) -> str:
-    """Return why a group of models suits the contact or not.
+    """Return why a group of models suits the contact or not, as text.
 
-    For suitable models the text is the area error, else the most important validity warning with the claimed range.
+    For suitable models the text is the area error, otherwise the most important validity warning with the claimed range.
     """
     if group.fits:
         return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
@@ -116,7 +119,7 @@ def _why(data: xarray.Dataset, group: Group) -> str:
 
 
 def human_name(key: str) -> str:
-    """Return the name of a model, and of a law combined with it, as the literature cites them.
+    """Return the name of a model, and of a law combined with it, in the form in which the literature cites it.
 
     >>> human_name("kogut_etsion_2004 + layered")
     'Kogut-Etsion 2004, layered'

@@ -11,7 +11,7 @@ from stiction.web.explorer import Explorer
 
 
 class ContactTab:
-    """Draw the curves of every answer."""
+    """Draw the curves of every new answer."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -34,7 +34,7 @@ class ContactTab:
         self._explorer.redraw()
 
     def show(self) -> None:
-        """Draw the newest answer without an error."""
+        """Draw the curves of the newest answer that has no error."""
         answer = self._explorer.answer
         self._choices.set_visibility(not answer.is_prediction)
         attributes(self._point, max=answer.curve["load"].size - 1, aria_valuetext=self._explorer.headline[1])

@@ -23,7 +23,10 @@ def attributes(element: Any, **given: Any) -> Any:
 
 
 class Rows:
-    """Hold an element whose rows are rebuilt when they change; add: function that makes the elements of one row."""
+    """Hold a page element whose rows are rebuilt when they change.
+
+    add: function that adds the elements of one row.
+    """
 
     def __init__(self, element: Any, add: Callable[[Any], object]):
         self._element, self._add = element, add

@@ -35,13 +35,13 @@ _open: "WeakSet[Explorer]" = WeakSet()
 
 
 def close_all() -> None:
-    """Delete the data of every visitor when a signal ends the server, because Python then runs no clean-up."""
+    """Delete the uploads of every visitor when a signal ends the server, because Python then runs no clean-up."""
     for explorer in list(_open):
         explorer.close()
 
 
 class Explorer:
-    """Hold the case of one visitor, and call listeners after every new answer."""
+    """Hold the case of one visitor and its answer, and call listeners after every new answer."""
 
     def __init__(self, query: Query, answer: Answer):
         self.query, self.answer = query, answer  # the answer is the newest without an error
@@ -65,7 +65,7 @@ class Explorer:
         self._listeners.append(listener)
 
     def redraw(self) -> None:
-        """Show the same answer again."""
+        """Call all listeners again with the same answer."""
         with self.client:
             for listener in self._listeners:
                 listener()
@@ -113,14 +113,14 @@ class Explorer:
 
     @property
     def point(self) -> int:
-        """Return the index of the shown point of the curve; for a prediction, that of its working load."""
+        """Return the index of the shown point on the curve; for a prediction, the index of its working load."""
         if self.view.point is None or self.answer.is_prediction:
             return self.answer.middle()
         return min(self.view.point, self.answer.curve["load"].size - 1)
 
     @property
     def load(self) -> float:
-        """Return the load of the answer, in SI or normalised."""
+        """Return the load of the shown point, in N or normalised."""
         return float(self.answer.at(self.point)["load"])
 
     @property
@@ -147,7 +147,10 @@ class Explorer:
 
 
 def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables with the title of a case that has the same contact, or with a title that names the bodies."""
+    """Return case tables with a title that suits them.
+
+    If `titled` has the same contact, its title is used. Otherwise the title names the bodies.
+    """
     same = all(tables.get(name) == titled.get(name) for name in ("contact", "indices"))
     title = titled.get("title") if same else _described(tables)
     rest = {name: value for name, value in tables.items() if name != "title"}

@@ -55,7 +55,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class Number:
-    """A number field of the form: its path in the case tables, its quantity, and whether it is required."""
+    """Describe a number field of the form: its path in the case tables, its quantity, and whether it is required."""
 
     path: Path
     quantity: Quantity
@@ -104,7 +104,7 @@ class Number:
     def moved(self, given: Any, value: float) -> Any:
         """Return an entry of a case table with its number replaced by a new value in SI units.
 
-        An uncertain entry stays uncertain, with the same relative uncertainty.
+        given: the entry. An uncertain entry stays uncertain, with the same relative uncertainty.
         """
         before = self.si(given)
         if not with_error(given) or not before or not isinstance(given, str | Mapping):
@@ -116,7 +116,7 @@ class Number:
         return {**given, **{key: self.written(self.text(end * value / before)) for key, end in ends.items() if end is not None}}
 
     def knob(self, value: float) -> Knob:
-        """Return a slider that includes this value."""
+        """Return a slider whose range includes this value in SI units."""
         row = self.quantity
         linear = math.isfinite(row.lower) and (row.upper <= 2.0 or row.lower < 0.0)
         step = 0.005 if linear else 0.01
@@ -131,7 +131,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Choices:
-    """Hold a field of the case with a few allowed words.
+    """Describe a field of the case that takes one of a few words.
 
     default: the word that applies if the field is absent; NOT_STATED removes the field.
     """
@@ -143,7 +143,7 @@ class Choices:
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the form: one table of the case, such as "coating", with its fields.
+    """Describe a part of the form: one table of the case, such as "coating", with its fields.
 
     optional: whether the case may omit the whole table. A part may contain parts: a body, or the numbers that replace a named
     interface state.
@@ -164,7 +164,7 @@ def numbers_of(part: Part) -> Iterator[Number]:
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
-    """Return the parts of a form for these tables."""
+    """Return the parts of the form that suit these case tables."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
     found = list(_parts(Contact, ("contact",), False))

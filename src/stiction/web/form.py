@@ -48,7 +48,10 @@ _PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # pe
 
 
 class Form:
-    """Show the form of one visitor; it is rebuilt if the case gets other fields, and kept while a slider moves."""
+    """Show the form of one visitor.
+
+    The form is rebuilt if the case gets other fields, and kept while a slider moves.
+    """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -167,10 +170,11 @@ class Form:
         searched: bool = False,
         named: bool = True,
     ) -> None:
-        """Add a menu, including its present value if that is not among the choices; a choice rebuilds the form.
+        """Add a menu of values to the form; a choice rebuilds the form.
 
-        choose: receives the choice; by default the choice is stored at the path. searched: whether a name can be typed.
-        named: whether the label is shown.
+        value: present value, which is listed even if it is not among the values. path: address of the value in the case.
+        choose: receives the choice; by default the choice is stored at the path. searched: whether a name can be typed. named:
+        whether the label is shown.
         """
 
         async def chosen(event: Any) -> None:
@@ -190,7 +194,7 @@ class Form:
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
-        """Add a choice between separations and loads, with the ends and the number of points."""
+        """Add fields for the points of the curve: loads or separations, both ends and the number of points."""
         tables = self._explorer.query.tables
         solve = tables.get("solve", {})
         by = "load" if "load" in solve else "separation"
@@ -219,7 +223,10 @@ class Form:
         spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
     def _optional(self, part: Part, head: Any = None) -> None:
-        """Add a switch for an optional part, and the fields of the part if it is on; head: heading above the switch."""
+        """Add a switch for an optional part of the case, and the fields of the part if it is on.
+
+        head: heading beside which the switch is placed; None for a line of its own.
+        """
         given = value_at(self._explorer.query.tables, part.path)
         title = ENDINGS.get(part.path[-1], part.path[-1])
         with head or ui.element("div"):
@@ -230,7 +237,7 @@ class Form:
             self._fields(part)
 
     def _fields(self, part: Part) -> None:
-        """Add the fields of a part; optional numbers without a value follow last."""
+        """Add the fields of a part; its optional numbers without a value follow at the end of the form."""
         tables = self._explorer.query.tables
         for one in part.fields:
             if isinstance(one, Part):
@@ -245,7 +252,7 @@ class Form:
                 self._rare.append(one)
 
     def _roughness(self, part: Part) -> None:
-        """Add the fields of the surface: numbers of asperities, a finish with Sq or Ra, or a scan."""
+        """Add the fields of the roughness: numbers of asperities, a finish with Sq or Ra, or a scan."""
         given = value_at(self._explorer.query.tables, ROUGHNESS)
         bodies = isinstance(given, Mapping) and bool(given.keys() & {"first", "second"})
         scanned = bodies and not is_finished(given)
@@ -276,7 +283,7 @@ class Form:
         self.build()
 
     def _with_allowed_interface(self, tables: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the tables without a state of the interface that the bodies do not allow.
+        """Return case tables without an interface state that their bodies do not allow.
 
         The state is restored when the bodies allow it again.
         """
@@ -310,11 +317,14 @@ class Form:
                 self._number(number)
 
     def _number(self, number: Number, otherwise: str = "") -> None:
-        """Add the field of a number; otherwise: the number that applies if the text is empty."""
+        """Add the field of a number.
+
+        otherwise: text of the number that applies if the field is empty.
+        """
         self._inputs[number.path] = draw_number(self._explorer, number, otherwise)
 
     def _material(self, part: Part) -> None:
-        """Add a menu of materials, and the numbers of the chosen one."""
+        """Add a menu of materials for one body or film, and the fields of the chosen material."""
         tables = self._explorer.query.tables
         preset = str(value_at(tables, (*part.path, "preset")) or "")
         own = tables.get("materials")
@@ -335,7 +345,7 @@ class Form:
 
 @contextmanager
 def _group(title: str) -> Any:
-    """Add a part of the form with a title."""
+    """Add a group of fields with a title to the form."""
     with ui.element("div").classes("group"):
         with ui.element("div") as head:
             ui.label(title).classes("font-bold text-sm")
@@ -349,7 +359,7 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """Return a number if the text is one; else the text, which the case then refuses."""
+    """Return text as a number, or unchanged if it is no number; reading the case then raises the error."""
     try:
         return kind(text)
     except ValueError:

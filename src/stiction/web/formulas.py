@@ -13,7 +13,7 @@ _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr":
 
 
 def typeset(text: str) -> str:
-    """Return Markdown with its formulas as images; displayed formulas are set line by line."""
+    """Return Markdown in which formulas are images; displayed formulas are set line by line."""
     drawn: list[str] = []
 
     def display(found: re.Match[str]) -> str:
@@ -36,7 +36,7 @@ def typeset(text: str) -> str:
 
 @cache
 def _picture(tex: str, scale: float = _INLINE) -> str:
-    """Return the image of a formula; "" if it contains an unknown symbol."""
+    """Return the HTML image of a LaTeX formula; "" if it contains an unknown symbol."""
     import matplotlib
     from matplotlib.font_manager import FontProperties
     from matplotlib.mathtext import MathTextParser, math_to_image
@@ -59,7 +59,7 @@ def _picture(tex: str, scale: float = _INLINE) -> str:
 
 
 def _plain(tex: str) -> str:
-    """Rewrite a formula with commands that matplotlib supports, every argument in braces."""
+    """Rewrite a LaTeX formula with commands that matplotlib supports, and with every argument in braces."""
     tex = re.sub(r"\\([A-Za-z]+)", lambda command: _RENAMED.get(command[1], command[0]), tex)
     tex = re.sub(r"\\text\{[^}]*\}", lambda words: words[0].replace("text", "mathrm").replace(" ", r"\ "), tex)
     return braced(tex)

@@ -14,7 +14,8 @@ Scope = MutableMapping[str, Any]
 class Guard:
     """Refuse bad requests before they reach an ASGI application.
 
-    names: host names under which the server may be called; None for any.
+    names: host names under which the server may be called; None for any. visitors: function that returns the number of open
+    pages.
     """
 
     def __init__(
@@ -38,7 +39,7 @@ class Guard:
             await send({"type": "http.response.body", "body": body})
 
     def _refusal(self, scope: Scope) -> tuple[int, str]:
-        """Return status and message if a request is refused; the message is "" if it is accepted."""
+        """Return status and message of the answer to a refused request; (200, "") if the request is accepted."""
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
         if self._names is not None and _part_of(f"//{host}", "hostname") not in self._names:  # without its port
@@ -67,5 +68,5 @@ def _part_of(address: str, part: str) -> str | None:
 
 
 def names_for(host: str) -> frozenset[str] | None:
-    """Return the names under which a server bound to this host may be called: those of this machine, or None for any."""
+    """Return the names under which a server bound to `host` may be called; None for any name."""
     return _LOOPBACK if host in _LOOPBACK else None

@@ -33,9 +33,10 @@ def draw_line(
     moved: Callable[[float], Awaitable[None]],
     otherwise: str = "",
 ) -> tuple[ui.input, Any, Any]:
-    """Add a name, a text field and, if there is a value, a slider; return text field, slider and knob.
+    """Add a label, a text field and, if there is a value, a slider; return text field, slider and knob.
 
-    typed: receives the text. moved: receives the value of the slider. otherwise: placeholder of the empty text field.
+    written: content of the text field. value: in SI units. typed: receives the text of the field. moved: receives the value of
+    the slider. otherwise: placeholder of the empty text field.
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
@@ -55,7 +56,7 @@ def draw_line(
 def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.input:
     """Add the text field of a number and, if it has a value, a slider; return the text field.
 
-    An uncertain number keeps its relative uncertainty when it is moved.
+    An uncertain number keeps its relative uncertainty when the slider moves.
     """
 
     def given() -> Any:
@@ -78,9 +79,10 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
 
 
 def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callable[[], None]:
-    """Add the field of the working load, and register its text field in the inputs that show errors.
+    """Add the field of the working load, and return a function that updates it after an answer.
 
-    Returns a function that shows the load of the newest answer. If separations are stated, that load follows from them.
+    inputs: text fields by address; the new one is added so that errors appear below it. If the case states separations, the
+    load follows from them.
     """
     if not explorer.load > 0.0:
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
@@ -114,7 +116,10 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
-    """Return the tables at another working load; a single load is replaced, a range is scaled with it."""
+    """Return case tables at another working load [N]; a single load is replaced, and a range of loads is scaled.
+
+    before: present working load [N].
+    """
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
         return with_points(tables, {"load": [_LOAD.text(load)]})
@@ -127,7 +132,7 @@ def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str,
 
 
 def label_of(path: tuple[str, ...]) -> str:
-    """Return the label of a field."""
+    """Return the label of the field at an address of the case."""
     name = path[-1]
     if name in _LABELS or name not in QUANTITIES:
         return _LABELS.get(name, name)

@@ -98,7 +98,10 @@ async def make_page(query: Query, state: str) -> None:
 
 
 def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
-    """Return the answer for the case in the address, or for the served case with the error of the address."""
+    """Return the first answer of a page, and an error of its address or None.
+
+    state: text of a case from the address; "" for the served case, which is also used if the text has an error.
+    """
     if not state:
         return solved(query), None
     try:

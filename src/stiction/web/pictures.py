@@ -25,7 +25,7 @@ _CARD = """<q-card flat bordered class="w-full q-pa-sm q-mb-sm">HEAD<div v-for="
 
 
 class Shown(NamedTuple):
-    """Hold the tables and sentences, drawings and warnings that the page shows of a view."""
+    """Hold the parts of a view that the page shows: tables and sentences, drawings, and warnings."""
 
     parts: list[Any]
     drawings: list[str]
@@ -33,12 +33,15 @@ class Shown(NamedTuple):
 
     @classmethod
     def of(cls, view: View, narrow: bool) -> "Shown":
-        """Draw a view for a narrow page or a wide one."""
+        """Return the content of a view, drawn for a narrow page or a wide one."""
         drawings = [drawing_of(picture.draw(), picture.description, narrow) for picture in view.pictures.values()]
         return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
-        """Add tables, sentences and drawings to the page; opened: receives the name of a model selected in a table."""
+        """Add tables, sentences and drawings to the page.
+
+        opened: receives the name of a model that is selected in a table.
+        """
         for text in self.warnings:
             ui.label(text).classes("text-lg text-negative").props('role="alert"')
         for table in (part for part in self.parts if isinstance(part, Table)):
@@ -70,7 +73,10 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
 
 
 def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
-    """Return a figure as a drawing in the light or dark colours of the page; told: its description for screen readers."""
+    """Return a figure as an HTML drawing that follows the light or dark colours of the page.
+
+    told: description for screen readers.
+    """
     if narrow and figure.get_figwidth() > _NARROW:
         _make_narrow(figure)
     width = _PIXELS * figure.get_figwidth()

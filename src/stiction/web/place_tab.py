@@ -27,13 +27,16 @@ _claims: list[Any] = []  # the map of the claims, once judged: the same for ever
 
 @cache
 def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
-    """Return the caption of a figure, and the figure."""
+    """Return caption and drawing of one figure of the 2015 paper.
+
+    at: index of the figure. variant: variant of the paper's model.
+    """
     curves = panel_curves(PANELS[at], _INDICES["theta"], _INDICES["lam"], variant)
     return curves.caption, drawing_of(panel_figure(curves), curves.caption, narrow)
 
 
 class PlaceTab:
-    """Draw the plane after every answer, and a figure when it is selected."""
+    """Draw the plane of the adhesion indices after every answer, and a figure of the paper when it is selected."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -71,7 +74,7 @@ class PlaceTab:
             _claims.append(claim_map(progress=progress("Judging the claims")))
 
     def show(self) -> None:
-        """Draw the plane with the present contact, and the share of cases in which the selected claim holds."""
+        """Draw the plane with the present contact and the region in which the selected claim holds."""
         place = None
         try:
             place = place_of(self._explorer.answer.case.subject)

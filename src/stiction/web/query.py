@@ -35,26 +35,26 @@ _MORE = "on a page; `stiction run` takes more"
 
 @dataclass(frozen=True)
 class Query:
-    """Hold a case as the page edits it: tables, folder of its files, and the files that it may read."""
+    """Hold a case as the page edits it: its tables, the folder of its files, and the files that it may read."""
 
     tables: Mapping[str, Any]
     folder: Path = Path()
     files: frozenset[str] = frozenset()
 
     def with_tables(self, tables: Mapping[str, Any]) -> "Query":
-        """Return the query with other tables."""
+        """Return the same query with other case tables."""
         return replace(self, tables=tables)
 
     def at_load(self, load: Any) -> "Query":
-        """Return the query at one load, written as in a case file."""
+        """Return the same query at one load, written as in a case file."""
         return self.with_tables(with_points(self.tables, {"load": [load]}))
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Hold the result of a case.
+    """Hold the result of a query.
 
-    data: a prediction or, if the case names a model, the result of that model. input_warnings: about improbable inputs.
+    data: a prediction or, if the case names a model, the result of that model. input_warnings: texts about improbable inputs.
     """
 
     query: Query
@@ -69,18 +69,21 @@ class Answer:
 
     @cached_property
     def curve(self) -> xarray.Dataset:
-        """Return the result over its loads or separations; for a parameter sweep, at the first value of each array."""
+        """Return the result along its loads or separations.
+
+        For a parameter sweep, the curve is that of the first value of each array.
+        """
         *arrays, along = self.data["load"].dims or (None,)
         curve = self.data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve
 
     def at(self, point: int) -> xarray.Dataset:
-        """Return the results at a point of the curve."""
+        """Return the results at the point of the curve with index `point`."""
         curve = self.curve
         return curve.isel(dict.fromkeys(curve["load"].dims, point))
 
     def middle(self) -> int:
-        """Return the index of the working load of a prediction, or of the middle compressive load."""
+        """Return the index of the working load of a prediction; for one model, of the middle compressive load."""
         load = np.atleast_1d(self.curve["load"].values)
         if "working_load" in self.curve.attrs:
             return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))
@@ -104,7 +107,7 @@ def read_query(query: Query) -> Case:
 
 
 def _without_folders(error: InputError, query: Query) -> InputError:
-    """Return the error without the folders of this machine, which no visitor needs to know: files keep their names."""
+    """Return an error whose texts name files without their folders, which no visitor needs to see."""
     folders = [f"{Path(query.folder, name).resolve().parent}{os.sep}" for name in query.files]
 
     def bare(text: Any) -> Any:
@@ -135,7 +138,10 @@ def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xar
 
 
 def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
-    """Return the prediction at a load for a case that names a model; None if no prediction is possible."""
+    """Return the prediction at a load for a case that names a model; None if no prediction is possible.
+
+    load: in N or normalised, as in the answer.
+    """
     try:
         return prediction_of(answer.case, load) if load > 0.0 else None
     except InputError:
@@ -143,7 +149,7 @@ def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
 
 
 def law_names(case: Case) -> dict[str, list[str]]:
-    """Return the models that apply to a case and the laws of every kind, by key of the table [solve]."""
+    """Return the names of applicable models and of all laws, by key of the table [solve]."""
     names: dict[str, list[str]] = {choice: [] for choice in LAWS}
     for kind in kinds():
         names.get(kind.keyword, []).extend(of_kind(kind))
@@ -151,7 +157,7 @@ def law_names(case: Case) -> dict[str, list[str]]:
 
 
 def states_of(query: Query) -> list[str]:
-    """Return the interface states that the bodies of a query allow; all states if the bodies are unknown."""
+    """Return the interface states that the bodies of a query allow; all states if the bodies cannot be read."""
     try:
         subject = read_query(query.with_tables(with_value_at(query.tables, INTERFACE, None))).subject
     except InputError:
@@ -170,9 +176,9 @@ _WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_sep
 
 
 def headline(answer: Answer, point: int) -> tuple[str, str]:
-    """Return mu and the operating point in words, for a prediction with its interval.
+    """Return mu with its interval or digits, and the operating point, as two texts.
 
-    For one model the operating point is load, area and separation.
+    point: index on the curve; a prediction always states its working load.
     """
     if answer.is_prediction:
         return answer_lines(answer.data)[0]
@@ -187,7 +193,7 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
 
 
 def remarks(answer: Answer) -> list[str]:
-    """Return sentences on the model, its grade, improbable inputs, and inputs without effect."""
+    """Return sentences below an answer: its model and grade, improbable inputs, and inputs without effect."""
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
     lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]

@@ -20,7 +20,7 @@ _PATIENCE = 600.0  # seconds for a page: models have kernels that are compiled o
 
 
 def query_of(case: Path | None) -> Query:
-    """Return the case of a file, or the default case. Raises InputError.
+    """Return the query of a case file, or of the default case without a file. Raises InputError.
 
     The case is solved before the server starts. This reports errors of the file at once, compiles kernels and imports
     laws, so that the first page loads fast.
@@ -38,7 +38,7 @@ def query_of(case: Path | None) -> Query:
 
 
 def check_port(host: str, port: int) -> None:
-    """Raise InputError for an address that cannot be bound."""
+    """Raise InputError if the server cannot be bound to this host and port."""
     try:
         family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
         with socket.socket(family, socket.SOCK_STREAM) as trial:

@@ -27,7 +27,7 @@ def _view(answer: Answer) -> View:
 
 
 def content(answer: Answer, name: str) -> bytes:
-    """Return a file of one of KINDS as bytes."""
+    """Return the content of the file `name`, one of KINDS, for an answer."""
     if name == "case.toml":
         return as_toml(answer.query.tables).encode()
     with tempfile.TemporaryDirectory(prefix="stiction-") as folder:
@@ -44,7 +44,7 @@ def report_of(answer: Answer, progress: Progress) -> bytes:
 
 
 class ShareTab:
-    """Show the case as text, as an address and as files."""
+    """Offer the case as text, as an address and as files."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer

@@ -29,7 +29,7 @@ _NONE = ""  # the choice of no free number
 
 
 def run_sensitivity_study(query: Query, progress: Progress) -> View:
-    """Return which input should be measured better. Raises InputError."""
+    """Return the view of a sensitivity study: which input should be measured better. Raises InputError."""
     from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.sensitivity.run import sensitivity
 
@@ -37,7 +37,11 @@ def run_sensitivity_study(query: Query, progress: Progress) -> View:
 
 
 def run_design_study(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
-    """Return values of the free numbers, within their limits, at which mu meets a target at a load. Raises InputError."""
+    """Return the view of a design study, which searches free numbers with which mu meets a target.
+
+    load: at which mu is computed. target: of mu. free: table [design.choose] of a case file, with the limits of each number.
+    Raises InputError.
+    """
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
     from stiction.studies.design.run import run_design
@@ -51,7 +55,11 @@ def run_design_study(query: Query, load: str | float, target: float, free: dict[
 
 
 def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
-    """Fit free numbers of the case to measured series; load: where to predict mu afterwards. Raises InputError."""
+    """Return the view of a fit of free numbers of the case to measured series.
+
+    load: load of the prediction after the fit. data: file of the measured values. free: table [fit.free] of a case file. Raises
+    InputError.
+    """
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
     from stiction.studies.fit.plan import make_fit_plan
@@ -66,7 +74,7 @@ def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, A
 
 
 class StudiesTab:
-    """Show a card for each study."""
+    """Show one card for each study, with its fields and its button."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer

@@ -14,10 +14,10 @@ _EVERY = 0.3  # seconds between looks at the progress
 
 
 class Study:
-    """Run one study at a time for each visitor, and mark its result as old after the case has changed.
+    """Offer a study that runs once at a time for each visitor, and mark its result as old after the case has changed.
 
-    explorer: state of the visitor, None if the result does not depend on the case. work(progress): runs in a thread.
-    show: receives the result in the event loop. done: text after the run.
+    explorer: state of the visitor; None if the result does not depend on the case. work: function of a Progress that runs in a
+    thread. show: receives the result in the event loop. done: text after the run.
     """
 
     def __init__(
@@ -61,7 +61,10 @@ class Study:
         self._old.set_visibility(self._shown is not None and self._shown != self._present())
 
     def _watched(self, progress: Progress) -> Any:
-        """Run the study; first record the answer, so that a change of the case during the run marks the result as old."""
+        """Run the study, after recording the answer to which its result will belong.
+
+        A change of the case during the run then marks the result as old.
+        """
         self._asked = self._present()
         return self._work(progress)
 

@@ -40,7 +40,10 @@ _STEP = 0.005  # of the decimal logarithm of a wavevector
 
 
 class SurfaceTab:
-    """Show one scan of one visitor; spectrum and friction are updated while a cutoff moves, drawings after its release."""
+    """Show one scan of one visitor.
+
+    Spectrum and friction are updated while a cutoff moves, drawings after it is released.
+    """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -99,7 +102,10 @@ class SurfaceTab:
             self._used = attributes(ui.switch(use, on_change=self._released), aria_label=use)
 
     def _handle(self, name: str) -> tuple[Any, Any]:
-        """Add a handle below the spectrum at its wavevector, so that the axis of the chart is its scale."""
+        """Add a slider for one cutoff below the spectrum, and return it with its label.
+
+        The slider spans the axis of the chart, so that its position is a wavevector.
+        """
         label = ui.label().classes("text-sm")
         slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0).classes("under-chart")
         attributes(slider, aria_label=f"{name} wave that is kept, by the logarithm of its wavevector")
@@ -127,7 +133,7 @@ class SurfaceTab:
         await self._released()
 
     def _band(self) -> Band:
-        """Return the band between the handles; a handle at the end of the spectrum sets no cutoff."""
+        """Return the band of wavelengths between the two sliders; a slider at its end sets no cutoff."""
         lengths: dict[str, float | None] = {}
         for (name, (slider, label)), end in zip(self._ends.items(), self._limits, strict=True):
             place = float(slider.value)

@@ -37,20 +37,23 @@ _MOST_POINTS = 1_500_000  # of a scan on the page
 
 @dataclass(frozen=True)
 class Band:
-    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept; None for no cutoff."""
+    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept.
+
+    shortest, longest: None for no cutoff.
+    """
 
     form: int = 1
     shortest: float | None = None
     longest: float | None = None
 
     def of(self, surface: HeightMap) -> HeightMap:
-        """Return the surface filtered to this band."""
+        """Return a surface without its form, filtered to this band."""
         return prepared(surface, self.form, None, None, self.shortest, self.longest)
 
 
 @dataclass(frozen=True)
 class Scan:
-    """Hold a scan of a visitor: its heights, its file, and the properties stated for it, as in a case file."""
+    """Hold a scan of a visitor: its heights, its file, and the properties that the visitor stated."""
 
     surface: HeightMap
     file: str
@@ -81,7 +84,10 @@ def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
 
 
 def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
-    """Predict friction at a load [N], with the filtered scan as roughness of the first body; return HTML."""
+    """Return HTML with the friction at a load [N], if the filtered scan is the roughness of the first body.
+
+    An error is returned as text.
+    """
     if "contact" not in query.tables:
         return "Friction with this surface needs a case in units: choose an example."
     tables = with_value_at(query.tables, ("contact", "roughness"), scan.roughness(band))
@@ -93,9 +99,9 @@ def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
-    """Analyse a filtered scan; return the analysis, a drawing of its asperity heights, and its map with asperities.
+    """Return the analysis of a filtered scan, the drawing of its asperity heights, and its map with asperities.
 
-    method: the asperity method whose asperities are marked. Raises InputError.
+    method: the asperity method whose asperities are marked on the map. Raises InputError.
     """
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
@@ -110,14 +116,17 @@ def map_picture(found: Analysis, method: str, narrow: bool) -> str:
 
 
 def example_scan(path: Path) -> dict[str, str]:
-    """Write a generated self-affine surface, 256 x 256 points over 40 um; return the properties needed to read it."""
+    """Write a generated self-affine surface to a file, and return the properties that are needed to read it.
+
+    The surface has 256 x 256 points over 40 um.
+    """
     made = gaussian_surface((256, 256), (40e-6, 40e-6), SelfAffine(0.8, 10e-6, 0.8e-6, 50e-9), 1)
     np.save(path, made.heights * 1e9)
     return {"size": "40 um", "unit": "nm"}
 
 
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
-    """Draw the asperity numbers, and friction, against the shortest wavelength kept. Raises InputError."""
+    """Draw sigma, R, N and, if a contact is given, friction against the shortest wavelength that is kept. Raises InputError."""
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
     return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
@@ -136,7 +145,10 @@ def wavevectors(surface: HeightMap) -> tuple[float, float]:
 def spectrum_chart(
     whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
 ) -> dict[str, Any]:
-    """Draw the spectrum before and after the filter, between the ends [rad/m]; removed wavelengths are shaded."""
+    """Return the chart of a spectrum before and after the filter; removed wavelengths are shaded.
+
+    ends: wavevectors [rad/m] at both ends of the axis.
+    """
     top = math.ceil(math.log10(whole.density.max()))
     limits = [10.0 ** (top - _DECADES), 10.0**top]
     left_out = []
@@ -162,7 +174,7 @@ def spectrum_chart(
 
 
 def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
-    """Draw the heights of a selection of points in three dimensions, with a stretched vertical axis."""
+    """Return a three-dimensional chart of a surface, with a stretched vertical axis and at most about 96 points a side."""
     rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
     heights = surface.heights[::rows, ::columns] * 1e9
     along_y, along_x = surface.pitch[0] * rows * 1e6, surface.pitch[1] * columns * 1e6

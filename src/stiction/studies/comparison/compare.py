@@ -115,9 +115,9 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
 
 
 def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load: Any, progress: Steps) -> "xarray.Dataset":
-    """Return the comparison with the friction at the working load for each asperity method.
+    """Return the comparison with friction at the working load added for each asperity method.
 
-    contacts: the contact with the roughness of each method.
+    contacts: by method, the contact with the roughness that this method finds.
     """
     name = "friction_coefficient_at_load"
     if name not in data or len(contacts) < 2:
@@ -131,7 +131,7 @@ def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load:
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """Return the separations of the curves over sigma as an array. Raises InputError."""
+    """Return the separations of the curves, divided by sigma, as a checked array (n,). Raises InputError."""
     allowed = f"a sequence of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)
@@ -145,10 +145,10 @@ def _separations(given: Iterable[float]) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Comparison:
-    """The points at which all models are evaluated, in the units of the contact.
+    """Store the points at which all models are evaluated, in the units of the contact.
 
-    h: separations over the height deviation sigma that each model uses, (points,); loads: (1, points), for theories without
-    separations; target: working load, or None.
+    h: separations over the height deviation sigma that each model uses, (points,). loads: for theories without separations, (1,
+    points). target: working load, or None.
     """
 
     contact: Subject
@@ -178,14 +178,12 @@ _NUMBERS = ("measured_area_error", "measured_area_error_rms", "measured_friction
 
 @dataclass
 class _Answer:
-    """The results of one model, in the units of the contact.
+    """Store the results of one model in a comparison, in the units of the contact.
 
-    - curve: results (points,) by name; range_status: WITHIN, OUTSIDE or IMPOSSIBLE for each point
-    - at_load: results at the working load, None if the model cannot carry it
-    - outside: validity warnings at the working load, or of the curve without one
-    - attributes: values for the names in _TEXTS and _NUMBERS
-    - dry: whether the model ignores the liquid of the contact
-    - why_not: the reason for missing results, or for missing friction
+    curve: results (points,) by name. range_status: WITHIN, OUTSIDE or IMPOSSIBLE at each point. at_load: results at the working
+    load; None if the model cannot carry it. outside: validity warnings at the working load, or along the curve if there is
+    none. attributes: values for the names in _TEXTS and _NUMBERS. dry: whether the model ignores the liquid of the contact.
+    why_not: reason for missing results, or for missing friction.
     """
 
     candidate: Candidate
@@ -244,7 +242,7 @@ def _solve_candidate(situation: _Comparison, candidate: Candidate) -> _Answer:
 
 
 def _of_laws(problem: Problem) -> dict[str, str]:
-    """Return the grade of a model, the origin of its friction, and its resistance of plastic junctions."""
+    """Return attributes of a model: its grade, the basis of its friction, and how its plastic junctions resist shear."""
     grade = max(record.grade for record in problem.records())
     tangential = problem.chosen.tangential
     if tangential is None:
@@ -254,10 +252,10 @@ def _of_laws(problem: Problem) -> dict[str, str]:
 
 
 def _measured(errors: measured_error.MeasuredErrors) -> dict[str, Any]:
-    """Return the benchmark errors at the working load by name: in words, as JSON, and as three relative numbers.
+    """Return the benchmark errors of a model at the working load: as text, as JSON, and as three relative numbers.
 
-    The numbers are the geometric mean error of area and of mu, and the rms error of the area; NaN if no benchmark surface is
-    near. That of mu is also NaN if the interface strength does not decide mu.
+    The numbers are the geometric mean error of area and of mu, and the rms error of the area. They are NaN if no benchmark
+    surface is near. The error of mu is also NaN if the interface strength does not decide mu.
     """
     numbers = np.expm1(errors.area[0]), errors.relative[0], np.expm1(errors.friction[0])
     return measured_error.as_attributes(errors) | dict(zip(_NUMBERS, numbers, strict=True))
@@ -299,9 +297,9 @@ def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[s
 
 
 def _sensible(problem: Problem, results: dict[str, np.ndarray], answer: _Answer) -> dict[str, np.ndarray] | None:
-    """Return the results of a model, or None if the contact area is over 100 times the nominal area.
+    """Return the results of a model; None if its contact area exceeds 100 times the nominal area.
 
-    The reason is then added to the answer.
+    In that case the reason is added to the answer.
     """
     fraction = state_of(problem, results).get("area_fraction")
     if fraction is None or not fraction.item() > _MOST_AREA:
@@ -343,7 +341,7 @@ def _dataset(contact, answers: list[_Answer], target: float | None) -> "xarray.D
 
 
 def _attributes(contact, answers: list[_Answer], target: float | None) -> dict[str, Any]:
-    """Return the attributes of the dataset."""
+    """Return the attributes of a comparison: sources, models that are not applicable, criteria and working load."""
     used = dict.fromkeys(key for answer in answers for key in answer.sources)
     left_out = [f"{answer.candidate.name}: {answer.why_not}" for answer in answers if not answer.curve]
     attributes: dict[str, Any] = {
@@ -369,10 +367,10 @@ def criteria_of(contact: Subject) -> list[str]:
 
 
 def working_load(case: "Case", given: str | None) -> float | None:
-    """Return the load at which the models of a case are compared, or None if no load is above 0.
+    """Return the load at which the models of a case are compared; None if no load is above 0.
 
-    It is `given`, or the middle load of the case, or the load above 0 next to the middle. If the case has separations, its
-    own model gives the loads at these. Raises InputError.
+    given: load in words, which is used if it is stated. Otherwise it is the middle load of the case, or the load above 0 that
+    is next to the middle. If the case has separations, its own model gives the loads. Raises InputError.
     """
     case.subject.require_single(_ONE)
     if given is not None:
@@ -382,9 +380,9 @@ def working_load(case: "Case", given: str | None) -> float | None:
 
 
 def _compressive_load(subject: Subject, given: Any, field: str) -> float:
-    """Return the given load, in N for a Contact, dimensionless for Indices.
+    """Return a given load as a number, in N for a Contact, dimensionless for Indices.
 
-    Raises InputError unless it is a single load above 0.
+    Raises InputError unless it is a single load above 0. field: name of the option that the error names.
     """
     allowed = f"one load > 0 {subject.attributes('load')['units']}".removesuffix(" 1")
     if not isinstance(given, str) and np.ndim(given) > 0:

@@ -51,9 +51,9 @@ def dataset_of(search: "DesignSearch") -> "xarray.Dataset":
 
 
 def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, tuple]:
-    """Return choices, results and constraint violations of some evaluated designs as dataset variables.
+    """Return dataset variables of some evaluated designs: choices, results and constraint violations.
 
-    rows: indices of the designs among all evaluated ones; along: name of the dimension.
+    rows: indices of the designs among all evaluated ones. along: name of the dimension.
     """
     shares, worst, known = search.shares[rows], search.answers.worst[rows], search.answers.known
     columns: dict[str, tuple] = {}
@@ -79,7 +79,7 @@ def _columns(search: "DesignSearch", rows: np.ndarray, along: str) -> dict[str, 
 
 
 def _violated(search: "DesignSearch", rows: np.ndarray) -> np.ndarray:
-    """Return for each of these designs the constraints that it violates, one a line; "" if it meets all.
+    """Return the constraints that each design violates, as one text with one constraint a line; "" if it meets all.
 
     rows: indices of the designs among all evaluated ones.
     """
@@ -127,9 +127,9 @@ def designed_case(search: "DesignSearch", out: Path) -> str:
 
 
 def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
-    """Return the tables of a case file with the numbers and list entries of a design written in.
+    """Return the tables of a case file with the choices of a design written in.
 
-    numbers: address in the case -> number or entry.
+    numbers: number or list entry by address in the case.
     """
     for path, entry in sorted(numbers.items(), key=lambda one: one[0][-1] in QUANTITIES):  # a material before numbers of it
         if path == LOAD:

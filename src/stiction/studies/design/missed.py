@@ -11,9 +11,9 @@ _NEAR = 0.01  # of a target: nearer than this counts as met
 
 
 def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield for each target objective its result's name and the relative distances of designs (n,) from the target value.
+    """Yield each objective with a target: the name of its result, and the relative distances (n,) of n designs from the target.
 
-    A distance is (result - target) / |target|. known: results by name (n,).
+    A distance is (result - target)/|target|. known: results (n,) by name.
     """
     for objective, target in zip(plan.objectives, plan.targets, strict=True):
         if objective.target:
@@ -21,9 +21,9 @@ def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[t
 
 
 def missed_objectives(plan: DesignPlan, known: Mapping[str, np.ndarray], row: int) -> list[str]:
-    """Return one sentence for each target that the design misses by more than 1 %.
+    """Return one sentence for each target that a design misses by more than 1 %, with the difference in percent.
 
-    It states the result, the target and the difference in percent. row: index of the design in the results `known`.
+    known: results (n,) by name. row: index of the design.
     """
     targets = {objective.quantity: target for objective, target in zip(plan.objectives, plan.targets, strict=True)}
     found = []

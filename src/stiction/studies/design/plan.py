@@ -27,10 +27,10 @@ _MOST_FREE, _MOST_OPTIONS, _MOST_WAYS = 8, 100, 2000
 
 @dataclass(frozen=True)
 class Options:
-    """A list from which the search chooses one entry.
+    """Describe a list from which the search chooses one entry.
 
-    path: address of the entry in the case; entries: numbers in SI units, or names and tables of a case file; words: the
-    entries as text; is_number: whether the entries are numbers.
+    path: address of the entry in the case. entries: numbers in SI units, or names and tables of a case file. words: the
+    entries as text. is_number: whether the entries are numbers.
     """
 
     path: Address
@@ -48,7 +48,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Limit:
-    """A constraint of a design: a result must lie between low and high; an infinite end does not bind."""
+    """Describe a constraint of a design: a result must lie between low and high; an infinite end does not bind."""
 
     quantity: str
     low: float
@@ -66,9 +66,10 @@ class Limit:
 class DesignPlan:
     """Hold the checked input of a design search.
 
-    content: tables of the case without its study tables; given: tables as the user wrote them; folder: file names in them are
-    relative to it. free: numbers chosen between ends; options: lists to choose from. targets: target value of each objective
-    in SI units, NaN if it has none. effort: generations of the search. uncertain: uncertain numbers of the case.
+    content: tables of the case without its study tables. given: tables as the user wrote them. folder: file names in the tables
+    are relative to it. free: numbers chosen between two ends. options: lists to choose from. targets: target value of each
+    objective in SI units, NaN if it has none. effort: number of generations of the search. uncertain: uncertain numbers of the
+    case.
     """
 
     content: Mapping[str, Any]
@@ -96,12 +97,12 @@ class DesignPlan:
 
 
 def quantity_of(name: str) -> str:
-    """Return the quantity of a result; an interval end, as friction_coefficient_low, has that of its median."""
+    """Return the quantity of a result; the end of an interval, e.g. friction_coefficient_low, has that of its median."""
     return name if name in QUANTITIES else name.removesuffix("_low").removesuffix("_high")
 
 
 def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> DesignPlan:
-    """Return the design plan of a case file's tables.
+    """Return the checked design plan that the tables of a case file describe.
 
     folder: file names in the tables are relative to it. Raises InputError.
     """

@@ -48,10 +48,10 @@ _BEYOND_ALL = 1e100  # more than any objective: the cost of a design that breaks
 
 @dataclass
 class DesignSearch:
-    """Hold the state of a design search: its plan, its evaluator of designs, and all designs so far.
+    """Hold the state of a design search: its plan, the evaluator of designs, and all designs evaluated so far.
 
-    shares (n, d): position of each of d choices between its ends or along its list, 0 to 1, of every evaluated design. answers:
-    their results. started: clock time at the begin of the search, in seconds. stopped: whether it was interrupted.
+    shares (n, d): of n designs, the position of each of d choices between its ends or along its list, 0 to 1. answers: results
+    of these designs. started: clock time at the start of the search [s]. stopped: whether the search was interrupted.
     """
 
     plan: DesignPlan
@@ -62,7 +62,10 @@ class DesignSearch:
     stopped: bool = False
 
     def evaluate(self, shares: np.ndarray, callback: Callback) -> Evaluated:
-        """Evaluate further designs (m, d) and keep them."""
+        """Evaluate further designs, shares (m, d), and append them to the evaluated ones.
+
+        callback: receives the number of designs evaluated so far and a text.
+        """
         answers = self.space.answers(shares)
         self.shares = np.concatenate([self.shares, shares])
         self.answers = self.answers.followed_by(answers)
@@ -71,21 +74,21 @@ class DesignSearch:
 
     @cached_property
     def most(self) -> int:
-        """The largest number of designs that are evaluated."""
+        """Return the largest number of designs that the search evaluates."""
         return most_designs(self.space)
 
     @property
     def work_left(self) -> str:
-        """Return the largest number of designs to evaluate, and the time that those left take, as text."""
+        """Return the largest number of designs to evaluate as text, with the time left if it exceeds 90 s."""
         count = len(self.shares)
         seconds = (time.monotonic() - self.started) / count * max(self.most - count, 0)
         minutes = f", at most {seconds / 60.0:.0f} min left" if seconds > 90.0 else ""
         return f"of at most {self.most}{minutes}"
 
     def best(self, number: int = 0) -> np.ndarray:
-        """Return the index of the best design for each combination of list entries, the best first.
+        """Return the index of the best design for each combination of list entries, the best of all first.
 
-        The index counts all evaluated designs. number: index of the objective. If no design meets the constraints, those with
+        The index counts all evaluated designs. number: index of the objective. If no design meets the constraints, designs with
         the least violation come first.
         """
         order = np.lexsort((self.answers.objectives[:, number], np.maximum(self.answers.worst - TOLERANCE, 0.0)))
@@ -151,7 +154,7 @@ def plan_of_design(case: Any) -> DesignPlan:
 def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = True) -> DesignSearch:
     """Run the design search of a plan and return its final state.
 
-    An interruption (Ctrl-C) after the first designs returns the state so far, unless keep_on_interrupt is False.
+    An interruption (Ctrl-C) after the first designs returns the state reached, unless keep_on_interrupt is False.
     """
     started, space = time.monotonic(), DesignSpace(plan)
     drawn = first_designs(space)
@@ -174,10 +177,10 @@ def run_design(plan: DesignPlan, callback: Callback, keep_on_interrupt: bool = T
 
 
 def _searched(search: DesignSearch, number: int, ceiling: float | None, callback: Callback) -> None:
-    """Search one objective by differential evolution (Storn & Price 1997).
+    """Search designs for one objective by differential evolution (Storn & Price 1997), and add them to the search.
 
     number: index of the objective. ceiling: upper bound of the other objective. Designs that meet all constraints rank before
-    all others (Deb 2000). The search continues from the best known designs, once for each of the best combinations of list
+    all others (Deb 2000). The search starts from the best known designs, once for each of the best combinations of list
     entries.
     """
     if not search.plan.free:
@@ -215,7 +218,7 @@ def _ends(search: DesignSearch, number: int) -> "_StopWithoutGain":
 
 @dataclass
 class _StopWithoutGain:
-    """Stopping rule of differential evolution, called after each generation; True stops the search.
+    """Stop differential evolution when it no longer improves; called after each generation.
 
     It stops if no member of the population improved for more than `most` generations, or if the lowest cost is at most `met`.
     least: smallest improvement that counts, relative to the cost.
@@ -235,9 +238,9 @@ class _StopWithoutGain:
 
 
 def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.ndarray, callback: Callback) -> np.ndarray:
-    """Return the cost (n,) of designs for one objective; designs that violate a constraint cost more than all others.
+    """Return the cost (n,) of designs for one objective; a design that violates a constraint costs more than all others.
 
-    number: index of the objective; ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
+    number: index of the objective. ceiling: upper bound of the other objective. shares (n, d): position of each choice, 0 to
     1.
     """
     answers = search.evaluate(shares, callback)
@@ -246,7 +249,7 @@ def _cost(search: DesignSearch, number: int, ceiling: float | None, shares: np.n
 
 
 def _beyond(objectives: np.ndarray, worst: np.ndarray, number: int, ceiling: float | None) -> np.ndarray:
-    """Return the relative constraint violation (n,) of designs; 0 within half the tolerance.
+    """Return the relative constraint violation (n,) of designs; 0 if it is within half the tolerance.
 
     worst (n,): violation of the plan's constraints. ceiling: upper bound of the other objective, which counts as a constraint
     too.
@@ -279,7 +282,7 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 
 
 def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
-    """Refine the numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
+    """Refine the free numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
     Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it.
     """
@@ -312,7 +315,7 @@ def _refine(search: DesignSearch, number: int, start: np.ndarray, callback: Call
 
 
 def _search_front(search: DesignSearch, callback: Callback) -> None:
-    """Search designs between the two that are best for one objective each.
+    """Search Pareto-optimal designs between the two designs that are best for one objective each.
 
     The first objective is minimised with the other below a ceiling, for several ceilings (Haimes, Lasdon & Wismer 1971).
     """

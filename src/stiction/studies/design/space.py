@@ -39,8 +39,8 @@ _SAMPLES = 32
 class Evaluated:
     """Hold objectives, constraint violations and results of n designs.
 
-    objectives (n, 1 or 2), to be minimised. excess (n, limits + 1): relative excess over each limit, 0 or below if it is met;
-    the last column counts validity ranges that are left. known: name -> displayed value (n,).
+    objectives (n, 1 or 2): costs to be minimised. excess (n, limits + 1): relative excess over each limit, 0 or below if the
+    limit is met; the last column is the number of validity ranges that are violated. known: displayed results (n,) by name.
     """
 
     objectives: np.ndarray
@@ -49,7 +49,7 @@ class Evaluated:
 
     @property
     def worst(self) -> np.ndarray:
-        """Largest constraint violation of each design (n,); 0 if it meets all."""
+        """Return the largest constraint violation of each design (n,); 0 if it meets all constraints."""
         return np.maximum(self.excess, 0.0).max(axis=1, initial=0.0)
 
     def followed_by(self, more: "Evaluated") -> "Evaluated":
@@ -61,7 +61,7 @@ class Evaluated:
 
 @dataclass
 class DesignSpace:
-    """Evaluate the designs of a plan, given as shares (n, d).
+    """Evaluate the designs of a plan, given as shares (n, d) of n designs with d choices.
 
     A share is the position of a choice, 0 to 1: along its list, or between its low and high end. Lists come first.
     """
@@ -90,7 +90,7 @@ class DesignSpace:
     def _choice(self) -> Choice:
         """Return the model and laws that evaluate the designs, resolved for the middle of all choices.
 
-        Raises InputError if they do not compute an objective or a limited result.
+        Raises InputError if the model does not compute an objective or a limited result.
         """
         shares = np.full((1, self.dimension), 0.5)
         numbers, points = self._contacts(shares, np.arange(1))
@@ -108,7 +108,10 @@ class DesignSpace:
         return choice
 
     def _prediction(self, subject: Any) -> Choice:
-        """Return the choice of a prediction; raise InputError for an objective or limit that it does not compute."""
+        """Return the choice that evaluates designs by prediction.
+
+        Raises InputError for an objective or limit that a prediction does not compute.
+        """
         for name in self.names:
             if name not in PREDICTED and name not in subject.all_groups():
                 allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be objectives"
@@ -116,18 +119,19 @@ class DesignSpace:
         return Choice(RECOMMENDED)
 
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Solve designs in batches; yield (region, case, results), region: slice of the designs.
+        """Solve designs in batches, and yield (region, case, results) of each batch.
 
-        numbers: address -> values; points: the loads. The results come from the named model, or from a prediction.
+        region: slice of the designs. numbers: values by address. points: the loads. The results come from the named model, or
+        from a prediction.
         """
         if not self.is_predicted:
             return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
-        """Return the case's uncertain numbers that the design does not set.
+        """Return the uncertain numbers of the case that the design does not set.
 
-        Left out are those in `chosen` and those of a material that is chosen from a list.
+        Numbers in `chosen` and numbers of a material that is chosen from a list are excluded.
         """
         replaced = [one.path for one in self.plan.options if not one.is_number]
         kept = [one for one in self.plan.uncertain if not any(one.path[: len(path)] == path for path in replaced)]
@@ -144,7 +148,7 @@ class DesignSpace:
 
     @property
     def named(self) -> list[int]:
-        """Indices of the choices from lists of entries that are not numbers, as materials."""
+        """Return the indices of the choices from lists of entries that are not numbers, such as materials."""
         return [at for at, one in enumerate(self.plan.options) if not one.is_number]
 
     def combination(self, shares: np.ndarray) -> np.ndarray:
@@ -178,7 +182,7 @@ class DesignSpace:
         return Evaluated(objectives, excess, known)
 
     def _taken(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
-        """Yield (region, case, results) of designs as `_evaluated` does, but nothing if all designs are refused."""
+        """Yield (region, case, results) of batches of designs as `_evaluated` does, but nothing if all designs are refused."""
         try:
             yield from self._evaluated(numbers, points)
         except (InputError, ArithmeticError):
@@ -186,11 +190,14 @@ class DesignSpace:
 
     @property
     def _kept(self) -> list[str]:
-        """Names of the results that are needed to judge designs."""
+        """Return the names of the results that are needed to evaluate designs."""
         return sorted({*self.names, "mean_separation"} - set(YIELDED))
 
     def violations(self, shares: np.ndarray) -> list[str]:
-        """Return the violated limits and validity ranges of one design, shares (d,), as texts; of a refused one the reason."""
+        """Return the violated limits and validity ranges of one design as texts; for a refused design, the reason.
+
+        shares (d,): its choices.
+        """
         try:
             numbers, points = self._contacts(shares[None, :], np.arange(1))
             case, solved = next((case, solved) for _, case, solved in self._evaluated(numbers, points))
@@ -212,10 +219,10 @@ class DesignSpace:
         return found + [words for bit, words in _validity_bits(solved, self.plan.validity).items() if bits & bit]
 
     def _alike(self, shares: np.ndarray) -> list[np.ndarray]:
-        """Return groups of designs that differ in numbers only, as arrays of indices, ordered by N R sigma.
+        """Return groups of designs that differ in numbers only, as arrays of indices.
 
-        N, R, sigma: density, radius and height deviation of asperities. The product decides which laws apply, so designs with
-        similar products are predicted together.
+        The designs are ordered by N R sigma, with density N, radius R and height deviation sigma of asperities. This product
+        decides which laws apply, so designs with similar products are predicted together.
         """
         order = np.argsort(self._summits(shares), kind="stable")
         if not self.named:
@@ -224,7 +231,7 @@ class DesignSpace:
         return [order[group.ravel() == at] for at in range(group.max() + 1)]
 
     def _summits(self, shares: np.ndarray) -> np.ndarray:
-        """Return the product of the chosen numbers of the roughness of each design (n,), in place of N R sigma."""
+        """Return the product of the chosen roughness numbers of each design (n,), as a substitute for N R sigma."""
         product = np.ones(len(shares))
         for at, free in enumerate(self.plan.free, start=len(self.plan.options)):
             if free.path[1:-1] == ("roughness",):
@@ -292,7 +299,7 @@ class DesignSpace:
     def _shown(self, tables: Mapping, objectives: list[np.ndarray], excess: list[np.ndarray]) -> dict[str, np.ndarray]:
         """Return the displayed value of each result (designs,), by name.
 
-        It is the result at the worst sample and load where a limit or an objective concerns it, and the median elsewhere.
+        A result that an objective or limit concerns is shown at the worst sample and load, other results by their median.
         """
         found = {name: np.median(table.reshape(len(table), -1), axis=1) for name, table in tables.items()}
         names = [*(one.quantity for one in self.plan.limits), *(one.quantity for one in self.plan.objectives)]
@@ -349,7 +356,10 @@ def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
 
 
 def _outside(solved: BatchResult, validity: str) -> np.ndarray:
-    """Return the number of violated ranges of validity at each point; `validity` says which ranges count."""
+    """Return the number of violated validity ranges at each point.
+
+    validity: which ranges count, as in [design].
+    """
     bits = solved.validity_warnings[1]
     return np.sum([(bits & bit) > 0 for bit in _validity_bits(solved, validity)], axis=0).astype(float)
 
@@ -371,7 +381,7 @@ def _counts(rule: Validity, validity: str) -> bool:
 
 
 def _worst(table: np.ndarray) -> np.ndarray:
-    """Return the worst value of each design (designs,) over the loads and over all but the worst 5 % of the samples.
+    """Return the worst value of each design (designs,) over the loads and over the best 95 % of the samples.
 
     table (designs, samples, loads): costs or violations, higher is worse.
     """
@@ -379,7 +389,7 @@ def _worst(table: np.ndarray) -> np.ndarray:
 
 
 def _place_of_worst(table: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the indices (designs, samples, loads) at which each design has its worst value, as in `_worst`."""
+    """Return the indices (designs, samples, loads) of the worst value of each design, as defined in `_worst`."""
     numbers = _refused_as_far(table)
     rows, loads = np.arange(len(table)), numbers.argmax(axis=2)
     order = np.argsort(numbers.max(axis=2), axis=1, kind="stable")

@@ -1,8 +1,9 @@
-"""Choose materials, thickness, roughness or load so that an objective comes true and limits are kept.
+"""Find materials, film thickness, roughness or load that best meet an objective within limits.
 
-The case says in [design] the objective, in [design.choose] what may be chosen, in [design.limits] what must hold.
-With two objectives, also the designs of which none is better in both. With --out: designed.toml, a case that `stiction run`
-takes, design.csv, pareto.csv, design.png, design.nc. Interrupted, it keeps the best so far.
+The case states the objective in [design], the choices in [design.choose] and the limits in [design.limits]. With two
+objectives, the output includes the Pareto front: designs that no other design beats in both. --out writes designed.toml, a case
+file for `stiction run`, design.csv, pareto.csv, design.png and design.nc. If interrupted, the command keeps the best design so
+far.
 """
 
 from collections.abc import Callable

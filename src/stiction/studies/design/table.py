@@ -9,7 +9,7 @@ from stiction.quantities.inputs import Input, Seed
 
 
 class Objective(Input):
-    """An objective of a design: minimise a result, maximise it, or bring it close to a target value."""
+    """Define an objective of a design: minimise a result, maximise it, or bring it close to a target value."""
 
     minimise: str | None = Field(None, description="the name of a result")
     maximise: str | None = Field(None, description="the name of a result")
@@ -39,7 +39,7 @@ class Objective(Input):
 
 
 class Design(Input):
-    """Settings of a design search: what may be chosen, objectives and constraints.
+    """Define the table [design] of a case file: what may be chosen, objectives and constraints.
 
     objective: one objective, or a list of two. choose: numbers of the contact and load with their ends, or lists from which
     one entry is taken. limits: results with their low or high ends. validity: "claimed" allows validity warnings about
@@ -54,4 +54,4 @@ class Design(Input):
     seed: Seed = 0
 
 
-TABLE = (Design, "what `stiction design` chooses, and the objective of it")
+TABLE = (Design, "choices and objectives of `stiction design`")

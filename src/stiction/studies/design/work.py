@@ -14,7 +14,7 @@ REFINED = 3  # ways to choose from lists whose numbers are refined
 
 
 def most_designs(space: DesignSpace) -> int:
-    """Return the largest number of designs that a search evaluates; most searches stop earlier, without gain."""
+    """Return the largest number of designs that a search evaluates; most searches stop earlier."""
     drawn, plan = first_designs(space), space.plan
     if not plan.free:
         return len(drawn)
@@ -46,9 +46,9 @@ def refinements(space: DesignSpace) -> int:
 
 
 def first_designs(space: DesignSpace) -> np.ndarray:
-    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
+    """Return the first designs to evaluate, as shares (n, d): Sobol points for every combination of list entries.
 
-    Without numbers to choose, each combination once.
+    Without free numbers, each combination occurs once.
     """
     plan, most = space.plan, _FEW_DRAWN * len(space.plan.objectives) ** 2 if space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]

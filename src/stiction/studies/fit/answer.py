@@ -29,10 +29,10 @@ _FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were giv
 class Fitted:
     """Hold one model with its best-fit free numbers and their intervals.
 
-    errors: standard errors (n,), multiplied by `scale` where their size was estimated from the scatter of the values (found).
-    stated: whether the data file states them. threshold: rise of chi square that marks the ends of an interval. freedom:
-    number of values minus number of free numbers that the model uses. profiles: one likelihood profile for each free number,
-    or none.
+    errors: standard errors (n,) of the measured values, multiplied by `scale`. found: whether this scale was estimated from the
+    scatter of the values. stated: whether the data file states the errors. threshold: rise of chi square that marks the ends of
+    an interval. freedom: number of values minus number of free numbers that the model uses. profiles: one likelihood profile
+    for each free number, or none.
     """
 
     name: str
@@ -52,7 +52,7 @@ class Fitted:
 
     @property
     def values(self) -> np.ndarray:
-        """Best-fit values (k,) of the free numbers, in SI units."""
+        """Return the best-fit values (k,) of the free numbers, in SI units."""
         return self.at(self.best.shares)
 
     @property
@@ -73,7 +73,7 @@ class Fitted:
         return -0.5 * len(self.errors) * np.log1p(rise / self.freedom) if self.found else -0.5 * rise
 
     def residuals(self) -> Residuals:
-        """Return the residuals function of the fit, which divides by the scaled standard errors."""
+        """Return the function that computes the residuals of the fit, divided by the scaled standard errors."""
         return _residuals(self.forward, self.errors)
 
 
@@ -97,7 +97,7 @@ def fitted(name: str, forward: ForwardModel, with_profiles: bool = True) -> Fitt
 
 
 def _searched(forward: ForwardModel, errors: np.ndarray, start: np.ndarray) -> Best:
-    """Return the best fit, searched from `start` (k,), the positions of the free numbers between their ends.
+    """Return the best fit of a model, searched from the positions `start` (k,) of the free numbers, 0 to 1.
 
     Errors far smaller than the measured values are enlarged for the search, all by one factor, which leaves the minimum in
     place. With small errors, all residuals away from the minimum would be clipped alike, and the search would find no slope.
@@ -123,7 +123,7 @@ def _over(best: Best, factor: float) -> Best:
 def _scaled(name: str, forward: ForwardModel, best: Best, given: tuple[np.ndarray, bool], with_profiles: bool) -> Fitted:
     """Return the fit with standard errors estimated from the scatter, if none were stated or the scatter exceeds them.
 
-    given: standard errors (n,), and whether they were stated. Stated errors are enlarged only where chi square is above its
+    given: standard errors (n,), and whether they were stated. Stated errors are enlarged only if chi square exceeds its
     99 % quantile.
     """
     from scipy.stats import chi2, f
@@ -148,7 +148,7 @@ def refitted(fit: Fitted, forward: ForwardModel) -> Fitted:
 
 
 def _errors(data: Measurements) -> tuple[np.ndarray, bool]:
-    """Return the standard error of each value, and whether the data state them.
+    """Return the standard error of each measured value (n,), and whether the data state the errors.
 
     Unstated errors are equal for all values; their size is estimated later from the scatter.
     """
@@ -250,7 +250,7 @@ def _indistinguishable(fit: Fitted) -> list[list[int]]:
 def _carries(fit: Fitted, at: int, other: int) -> bool:
     """Return whether free number `other` moves far along the profile of free number `at`.
 
-    Far means several times as far as `other` could move alone with a fit that is about as good as the best.
+    Far means several times as far as `other` could move alone without a much worse fit.
     """
     if at == other or not _is_traded(fit, at, other):
         return False
@@ -261,7 +261,7 @@ def _carries(fit: Fitted, at: int, other: int) -> bool:
 def _is_traded(fit: Fitted, at: int, other: int) -> bool:
     """Return whether two free numbers may compensate each other.
 
-    True if the data determine both badly; also if the interval of one reaches an end and both change at similar rates.
+    They may if the data determine both badly, or if the interval of one reaches an end and both change at similar rates.
     """
     if _is_wide(fit, at) and _is_wide(fit, other):
         return True
@@ -283,9 +283,9 @@ def _size(fit: Fitted, at: int) -> float:
 
 
 def _ways(fit: Fitted, group: Sequence[int]) -> str:
-    """Return as text two very different sets of these free numbers that fit about equally well.
+    """Return two very different sets of these free numbers that fit about equally well, as text.
 
-    They are the two ends of the interval of the group's first number.
+    They are those at the two ends of the interval of the group's first number.
     """
     profile = fit.profiles[group[0]]
     inside = np.flatnonzero(profile.rise <= fit.threshold)

@@ -28,11 +28,11 @@ _SET = "set"
 
 @dataclass(frozen=True)
 class Bands:
-    """Hold the predictions of a fitted model, by quantity.
+    """Hold the predictions of a fitted model for each measured quantity.
 
-    tables: name of the quantity -> (dimensions, best values, low and high ends of the 95 % band). coords: coordinates of the
+    tables: by name of the quantity, (dimensions, best values, low and high ends of the 95 % band). coords: coordinates of the
     dimensions. sample: name of the measured sample that is predicted, if samples have free numbers of their own. effective:
-    effective sample size behind the bands.
+    effective number of posterior samples behind the bands.
     """
 
     tables: dict[str, tuple[tuple[str, ...], np.ndarray, np.ndarray, np.ndarray]]
@@ -176,9 +176,9 @@ def _solved(plan, one, arrays, numbers, names) -> tuple[BatchResult, dict[str, A
 
 
 def _of(solved: BatchResult, name: str, resistance: Any, sets: int) -> tuple[tuple[str, ...], np.ndarray]:
-    """Return one measured quantity from solved results: its dimensions, and its values (sets, *dimensions).
+    """Return a measured quantity from solved results: its dimensions, and its values (sets, *dimensions).
 
-    name: the quantity; resistance: specific contact resistance [ohm m^2]; sets: number of sets of free numbers.
+    name: the quantity. resistance: specific contact resistance [ohm m^2]. sets: number of sets of free numbers.
     """
     result = result_of(name)
     dims, values, _ = solved.variables[result]

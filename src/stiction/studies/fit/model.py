@@ -27,8 +27,8 @@ _SET, _ROW = "set", "row"
 class _Group:
     """Hold measured values that are evaluated together.
 
-    rows: their indices in the data. known: numbers of the contact that the data state for each value, by address (rows,).
-    columns: indices of the free numbers that apply to them.
+    rows: their indices in the data. known: numbers of the contact that the data state for each value, (rows,) by address.
+    columns: indices of the free numbers on which they depend.
     """
 
     rows: np.ndarray
@@ -97,8 +97,9 @@ def solved_sets(
 ) -> dict[str, np.ndarray]:
     """Solve contacts for several sets of numbers and return results (sets, rows) by name.
 
-    numbers: address -> values that differ between sets (sets,). known: address -> values that differ between rows (rows,).
-    load: load of each row [N] (rows,), NaN if the results need no load. A set that the model refuses gives NaN.
+    numbers: values (sets,) that differ between sets, by address. known: values (rows,) that differ between rows, by address.
+    load: load of each row [N] (rows,), NaN if the results need no load. keep: names of the results. A set that the model
+    refuses gives NaN.
     """
     from xarray import DataArray
 
@@ -116,9 +117,9 @@ def solved_sets(
 
 
 def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | None = None) -> ForwardModel:
-    """Return the model of a fit plan with its free numbers and data.
+    """Return the model of a fit plan with its free numbers and measured values.
 
-    model: name of another model to use; data: a subset of the measured values. Raises InputError if the model does not
+    model: name of another model to use instead. data: a subset of the measured values. Raises InputError if the model does not
     compute a measured quantity.
     """
     data = plan.data if data is None else data
@@ -151,16 +152,17 @@ def check_models(plan: FitPlan) -> None:
 
 
 def _parameters(plan: FitPlan) -> tuple[Free, ...]:
-    """Return the free numbers as they are fitted: each once for all samples, or once for every sample."""
+    """Return the free numbers of a fit: each once for all samples, or once for every sample."""
     return tuple(
         replace(one, sample=sample) for one in plan.free for sample in (plan.data.samples if one.each_sample else [None])
     )
 
 
 def _groups(data: Measurements, parameters: Sequence[Free]) -> tuple[_Group, ...]:
-    """Group the measured values that can be solved together.
+    """Return groups of measured values that can be solved together.
 
-    They state the same numbers of the contact, share the same free numbers, and all have a load or all have none.
+    The values of a group state the same numbers of the contact, depend on the same free numbers, and all have a load or all
+    have none.
     """
     found: dict[tuple, list[int]] = {}
     own = any(one.sample is not None for one in parameters)

@@ -29,7 +29,10 @@ class ComparedModel:
 
 
 def compared_model(plan: FitPlan, name: str, fit: Fitted | None = None) -> ComparedModel:
-    """Fit and cross-validate the model of this name; an existing fit of it is used if given."""
+    """Fit and cross-validate the model `name`.
+
+    fit: an existing fit of this model, which is then used.
+    """
     try:
         one = fit or fitted(name, forward_model(plan, name), with_profiles=False)
         return ComparedModel(name, one, aicc_of(one), _cross_validation_error(plan, one))
@@ -54,9 +57,9 @@ def aicc_of(fit: Fitted) -> float:
 
 
 def _cross_validation_error(plan: FitPlan, fit: Fitted) -> float:
-    """Return the cross-validation error: predict each fold of the data from a fit to all other folds.
+    """Return the cross-validation error, for which each fold of the data is predicted from a fit to all other folds.
 
-    NaN if there are too few values for two folds; infinite if a fit fails.
+    The result is NaN if there are too few values for two folds, and infinite if a fit fails.
     """
     data = plan.data
     folds = _folds(plan)

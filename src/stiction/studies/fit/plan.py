@@ -28,8 +28,8 @@ _MOST_FREE = 8
 class FitPlan:
     """Hold the checked input of a fit.
 
-    content: tables of the case without [fit], with scans and own materials read; case: the case of these tables. given: the
-    tables as the user wrote them; folder: file names in them are relative to it. models: names of alternative models.
+    content: tables of the case without [fit], with scans and own materials read. case: the case of these tables. given: the
+    tables as the user wrote them. folder: file names in the tables are relative to it. models: names of alternative models.
     predict: numbers of the contact to predict for. resistance: specific contact resistance [ohm m^2]. uncertain: addresses of
     numbers that the case states as uncertain but that are not fitted.
     """
@@ -48,7 +48,7 @@ class FitPlan:
 
 
 def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) -> FitPlan:
-    """Return the fit plan of a case's tables and a file of measured values.
+    """Return the checked fit plan of case tables and a file of measured values.
 
     folder: file names in the tables are relative to it. Raises InputError.
     """
@@ -90,7 +90,7 @@ def middle_of(free: Iterable[Free]) -> dict[Address, float]:
 
 
 def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurements) -> Case:
-    """Return the case of these tables, completed where they leave numbers out.
+    """Return the case of these tables, with numbers filled in that the tables omit.
 
     Free numbers are set halfway between their ends. Numbers that every measured row states are taken from the first row.
     """
@@ -102,7 +102,7 @@ def _complete(content: Mapping[str, Any], free: tuple[Free, ...], data: Measurem
 
 
 def read_fit(content: Mapping[str, Any]) -> Fit:
-    """Return the table [fit] of a case, checked. Raises InputError."""
+    """Return the checked table [fit] of a case. Raises InputError."""
     fit: Fit = study_table(content, "fit", WANTED)
     return fit
 

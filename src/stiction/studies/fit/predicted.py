@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 def fit_prediction(given: Any, data: Any, folder: Path | None = None) -> "tuple[Case, xarray.Dataset] | None":
     """Return the case and its prediction with measured values; None if the case names a model.
 
-    Each free number of [fit.free] becomes uncertain, evenly distributed between its ends. given: path or tables of a case;
-    data: path of the measured values; folder: file names in the tables are relative to it. Raises InputError.
+    Each free number of [fit.free] becomes uncertain, uniformly distributed between its ends. given: path or tables of a case.
+    data: path of the measured values. folder: file names in the tables are relative to it. Raises InputError.
     """
     content, own_folder = tables_of(given)
     folder = folder or own_folder

@@ -36,8 +36,8 @@ _FEW = 100  # independent sets, below which a 95 % band is rough
 class FitResult:
     """Hold the results of a fit, complete or interrupted.
 
-    best: fit of the case's model; bands: its predictions; compared_models: fits of alternative models; stopped: whether the
-    fit was interrupted.
+    best: fit of the model that the case names. bands: its predictions. compared_models: fits of alternative models. stopped:
+    whether the fit was interrupted.
     """
 
     plan: FitPlan
@@ -129,14 +129,14 @@ def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -
     False.
     """
     name = forward_model(plan).choice.model_key
-    for _ in progress("FitResult")([name]):
+    for _ in progress("Fitting")([name]):
         found = FitResult(plan, fitted("", forward_model(plan)))
     try:
         for _ in progress("Predicting")([name]):
             found.bands = predicted(plan, found.best)
         others = [one for one in dict.fromkeys(plan.models) if one != name]
         if others:
-            for one in progress("FitResult other models")([name, *others]):
+            for one in progress("Fitting other models")([name, *others]):
                 found.compared_models.append(compared_model(plan, one, found.best if one == name else None))
     except KeyboardInterrupt:
         if not keep_on_interrupt:
@@ -227,7 +227,7 @@ def _evidence(compared_models: list[ComparedModel]) -> "xarray.Dataset":
 
 
 def _left_over(fits: Sequence[Fitted | None], stated: bool) -> dict[str, tuple]:
-    """Return the chi square of each model, or its standard deviation about the fit if no errors were stated."""
+    """Return the chi square of each model; if no errors were stated, the standard deviation of the values about its fit."""
     if stated:
         chi = [np.nan if one is None else one.best.chi_square * one.scale**2 for one in fits]
         return {"chi_square": ("model", chi, {"long_name": "sum of squared residuals"})}
@@ -256,7 +256,7 @@ def _attributes(fitting: FitResult) -> dict[str, Any]:
 
 
 def _unsure(fitting: FitResult) -> list[str]:
-    """Return warnings of an unconverged search, or of bands from too few independent samples."""
+    """Return texts that warn of an unconverged search, or of bands from too few independent samples."""
     why = fitting.best.best.unfinished
     said = [f"the search did not end at a minimum: {why}"] if why else []
     if fitting.bands is not None and fitting.bands.effective < _FEW:

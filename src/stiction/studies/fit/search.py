@@ -26,7 +26,7 @@ Residuals = Callable[[np.ndarray], np.ndarray]
 class Best:
     """Hold the best fit of k free numbers to n values.
 
-    shares (k,): position of each number between its ends, 0 to 1; residuals (n,) and jacobian (n, k) at this point;
+    shares (k,): position of each number between its ends, 0 to 1. residuals (n,) and jacobian (n, k): at this point.
     unfinished: why the search did not converge, "" if it did.
     """
 
@@ -41,9 +41,9 @@ class Best:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Covariance (k, k) of the free numbers' positions between their ends, from the Jacobian alone.
+        """Return the covariance (k, k) of the free numbers' positions between their ends, from the Jacobian alone.
 
-        NaN where the data leave a combination of the numbers undetermined.
+        It is NaN if the data leave a combination of the numbers undetermined.
         """
         try:
             found = np.linalg.inv(self.jacobian.T @ self.jacobian)
@@ -53,9 +53,9 @@ class Best:
 
     @cached_property
     def bounded(self) -> np.ndarray:
-        """Covariance (k, k) of the free numbers' positions, with the knowledge that each lies between its ends.
+        """Return the covariance (k, k) of the free numbers' positions, given also that each lies between its ends.
 
-        An even distribution between the ends, 0 and 1, has the variance 1/12.
+        A uniform distribution between the ends, 0 and 1, has the variance 1/12.
         """
         return np.linalg.inv(self.jacobian.T @ self.jacobian + 12.0 * np.eye(self.jacobian.shape[1]))
 
@@ -64,9 +64,9 @@ class Best:
 class Profile:
     """Hold the likelihood profile of one free number.
 
-    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over all other numbers,
-    minus that of the best fit. others (m, k): the minimising positions of all numbers. low, high: ends of the interval, where
-    the rise reaches the threshold. open_low, open_high: whether the rise stays below it as far as the end; low is then 0,
+    shares (m,): positions of the number between its ends, 0 to 1. rise (m,): chi square minimised over all other numbers, minus
+    that of the best fit. others (m, k): positions of all numbers at these minima. low, high: ends of the interval, where the
+    rise reaches the threshold. open_low, open_high: whether the rise stays below the threshold up to the end; low is then 0,
     high 1.
     """
 
@@ -80,7 +80,7 @@ class Profile:
 
 
 def finite(values: np.ndarray) -> np.ndarray:
-    """Return residuals clipped to +-FAR, with FAR in place of NaN and infinite ones."""
+    """Return residuals clipped to -FAR and FAR; NaN and infinite residuals become FAR."""
     return np.where(np.isfinite(values), np.clip(values, -FAR, FAR), FAR)
 
 
@@ -217,7 +217,7 @@ def _profile(residuals: Residuals, best: Best, at: int, threshold: float) -> Pro
 
 
 def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise: np.ndarray, threshold: float) -> float:
-    """Return the position at which the rise of chi square reaches the threshold, by repeated subdivision of the grid.
+    """Return the position at which the rise of chi square reaches the threshold, by subdividing the grid.
 
     The square root of the rise has a kink where another number reaches its end, so one interpolation is not enough.
     """
@@ -236,8 +236,9 @@ def _narrowed(residuals: Residuals, best: Best, at: int, grid: np.ndarray, rise:
 def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
     """Return how far the grid of a profile should reach on one side of the best fit.
 
-    found: half-width of the interval on this side; reach: present half-width of the grid; is_open: the interval ends beyond
-    the grid; more: the grid can still be widened. An interval below a quarter of the grid counts as unresolved.
+    found: half-width of the interval on this side. reach: present half-width of the grid. is_open: whether the interval ends
+    beyond the grid. more: whether the grid can still be widened. The grid is narrowed if the interval is less than a quarter of
+    it.
     """
     if is_open:
         return 4.0 * reach if more else reach
@@ -245,7 +246,7 @@ def _wanted(found: float, reach: float, is_open: bool, more: bool) -> float:
 
 
 def _along(residuals: Residuals, best: Best, at: int, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the best sets (m, k) with number `at` fixed at each grid value (m,), and the rises of chi square (m,)."""
+    """Return the best sets (m, k) with number `at` fixed at each grid value (m,), and the rise of chi square (m,) of each."""
     slope = best.bounded[:, at] / best.bounded[at, at]
     sets = np.clip(best.shares + slope * (grid - best.shares[at])[:, None], 0.0, 1.0)
     sets[:, at] = grid

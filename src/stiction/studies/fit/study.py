@@ -1,9 +1,9 @@
-"""Fit numbers of a case to measured friction, pull-off, contact area or resistance against load.
+"""Fit numbers of a case to measured friction, pull-off force, contact area or resistance.
 
-The case says in [fit.free] which numbers are free, between which ends. Where it names no model, it is predicted with what
-was measured: draws count by how well they meet the values. With a model, intervals are of 95 %, by the profile of the
-likelihood, and what the data cannot tell is said. With --out: fitted.toml, a case that `stiction run` takes, and pictures
-and tables. Interrupted once the case's model is fitted, it keeps that.
+The table [fit.free] of the case names the free numbers, each with its low and high end. A case that names no model is
+predicted: samples count by how well they agree with the measured values. For a case that names a model, 95 % intervals follow
+from the profile likelihood, and the output states what the data do not determine. --out writes fitted.toml, a case file for
+`stiction run`, with pictures and tables. If interrupted after the model is fitted, the command keeps this fit.
 """
 
 from pathlib import Path
@@ -37,4 +37,4 @@ def _run(plan: tuple[Any, ...], progress: Any) -> tuple[Any, ...]:
     return run_fit(plan_of_fit(case, data), progress), out
 
 
-STUDY = Study("fit", __doc__, "Case file; a table [fit] says what is free.", _plan, _run)
+STUDY = Study("fit", __doc__, "Case file with a table [fit] that names the free numbers.", _plan, _run)

@@ -8,7 +8,7 @@ from stiction.quantities.inputs import Input
 
 
 class Fit(Input):
-    """Numbers to be fitted to measured values.
+    """Define the table [fit] of a case file.
 
     free: numbers of the case by name, each with its low and high end. models: names of alternative models to fit as well.
     predict: numbers of the contact, single or arrays, for which the fitted model predicts at the loads or separations of
@@ -22,4 +22,4 @@ class Fit(Input):
     specific_contact_resistance: str | None = Field(None, description='text with a unit, e.g. "1e-12 ohm m^2"')
 
 
-TABLE = (Fit, "what `stiction fit` fits to measured series")
+TABLE = (Fit, "free numbers of `stiction fit`")

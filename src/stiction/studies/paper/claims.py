@@ -36,17 +36,17 @@ _STIFF = _N_E > 1.0
 
 @dataclass(frozen=True)
 class Curves:
-    """Normalised load, contact area and friction force (..., separations), in order of approach."""
+    """Store normalised load, contact area and friction force (..., separations), in order of approach."""
 
     load: np.ndarray
     contact_area: np.ndarray
     friction_force: np.ndarray
 
     def at(self, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return contact area and friction force where `load` is first carried on approach; NaN if nowhere.
+        """Return contact area and friction force at a load, where it is first carried on approach; NaN if it never is.
 
-        load broadcasts to the curves' leading dimensions. Linear interpolation between separations 0.05 apart is good to
-        about 1e-3.
+        load: broadcasts to the leading dimensions of the curves. Linear interpolation between separations 0.05 apart is
+        accurate to about 1e-3.
         """
         after_tension = np.arange(_H.size) > np.argmin(self.load, axis=-1, keepdims=True)
         reached = after_tension & (self.load >= load[..., None])
@@ -74,9 +74,10 @@ class Surfaces:
     films: Curves
 
     def ratio(self, over_reference: float, quantity: int) -> np.ndarray:
-        """Return a quantity of the coated surface over that of the uncoated one, at a fraction of the reference load.
+        """Return a result of the coated surface over that of the uncoated one, at a fraction of the reference load.
 
-        quantity 0: contact area, 1: friction force, whose ratio at equal load is the ratio of friction coefficients.
+        quantity: 0 for contact area, 1 for friction force. At equal load, the ratio of friction forces is the ratio of friction
+        coefficients.
         """
         load = over_reference * self.bare.load[..., -1]
         bare, coated = self.bare.at(load)[quantity], self.films.at(np.broadcast_to(load, self.films.load.shape[:-1]))[quantity]
@@ -116,10 +117,10 @@ def _thin_film_area(surfaces: Surfaces) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Claim:
-    """One claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
+    """Define one claim of the paper as a test: it holds for a case if a number lies on the right side of a bound.
 
-    says: the claim; number, cases: what is computed, and for which films, in words; measure: function that returns the
-    numbers; below: whether the claim holds below the bound.
+    says: the claim. number, cases: what is computed, and for which films, in words. measure: function that returns the
+    numbers. below: whether the claim holds below the bound.
     """
 
     key: str
@@ -132,13 +133,13 @@ class Claim:
 
     @property
     def definition(self) -> str:
-        """The test of the claim as one line of text, e.g. "number < bound, for cases"."""
+        """Return the test of the claim as one line of text, e.g. "number < bound, for cases"."""
         return f"{self.number} {'<' if self.below else '>'} {self.bound:g}, for {self.cases}"
 
     def judge(self, surfaces: Surfaces) -> tuple[np.ndarray, np.ndarray]:
         """Return the fraction of comparable cases for which the claim holds, and the worst number, each (n,).
 
-        NaN if no case is comparable.
+        surfaces: at n pairs (theta, lambda). The results are NaN if no case is comparable.
         """
         numbers = self.measure(surfaces).reshape(len(surfaces.bare.load), -1)
         known = np.isfinite(numbers)
@@ -213,7 +214,7 @@ class ClaimMap:
 
 
 def surfaces_at(theta: float, lam: np.ndarray, variant: str) -> Surfaces:
-    """Compute the curves of every surface of the paper, at one theta and each lambda of `lam` (n,)."""
+    """Return the curves of every surface of the paper, at one theta and each lambda of `lam` (n,)."""
     from stiction.solving.evaluate import evaluate
     from stiction.studies.paper.layered import LAYERED
 
@@ -236,7 +237,7 @@ def _layered_surfaces(theta: float, lam: np.ndarray) -> Surfaces:
 
 
 def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callable[[list], Iterable] = iter) -> ClaimMap:
-    """Judge every claim at every pair of theta and lam, for every variant of the paper's model.
+    """Test every claim at every pair of theta and lam, for every variant of the paper's model.
 
     progress: receives the list of steps and returns an iterator over it.
     """
@@ -252,8 +253,8 @@ def claim_map(theta: np.ndarray = THETA, lam: np.ndarray = LAM, progress: Callab
 def where(claims: ClaimMap, chosen: np.ndarray) -> str:
     """Describe in words which part of the (theta, lambda) plane the chosen points fill.
 
-    The text names one or two bounds on theta, lambda or the hardness group eta that best separate the chosen points from the
-    others, and the fraction of points that these bounds classify correctly.
+    chosen: mask (theta, lam). The text names one or two bounds on theta, lambda or the hardness group eta that best separate
+    the chosen points from the others, and the fraction of points that these bounds classify correctly.
     """
     share = float(np.mean(chosen))
     if share in (0.0, 1.0):
@@ -274,7 +275,7 @@ def where(claims: ClaimMap, chosen: np.ndarray) -> str:
 
 
 def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
-    """Return candidate bounds on theta, lambda and eta: their names, and for each the points inside (bounds, points), 0 or 1.
+    """Return candidate bounds on theta, lambda and eta: names, and 0 or 1 for points outside or inside, (bounds, points).
 
     The bounds lie halfway between neighbouring points. The first bound has no name and includes all points.
     """
@@ -291,7 +292,7 @@ def _bounds(claims: ClaimMap) -> tuple[list[str], np.ndarray]:
 
 
 def summary(claims: ClaimMap, theta: float, lam: float) -> list[dict]:
-    """Return one record for each claim and variant.
+    """Return one dict for each claim and variant.
 
     It has the fractions of the plane where the claim holds for all, some or none of its cases or is not comparable; where it
     holds for all and for none, in words; and its result at the given theta and lam.

@@ -21,9 +21,9 @@ _POINTS = 161
 
 @dataclass(frozen=True)
 class Panel:
-    """One panel of the paper's figures 1 to 3.
+    """Describe one panel of the paper's figures 1 to 3.
 
-    name: file name; figure: number in the paper; along: film group that varies; values: its values; fixed: the other film
+    name: file name. figure: number in the paper. along: film group that varies. values: its values. fixed: the other film
     groups.
     """
 
@@ -45,9 +45,9 @@ PANELS = (
 
 @dataclass(frozen=True)
 class PanelCurves:
-    """The curves of one panel, normalised.
+    """Store the normalised curves of one panel.
 
-    coated: dataset over the panel's varied film group and mean_separation; bare: the uncoated surface, over mean_separation.
+    coated: dataset over the panel's varied film group and mean_separation. bare: the uncoated surface, over mean_separation.
     """
 
     panel: Panel
@@ -56,7 +56,7 @@ class PanelCurves:
 
     @property
     def caption(self) -> str:
-        """Caption of two lines: the parameters printed in the paper, and those chosen here."""
+        """Return a caption of two lines: the parameters printed in the paper, and those chosen here."""
         groups = self.bare.attrs
         fixed = ", ".join(f"{name} = {value:g}" for name, value in self.panel.fixed.items())
         chosen = f"theta = {groups['theta']:g}, lambda = {groups['lam']:g} (not printed in the paper)"

@@ -36,9 +36,9 @@ def film_groups(tau: Any) -> dict[str, Any]:
 
 
 def totals(theta: float, lam: np.ndarray, h: np.ndarray, film: tuple[np.ndarray, ...] | None = None) -> tuple[np.ndarray, ...]:
-    """Return load, contact area and friction force, normalised, (n, H), of n contacts at H separations.
+    """Return normalised load, contact area and friction force of n contacts at H separations, (n, H) each.
 
-    theta, lam (n,): adhesion indices; h (H,): separations over sigma; film: n_E, n_H, tau, each (n,), or None without a film.
+    theta, lam (n,): adhesion indices. h (H,): separations over sigma. film: n_E, n_H and tau, each (n,); None without a film.
     """
     n = len(lam)
     ones, K_beta = np.ones(n), stiffness_group(_NU)

@@ -22,9 +22,9 @@ PLASTICITY = (0.6, 1.0)
 
 @dataclass(frozen=True)
 class Place:
-    """Position of a contact in the plane of the adhesion indices.
+    """Store the position of a contact in the plane of the adhesion indices.
 
-    bodies: (theta, lambda) of the bodies; film: the same for a half-space of film material, None without a film.
+    bodies: (theta, lambda) of the bodies. film: (theta, lambda) of a half-space of film material; None without a film.
     plasticity_index: psi of the bodies.
     """
 
@@ -50,5 +50,5 @@ def place_of(subject: Subject) -> Place:
 
 
 def plasticity_line(theta: np.ndarray, psi: float) -> np.ndarray:
-    """Return the lambda at which the plasticity index is psi, for each theta (n,)."""
+    """Return the lambda (n,) at which the plasticity index has the value psi, for each theta (n,)."""
     return (0.75 * math.pi / psi / hardness_group(np.asarray(theta, dtype=float), 1.0)) ** 4

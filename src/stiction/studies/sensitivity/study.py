@@ -1,9 +1,10 @@
-"""Which of the inputs should be measured better: of friction, area, load and pull-off.
+"""Rank the inputs by their effect on friction, to see which should be measured better.
 
-Sobol indices with 95 % intervals and Morris effects over what is uncertain, the ways of finding asperities and the models;
-logarithmic sensitivities d ln mu/d ln x for every number of the contact. With --out: sensitivity.csv, log_sensitivities.csv,
-sensitivity.nc (netCDF4) and sensitivity.png. Numbers are uncertain as "0.5 +/- 0.1 GPa", {low, high}, {median, factor} or
-{samples} in the case, or with --ranges, within the ranges of their materials.
+The output has Sobol indices with 95 % intervals and Morris effects for all that is uncertain: inputs, methods of finding
+asperities, and models. It also has logarithmic sensitivities, d ln mu/d ln x, for every number of the contact. The same is
+computed for contact area, load and pull-off force. --out writes sensitivity.csv, log_sensitivities.csv, sensitivity.nc
+(netCDF4) and sensitivity.png. A number of the case is uncertain if stated as "0.5 +/- 0.1 GPa", {low, high}, {median, factor}
+or {samples}; with --ranges, also within the range of its material.
 """
 
 from pathlib import Path

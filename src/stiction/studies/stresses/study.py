@@ -1,9 +1,9 @@
-"""Stresses in a film: where film, interface or body yields first, and what peels the film off.
+"""Compute the stresses in a film: where film, interface or body yields first, and what peels the film off.
 
-Of the mean touching asperity, pressed and dragged, by the stresses of an elastic sphere on a film: the film law is layered,
-whatever the case names. Tension and shear at the interface are over the yield stress, and the shear yield stress, of the
-weaker of film and body. With --out: film.csv, film.nc (netCDF4), and of the middle one of the points that press, or --load,
-section.nc and film.png, the section under the asperity. The options of a model or a law may be given too.
+The stresses are those of an elastic sphere on a film, pressed and dragged, with the size and load of the mean touching
+asperity. The film law is always `layered`. Tension and shear at the interface are divided by the yield stress and the shear
+yield stress of the weaker of film and body. --out writes film.csv and film.nc (netCDF4) and, for the middle compressive point
+or for --load, a section under the asperity: section.nc and film.png. The options of a model or a law are allowed too.
 """
 
 from collections.abc import Mapping
