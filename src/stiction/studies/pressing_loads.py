@@ -10,8 +10,8 @@ from stiction.solving.solve import solve
 def pressing_loads(case: Case) -> tuple[np.ndarray, int]:
     """Return the loads of a case above 0 (n,), and the index of its working load among them.
 
-    The working load is the middle one of all loads of the case, or the load above 0 next to it. If the case has
-    separations, the loads are those that its own model carries at them. The array is empty if no load is above 0.
+    The working load is the middle one of all loads of the case, or the load above 0 that is nearest to the middle. If the case
+    has separations, the loads are those that its own model carries at these. The array is empty if no load is above 0.
     """
     loads = case.load
     if loads is None:

@@ -25,17 +25,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ReportData:
-    """The results that a report of one case shows.
+    """Store the results that a report of one case shows.
 
-    - text: the case file as written, "" if there was none
-    - data: the prediction, or the results of the named model at all points of the case
-    - load: working load in N (dimensionless for [indices]), or None if no load is above 0
-    - working_results: results of a named model at the working load
-    - comparison: comparison of all models at the working load, or None without one
-    - not_compared: why models are not compared, "" if they are
-    - analyses: analysis of the scan of each body
-    - input_warnings: warnings of unlikely inputs
-    - recommended: the prediction, also if the case names a model; None for swept numbers and [indices]
+    text: the case file as written; "" if there was none. data: the prediction, or the results of the named model at all points
+    of the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0. working_results: results
+    of a named model at the working load. comparison: comparison of all models at the working load, or None. not_compared: why
+    models are not compared; "" if they are. analyses: analysis of the scan of each body. input_warnings: warnings of unlikely
+    inputs. recommended: the prediction, also if the case names a model; None for swept numbers and [indices].
     """
 
     case: Case
@@ -51,12 +47,12 @@ class ReportData:
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
-        """Return the prediction, or None if the answer is that of a named model or the case has swept numbers."""
+        """Return the prediction; None if the case names a model or has swept numbers."""
         return self.data if "shares" in self.data.attrs else None
 
     @property
     def result(self) -> Any:
-        """Return the results at the working load, or all results without a working load."""
+        """Return the results at the working load; without a working load, all results."""
         return self.data if self.working_results is None else self.working_results
 
 
@@ -99,7 +95,7 @@ def _analyses(case: Case, progress: Progress) -> "dict[str, Analysis]":
 
 
 def places_in(text: str) -> frozenset[Address]:
-    """Return the addresses of all values in the text of a case file; none if it is not TOML."""
+    """Return the addresses of all values in the text of a case file; an empty set if the text is not TOML."""
     addresses: set[Address] = set()
 
     def walk(table: Mapping, path: Address) -> None:
@@ -116,5 +112,5 @@ def places_in(text: str) -> frozenset[Address]:
 
 
 def text_of_file(path: Path) -> str:
-    """Return the text of a case file that could be read before."""
+    """Return the text of a case file that was read successfully before."""
     return path.read_text(encoding="utf-8-sig")

@@ -13,7 +13,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Study:
-    """A study of one case, which becomes the command `stiction NAME CASE.toml`.
+    """Describe a study of one case, which becomes the command `stiction NAME CASE.toml`.
 
     - help: help text of the command
     - case: what the case file must contain, for the help

@@ -41,7 +41,7 @@ LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)
 
 
 class Band(Input):
-    """A published range of the friction coefficient at one load."""
+    """Define a published range of the friction coefficient at one load."""
 
     load: str = Field(description='normal load with its unit, "0.98 mN"')
     low: float = Field(description="lower end of the measured friction coefficient, above 0")
@@ -57,9 +57,9 @@ class Band(Input):
 
 
 class Origin(Input):
-    """The source of a measured series.
+    """Define the source of a measured series.
 
-    file: CSV file, relative to the folder of the entry; band: ranges instead of a file. kind: "synthetic" marks values made
+    file: CSV file, relative to the folder of the entry. band: ranges instead of a file. kind: "synthetic" marks values made
     up to show the format. source: authors, title, publication, year. place: page, and table, figure or section. read: how
     the values were obtained; the standard errors of digitised values include the error of digitising. Raises InputError.
     """
@@ -90,9 +90,9 @@ class Origin(Input):
 
 @dataclass(frozen=True)
 class Entry:
-    """A measured series with its contact.
+    """Store a measured series with its contact.
 
-    content: tables of the case, with scans and user-defined materials read in; uncertain: uncertain numbers of the contact,
+    content: tables of the case, with scans and user-defined materials read in. uncertain: uncertain numbers of the contact,
     which the prediction samples.
     """
 
@@ -104,7 +104,7 @@ class Entry:
 
     @property
     def ends(self) -> np.ndarray:
-        """Return the lower and upper end of every measured value (2, n); both are the value unless it is a range."""
+        """Return the lower and upper end of every measured value (2, n); both equal the value unless it is a range."""
         bands = self.origin.band
         return np.array([[band.low for band in bands], [band.high for band in bands]] if bands else [self.values.value] * 2)
 
@@ -122,7 +122,7 @@ class Entry:
 
 
 def read_entry(path: Any) -> Entry:
-    """Return the entry of a TOML file with the values of its CSV file. Raises InputError."""
+    """Return the measured series that a TOML file and its CSV file describe. Raises InputError."""
     content = read_content(path)
     table = content.get("measured")
     if not isinstance(table, Mapping):
@@ -150,7 +150,7 @@ def read_entry(path: Any) -> Entry:
 
 
 def _of_bands(bands: list[Band]) -> Measurements:
-    """Return ranges of friction as measured values: their geometric means."""
+    """Return published ranges of friction as measured values, which are the geometric means of the ranges."""
     count = len(bands)
     load = np.array([float(to_si(band.load, "load")) for band in bands])
     value = np.array([np.sqrt(band.low * band.high) for band in bands])
@@ -245,9 +245,9 @@ _OF_MODELS = ("bias", "factor", "in_errors", "answered", "grade", "outside_valid
 
 
 def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.ndarray]]) -> dict[str, Any]:
-    """Return the results of one model at the measured values.
+    """Return the results of one model at the measured values, as a dict.
 
-    The table has the names in _OF_MODELS, `predicted` (n,), `sources`, and `why_not`, the reason if there are no results.
+    It has the names in _OF_MODELS, `predicted` (n,), `sources`, and `why_not`, the reason if there are no results.
     """
     predicted = np.full(len(values), np.nan)
     grades: set[str] = set()
@@ -309,7 +309,7 @@ def _predicted(entry: Entry, cases: list[tuple[Case, np.ndarray]]) -> dict[str, 
 def _within(low: float, high: float, least: float, most: float) -> str:
     """Return whether a measured range is "inside", "partly" or "outside" of an interval; "" without a prediction.
 
-    low, high: measured range; least, most: ends of the interval.
+    low, high: measured range. least, most: ends of the interval.
     """
     if not np.isfinite(least):
         return ""

@@ -51,7 +51,7 @@ _OF_FEW = 2.0
 
 
 def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-    """Return an area multiplied by a factor while it is small, and limited by the nominal area."""
+    """Return an area [m2] multiplied by a factor; as it grows, it approaches the nominal area and never exceeds it."""
     share = area / nominal
     # log1p, because 1 - share has no digits of a share of 1e-16; a closed contact stays closed, and an unknown one unknown.
     log_open = np.where(share >= 1.0, _LOG_CLOSED, np.log1p(-np.minimum(share, _LARGEST_BELOW_1)))
@@ -60,18 +60,15 @@ def grown_to(area: np.ndarray, factor: np.ndarray, nominal: np.ndarray) -> np.nd
 
 @dataclass(frozen=True)
 class AreaLaw:
-    """The real contact area by one area model, with its errors on benchmark surfaces, for n samples and m loads.
+    """Store the real contact area by one area model, with its errors on benchmark surfaces, for n samples and m loads.
 
-    - name: of the model; weight: stacking weight (m,), 0 where the model has no result
-    - log_area: ln of the area [m2], (n, m)
-    - share: real over nominal area of the nominal contact (m,), at which errors are looked up
-    - levels: quantiles (m, 5) of ln(area/benchmark area), at errors_near.LEVELS
-    - far: distance (m,) to the nearest benchmark surface, 0 to 1
-    - sample: standard error (m,) of ln(area) of one measured window
-    - touching: number of asperities in contact (m,), infinite if unknown
-    - yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]
-    - far_error: standard deviation of ln(area) if no benchmark surface is near
-    - elastic: on a film, real over nominal area (m,) of the nominal contact without plastic flow; 0 if unknown
+    name: name of the model. weight: stacking weight (m,), 0 where the model has no result. log_area: ln of the area [m2], (n,
+    m). share: real over nominal area of the nominal contact (m,), at which errors are looked up. levels: quantiles (m, 5) of
+    ln(area/benchmark area), at errors_near.LEVELS. far: distance (m,) to the nearest benchmark surface, 0 to 1. sample:
+    standard error (m,) of ln(area) of one measured window. touching: number of asperities in contact (m,), infinite if unknown.
+    yields_at: mean pressure (n or 1, m) of plastic contact spots [Pa]. far_error: standard deviation of ln(area) if no
+    benchmark surface is near. elastic: on a film, real over nominal area (m,) of the nominal contact without plastic flow; 0 if
+    unknown.
     """
 
     name: str
@@ -87,7 +84,7 @@ class AreaLaw:
     elastic: np.ndarray
 
     def at_load(self, index: int) -> "AreaLaw":
-        """Return the model at the load with this index, for a single contact."""
+        """Return the results of the model at one load, given by its index; for a single contact."""
         each = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "levels"}
         arrays: dict[str, Any] = {
             name: field[..., [index]] for name, field in each.items() if isinstance(field, np.ndarray) and field.shape[-1] > 1
@@ -95,11 +92,12 @@ class AreaLaw:
         return replace(self, levels=self.levels[[index]], **arrays)
 
     def corrected(self, rows: np.ndarray, loads: np.ndarray, level: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-        """Return the area [m2] (n, m), corrected by model errors at these quantile levels (n,).
+        """Return the area [m2] (n, m) after correction for sampled errors of the model.
 
-        rows: rows of the samples; nominal: nominal area [m2] (n, 1). The area is at least the load over the pressure of
-        plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are used, and the elastic part of the
-        area becomes more uncertain. Elastic and plastic area are combined by a power mean, as in the model persson_widened.
+        rows: rows of the samples. level: quantile levels (n,) of the error. nominal: nominal area [m2] (n, 1). The area is at
+        least the load over the pressure of plastic spots. Far from all benchmark surfaces, the errors on the nearest ones are
+        used, and the elastic part of the area becomes more uncertain. Elastic and plastic area are combined by a power mean, as
+        in the model persson_widened.
         """
         from scipy.special import ndtri
 
@@ -115,7 +113,7 @@ class AreaLaw:
         return grown_to(np.minimum(area, nominal), wide / area, nominal)
 
     def _factor(self, error: np.ndarray) -> np.ndarray:
-        """Return the factor of `grown_to` that divides the area of the nominal contact by exp(error).
+        """Return the factor for `grown_to` (n, m) that divides a small area by exp(error).
 
         error: of ln(area), (n, m).
         """
@@ -136,7 +134,8 @@ def _between(score: np.ndarray, levels: np.ndarray) -> np.ndarray:
 def area_laws(sampled: SampledCase) -> list[AreaLaw]:
     """Return the area models that apply to a contact, with weights that sum to 1 at each point.
 
-    Models of the next set are used at points where no model of the sets before applies. Raises InputError if none applies.
+    Sets of models are tried in turn. A later set is used at the points where no model of an earlier set applies. Raises
+    InputError if no model applies.
     """
     answers, refusal, left = [], None, np.ones(len(sampled.loads), dtype=bool)
     for choices in _in_turn(sampled):
@@ -159,7 +158,7 @@ def area_laws(sampled: SampledCase) -> list[AreaLaw]:
 
 
 def _in_turn(sampled: SampledCase) -> tuple[tuple[tuple[Choice, float], ...], ...]:
-    """Return sets of (model, weight), the preferred set first; a later set serves where the earlier ones fail."""
+    """Return sets of (model, weight) in the order in which they are tried, the preferred set first."""
     contact = sampled.contact
     if contact.has_film:
         return _ON_FILM, _OTHER_FILMS
@@ -180,10 +179,10 @@ def _answers(sampled: SampledCase, choice: Choice) -> bool:
 
 
 def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
-    """Return the area by one model; weight: its weight in the combination.
+    """Return the area of all samples by one model, with its errors.
 
-    Contacts whose product of asperity density, radius and height deviation is too small for any Gaussian surface get the
-    weight 0, if the model refuses these but not all. Raises InputError or ArithmeticError.
+    weight: weight of the model. It becomes 0 for contacts whose product of asperity density, radius and height deviation is too
+    small for any Gaussian surface, if the model refuses these but not all. Raises InputError or ArithmeticError.
     """
     try:
         points, tables = _solved(sampled, choice)
@@ -219,13 +218,16 @@ def _law(sampled: SampledCase, choice: Choice, weight: float) -> AreaLaw:
 
 
 def _solved(sampled: SampledCase, choice: Choice) -> tuple[Points, Mapping[str, np.ndarray]]:
-    """Return the points of the nominal contacts and a model's results there. Raises InputError or ArithmeticError."""
+    """Return the points of the nominal contacts, and the results of one model there. Raises InputError or ArithmeticError."""
     points = points_of(make_problem(sampled.nominal(choice.model_key), choice), sampled.load)
     return points, solve_points(points, refuse=False).tables
 
 
 def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Return real over nominal area (k,) without plastic flow, from the results of a film model; 0 for other models."""
+    """Return the real over nominal area (k,) that a film model gives without plastic flow; 0 for other models.
+
+    tables: results of the model at k points.
+    """
     load, area = (np.asarray(tables[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     if not problem.record.on_film:
         return np.zeros(load.size)
@@ -233,7 +235,7 @@ def _elastic(problem: Problem, tables: Mapping[str, np.ndarray]) -> np.ndarray:
 
 
 def _too_sharp(sampled: SampledCase) -> np.ndarray:
-    """Return which samples (n or 1, m or 1) have an impossible surface: asperity heights that deviate by more than the radius.
+    """Return a mask (n or 1, m or 1) of samples with an impossible surface: height deviation above the asperity radius.
 
     All are False where every sample is like that, so that the contact still has a result.
     """
@@ -243,10 +245,10 @@ def _too_sharp(sampled: SampledCase) -> np.ndarray:
 
 
 def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return, at each load, the error quantiles, the missing trust in them, and the sampling error.
+    """Return the error quantiles at each load, the missing trust in them, and the sampling error.
 
-    The quantiles are widened for the few surfaces that they come from, unless the map itself is solved. The missing trust is 0
-    to 1, and 1 where nothing similar was solved.
+    The quantiles are widened because few surfaces determine them, unless the map itself is solved. The missing trust is 0
+    to 1, and 1 where no similar surface was solved.
     """
     known = np.isfinite(errors.levels).all(axis=1)
     trust = np.where(known, np.clip(errors.trust, 0.0, 1.0), 0.0)
@@ -261,8 +263,8 @@ def _known(errors: MeasuredErrors, on_map: bool) -> tuple[np.ndarray, np.ndarray
 def _yields_at(sampled: SampledCase, over_below: np.ndarray | None, places: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Return the mean pressure of plastic contact spots [Pa], (n or 1, m).
 
-    It is the hardness of each sample, or the smaller pressure that the body below a hard film can carry. over_below:
-    pressure over the limit of that body, at the solved points; places: index of the solved point for each point.
+    It is the hardness of each sample, or the smaller pressure at which the body below a hard film yields. over_below: pressure
+    divided by that limit at the solved points. places: index of the solved point for each point.
     """
     hardness = sampled.bodies.hardness
     if over_below is None:

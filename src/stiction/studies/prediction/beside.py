@@ -23,11 +23,11 @@ _WIDE = 1.5  # factor of the area from which on it is no percentage
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
-    """Return the interval of mu if two metals touch without the film or surface layer between them.
+    """Return the interval of mu for two metals that touch where the film or surface layer between them is gone.
 
-    [] if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the shear strength
-    tau_0 of clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times the junction
-    growth does not depend on H.
+    The list is empty if a body is not a metal, or if nothing separates the metals. The contact spots are plastic, have the
+    shear strength tau_0 of clean metal, and grow under shear. As tau_0 is proportional to the hardness H, mu = tau_0/H times
+    the junction growth does not depend on H.
     """
     contact = mixture.sampled.contact
     bodies = (contact.first, contact.second)
@@ -43,7 +43,7 @@ def bare_metal(mixture: Mixture, level: float) -> list[float]:
 
 
 def checked_against(mixture: Mixture, index: int) -> str:
-    """Return a text about the benchmark surfaces and measured friction values near this contact.
+    """Return a text on how well benchmark surfaces and measured friction support a prediction.
 
     index: position of the load in `loads`.
     """
@@ -66,9 +66,9 @@ def checked_against(mixture: Mixture, index: int) -> str:
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:
-    """Return half the width of the 90 % interval of ln(area) due to the error of one area model.
+    """Return half the width of the 90 % interval of ln(area) that arises from the error of one area model.
 
-    The plastic area and the nominal area limit it. index: position of the load in `loads`.
+    Plastic area and nominal area limit this width. index: position of the load in `loads`.
     """
     sampled, rows = mixture.sampled, np.arange(len(law.log_area))
     nominal = np.broadcast_to(sampled.column(sampled.drawn.nominal_area), (len(rows), 1))

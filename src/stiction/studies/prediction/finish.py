@@ -18,10 +18,10 @@ SHARPEST = 1.0  # sigma over R: asperities that are higher than their tips are w
 
 
 def with_finish(case: Case) -> Case:
-    """Return the case with asperity height deviation, radius and density as uncertain numbers of its surface finish.
+    """Return the case with height deviation, radius and density of asperities sampled from its surface finish.
 
-    They are sampled together, without surfaces whose asperities would be too sharp, unless all are. A case that states all
-    three is returned unchanged.
+    The three are sampled together. Surfaces with too sharp asperities are excluded, unless all are too sharp. A case that
+    states all three is returned unchanged.
     """
     contact = case.subject
     if not isinstance(contact, Contact) or not contact.roughness.unknowns or contact.measured is not None:

@@ -21,7 +21,7 @@ _STIFFNESS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": 
 
 
 def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xarray.Dataset":
-    """Return mu against nominal pressure, with so many rows that linear interpolation is accurate to 0.1 %.
+    """Return a table of mu against nominal pressure that linear interpolation reproduces within 0.1 %.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 
 
 def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads [N] and mu at these loads.
+    """Return loads [N] (n,) and mu (n,) at these loads.
 
     The loads cover the range of the stated ones, or decades around a single one, up to the load that the hardness allows.
     """
@@ -104,9 +104,10 @@ def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray
 
 
 def _needed(pressure: np.ndarray, columns: list[tuple[np.ndarray, float]], working_index: int) -> np.ndarray:
-    """Return the indices of the rows that linear interpolation in pressure needs to keep each column within its error bound.
+    """Return the indices of the rows that a table needs for accurate linear interpolation in pressure.
 
-    columns: (values, relative bound). working_index: index of a row that is always included, as the first and the last are.
+    columns: (values, relative error bound). working_index: index of a row that is always included, as the first and the last
+    are.
     """
     rows, last = [0], len(pressure) - 1
     while rows[-1] < last:

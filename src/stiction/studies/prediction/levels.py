@@ -26,9 +26,10 @@ _APART = "spots"  # a column that few contacts need: not of the sequence, so tha
 
 @dataclass(frozen=True)
 class Levels:
-    """Quantile levels, 0 to 1, of n samples.
+    """Store quantile levels, 0 to 1, of n samples.
 
-    inputs: (n, k), one column for each uncertain number of the case. others: column (n,) by its name in COLUMNS.
+    inputs: (n, k), one column for each uncertain number of the case. others: column (n,) of each other random part, by its name
+    in COLUMNS.
     """
 
     inputs: np.ndarray
@@ -41,16 +42,17 @@ class Levels:
         return self.others[name]
 
     def with_rows(self, part: str, moved: np.ndarray, rows: np.ndarray) -> "Levels":
-        """Return the levels of the samples `rows`, with the columns of one part taken from the samples `moved`.
+        """Return levels in which the columns of one part are taken from other samples.
 
-        The columns of the inputs always come from `rows`.
+        part: a key of COLUMNS. moved: samples from which the columns of this part are taken. rows: samples from which all other
+        columns, and the inputs, are taken.
         """
         others = {name: column[moved if name in COLUMNS[part] else rows] for name, column in self.others.items()}
         return Levels(self.inputs[rows], others)
 
 
 def draw_levels(inputs: int, count: int, seed: int) -> Levels:
-    """Return the levels of `count` samples, the points of one scrambled Sobol sequence over all columns.
+    """Return the quantile levels of `count` samples: the points of one scrambled Sobol sequence over all columns.
 
     Parameters
     ----------

@@ -32,7 +32,10 @@ _AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved su
 
 
 def count_of(points: int) -> int:
-    """Return the number of samples per point: the full number for up to 128 points, else half of it."""
+    """Return the number of samples per point of a prediction at many points.
+
+    It is the usual number up to 128 points, and half of it above.
+    """
     return COUNT if points <= _AT_ONCE else COUNT // 2
 
 
@@ -146,7 +149,7 @@ def _together(
 
 
 def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
-    """Return the numbers, with an array of one roughness height as a float if the surface has a finish.
+    """Return the numbers, with an array of one roughness height replaced by a float if the surface has a finish.
 
     `with_finish` refuses arrays of heights, because it samples one surface only. Contacts with other heights are predicted
     one by one.
@@ -162,9 +165,9 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
 def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":
     """Return the predictions of a case with swept numbers, over their dimensions and the loads.
 
-    Variables are named as in `predict`. Refused points, each a contact at a load, are NaN; the attribute `refused` counts
-    them. `draws` is the number of samples per contact. Raises InputError if the case has separations instead of loads, or if
-    all points are refused.
+    Variables are named as in `predict`. Refused points, each a contact at a load, are NaN; the attribute `refused` is their
+    number. The attribute `draws` is the number of samples per contact. Raises InputError if the case has separations instead of
+    loads, or if all points are refused.
     """
     import xarray
 

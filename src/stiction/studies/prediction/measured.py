@@ -17,7 +17,7 @@ _FEW = 50.0  # draws that count at least, for an interval
 
 @dataclass(frozen=True)
 class Measured:
-    """Measured friction coefficients (k,) as logarithms, with their loads [N] and standard errors of the logarithms."""
+    """Store k measured friction coefficients as logarithms (k,), with loads [N] and standard errors of the logarithms."""
 
     load: np.ndarray
     log_mu: np.ndarray
@@ -55,7 +55,7 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
 
 
 def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:
-    """Return indices of samples, repeated in proportion to their likelihood, and warnings.
+    """Return indices of samples, repeated in proportion to their likelihood, and a list of warnings.
 
     Parameters
     ----------

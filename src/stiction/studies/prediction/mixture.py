@@ -26,11 +26,12 @@ _MOST_SCATTER = 1.0  # standard deviation of ln of an area that so few asperitie
 
 @dataclass(frozen=True)
 class Samples:
-    """Results of the samples, arrays (n, m) over samples and loads; NaN for an impossible sample.
+    """Store the results of n samples at m loads, arrays (n, m); NaN for an impossible sample.
 
-    force [N]; area: real contact area [m2]; pull: factor of the area due to adhesion and menisci; growth: factor due to
-    junction growth; strength: shear strength of the interface [Pa], (n, 1); pressure: mean pressure of contact spots over the
-    hardness, before shear; efficiency: force over the sum of the strengths of all spots, 1 unless strength falls with slip.
+    force: friction force [N]. area: real contact area [m2]. pull: factor of the area due to adhesion and menisci. growth:
+    factor of the area due to junction growth. strength: shear strength of the interface [Pa], (n, 1). pressure: mean pressure
+    of contact spots over the hardness, before shear. efficiency: force over the sum of the strengths of all spots, 1 unless
+    strength falls with slip.
     """
 
     force: np.ndarray
@@ -42,13 +43,13 @@ class Samples:
     efficiency: np.ndarray
 
     def some(self, rows: np.ndarray, loads: int) -> "Samples":
-        """Return these rows of the samples, at the first `loads` loads only."""
+        """Return the results of these samples (rows), at the first `loads` loads only."""
         return Samples(*(getattr(self, field.name)[rows, :loads] for field in fields(self)))
 
 
 @dataclass(frozen=True)
 class Mixture:
-    """All parts of a prediction at its loads (m,): area models, adhesion, interface strength and onset of sliding."""
+    """Combine all parts of a prediction at its loads (m,): area models, adhesion, interface strength and onset of sliding."""
 
     sampled: SampledCase
     loads: np.ndarray
@@ -59,7 +60,7 @@ class Mixture:
 
     @classmethod
     def of(cls, sampled: SampledCase) -> "Mixture":
-        """Return the parts of a prediction for a contact.
+        """Return the mixture of all parts for a contact.
 
         Raises InputError if no area model applies, or if every load exceeds hardness times nominal area.
         """
@@ -67,7 +68,7 @@ class Mixture:
         return cls(sampled, sampled.loads, area_laws(sampled), pull_of(sampled), Strength(sampled), Onset.of(sampled))
 
     def at_load(self, index: int) -> "Mixture":
-        """Return the parts for a single contact at the load with this index."""
+        """Return the mixture at one load, given by its index; for a single contact."""
         laws = [law.at_load(index) for law in self.laws]
         return replace(self, loads=self.loads[[index]], laws=laws, pull=self.pull.at_load(index))
 
@@ -78,7 +79,7 @@ class Mixture:
 
     @cached_property
     def _is_flattened(self) -> np.ndarray:
-        """Return, for each load (m,), whether it exceeds hardness times nominal area."""
+        """Return a mask (m,) of the loads that exceed hardness times nominal area."""
         return self.loads > _most_load(self.sampled)
 
     @property
@@ -89,7 +90,7 @@ class Mixture:
         return np.minimum(self.touching / every[0], 1.0)
 
     def samples(self, levels: Levels, inputs: np.ndarray) -> Samples:
-        """Return the results of samples with these quantile levels.
+        """Return friction force, area and the other results of samples with these quantile levels.
 
         inputs: for each sample, the row of the sampled inputs that it uses.
         """
@@ -122,11 +123,14 @@ class Mixture:
         return Samples(force * efficiency, area, pull, growth, strength, pressure / hardness, efficiency)
 
     def _of(self, column: np.ndarray, inputs: np.ndarray) -> np.ndarray:
-        """Return the rows of a column (n or 1, m or 1) of sampled inputs for these samples; a single row serves all."""
+        """Return the rows of a sampled input that these samples use.
+
+        column: (n or 1, m or 1); a single row serves all samples. inputs: index of the row for each sample.
+        """
         return column[inputs % len(column)]
 
     def weights_of_laws(self, levels: Levels, rows: np.ndarray) -> dict[str, float]:
-        """Return the fraction of these samples that use each area model, by its name."""
+        """Return the fraction of the samples `rows` that use each area model, by its name."""
         which = self._laws_drawn(levels)[rows, 0]
         return {law.name: float(np.mean(which == index)) for index, law in enumerate(self.laws)}
 
@@ -137,7 +141,7 @@ class Mixture:
         return np.argmax(levels["area_model"][:, None, None] <= ends.T[None], axis=-1)
 
     def _dry_area(self, levels: Levels, inputs: np.ndarray, nominal: np.ndarray) -> np.ndarray:
-        """Return the area (n, m) without adhesion and menisci, by the sampled area model and corrected by its sampled error."""
+        """Return the area (n, m) without adhesion and menisci, by the area model and model error that each sample selects."""
         which = self._laws_drawn(levels)
         areas = np.empty((len(levels), len(self.loads)))
         for index, law in enumerate(self.laws):
@@ -149,9 +153,9 @@ class Mixture:
         return areas
 
     def _squeezed(self, levels, inputs, area, borne, hardness, hardest):
-        """Return area and mean pressure (n, m) of contact spots after a soft film is squeezed in them.
+        """Return area and mean pressure (n, m) of contact spots after the soft film between the bodies is squeezed.
 
-        This matters for spots wider than the film is thick. A contact without film is returned unchanged.
+        Squeezing matters for spots wider than the film is thick. A contact without film is returned unchanged.
         """
         coating, touching = self.sampled.drawn.coating, self.touching
         if coating is None or not np.isfinite(touching).all():
@@ -162,7 +166,7 @@ class Mixture:
         return area / times, borne / area * times
 
     def _chance(self, levels: Levels, pressure: np.ndarray) -> np.ndarray:
-        """Return ln(area) minus its mean (n, m), for the random scatter of a small number of contact spots.
+        """Return the deviation of ln(area) from its mean (n, m) that arises from the small number of contact spots.
 
         It is 0 if all spots are plastic, or if a height map determines the spots.
         """
@@ -179,7 +183,7 @@ class Mixture:
 
 
 def _most_load(sampled: SampledCase) -> np.ndarray:
-    """Return hardness times nominal area [N] for each point (m,), or (1,) if all points share it."""
+    """Return hardness times nominal area [N] at each point (m,), or (1,) if all points share it."""
     most: np.ndarray = np.median(sampled.bodies.hardest, axis=0) * np.mean(sampled.column(sampled.drawn.nominal_area), axis=0)
     return most
 

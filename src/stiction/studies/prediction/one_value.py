@@ -72,7 +72,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
 
 @lru_cache(maxsize=1024)
 def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
-    """Return the prediction for these pairs.
+    """Return the prediction for these names and values.
 
     changed: modification time of the case file, so that the cache does not answer for an older version of it.
     """
@@ -93,9 +93,9 @@ def _with_unit(name: str, value: Any) -> Any:
 
 
 def _with_value(tables: Any, path: tuple[str, ...], value: Any) -> Any:
-    """Return the tables with a value at this path.
+    """Return case tables with a value at this path.
 
-    A preset name on the path becomes a table that starts from the preset.
+    A material named by its preset becomes a table that starts from the preset.
     """
     if not path:
         return value

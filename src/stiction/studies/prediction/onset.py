@@ -25,10 +25,10 @@ _MAP = "boundary_elements"
 
 @dataclass(frozen=True)
 class MapSpots:
-    """Contact spots of one solved height map, at k contact areas.
+    """Store the contact spots of one solved height map, at k contact areas.
 
-    share: real over nominal area (k,). spread: standard deviation of the spots' displacement over their shear strength (k,)
-    [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the map [m].
+    share: real over nominal area (k,). spread: standard deviation of the spots' displacement, divided by their shear strength,
+    (k,) [m/Pa]. compliance: tangential compliance of the solved bodies [1/Pa]. side: side of the map [m].
     """
 
     share: np.ndarray
@@ -46,12 +46,12 @@ class MapSpots:
 
 @dataclass(frozen=True)
 class Onset:
-    """The inputs of the onset of sliding, arrays (n or 1, m or 1) over samples and points.
+    """Store the inputs of the onset of sliding, arrays (n or 1, m or 1) over samples and points.
 
-    slip: weakening slip [m]; residual: residual strength (fraction); deviation [m], radius [m], density [1/m2]: of the
-    asperities; side: side of the nominal area [m]; compliance: tangential compliance [1/Pa] of the touching surfaces, and of
-    the bodies below them; unlike: magnitude of Dundurs' beta of the touching surfaces; thickness: film thickness [m], 0
-    without a film; spots: of a solved map, None without a map.
+    slip: weakening slip [m]. residual: residual strength (fraction). deviation [m], radius [m], density [1/m2]: of the
+    asperities. side: side of the nominal area [m]. compliance: tangential compliance [1/Pa] of the touching surfaces, and of
+    the bodies below them. unlike: magnitude of Dundurs' beta of the touching surfaces. thickness: film thickness [m], 0
+    without a film. spots: spots of a solved map; None without a map.
     """
 
     slip: np.ndarray
@@ -107,9 +107,9 @@ class Onset:
         return self._coupled(np.clip(found, residual, 1.0), residual, score, rows)
 
     def _coupled(self, like: np.ndarray, residual: np.ndarray, score: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Return the efficiency of unlike bodies from that of like bodies (n, m).
+        """Return the efficiency of unlike bodies (n, m), in which normal and tangential displacements are coupled.
 
-        Unlike bodies lose nothing where like bodies lose nothing.
+        like: efficiency of like bodies (n, m). Where like bodies lose no strength, unlike bodies lose none either.
         """
         mean, error, most = UNLIKE
         lost = (1.0 - like) / np.maximum(1.0 - residual, 1e-12)
@@ -119,7 +119,7 @@ class Onset:
     def _by_numbers(self, share: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the standard deviation of the spots' displacement over their shear strength (n, m) [m/Pa], without a map.
 
-        It follows from asperity density, radius and height deviation. Spots much wider than the film is thick have the
+        It follows from density, radius and height deviation of asperities. Spots much wider than the film is thick have the
         compliance of the bodies below it.
         """
         deviation, radius, density = (_drawn(table, rows) for table in (self.deviation, self.radius, self.density))
@@ -147,7 +147,10 @@ def _mismatch(pair):
 
 
 def _spots_of(sampled: SampledCase) -> MapSpots | None:
-    """Return the solved spots of the map of a contact, of the first one in a sweep; None without a map that can be solved."""
+    """Return the contact spots on the solved map of a contact; None if there is no map that can be solved.
+
+    In a sweep, the map of the first contact is used.
+    """
     if not sampled.on_map:
         return None
     first = sampled.ends()[0]

@@ -135,9 +135,9 @@ def predict(
 
 
 def is_predicted(case: Case) -> bool:
-    """Return whether `predict` answers for a case, instead of a single model.
+    """Return whether a case is predicted by many models together, instead of being solved by one.
 
-    It does for a [contact] without a named model, law or option. Raises InputError if the case names the model
+    It is, if it has a [contact] and names no model, law or option. Raises InputError if the case names the model
     "recommended" together with any of these, or has [indices].
     """
     named = {name: value for name, value in case.choice.arguments().items() if value is not None}
@@ -151,9 +151,9 @@ def is_predicted(case: Case) -> bool:
 
 
 def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
-    """Return the prediction of a case at a load [N], or None if there is none.
+    """Return the prediction of a case at a load [N]; None if no prediction is possible.
 
-    There is none without a load, for [indices], or if an input that decides friction is not used by predictions.
+    None is possible without a load, for [indices], or if an input that decides friction is not used by predictions.
     """
     if load is None or not isinstance(case.subject, Contact) or refusal_of(case) is not None:
         return None
@@ -161,7 +161,7 @@ def prediction_of(case: Case, load: float | None) -> "xarray.Dataset | None":
 
 
 def case_given(given: Any, load: Any) -> Case:
-    """Return the case of a contact, case, dict or path, at these loads if any are given. Raises InputError."""
+    """Return a contact, case, dict or path as a case, at these loads if any are given. Raises InputError."""
     if isinstance(given, Contact):
         if load is None:
             raise InputError("load", None, 'a load above 0, e.g. load="1 N"')
@@ -197,13 +197,16 @@ def with_uncertain(case: Case) -> Case:
 
 
 def draws_of(case: Case, count: int = COUNT) -> Levels:
-    """Return the quantile levels of all samples of a case; `count` is their number if the case states none."""
+    """Return the quantile levels of all samples of a case.
+
+    count: number of samples if the case states none.
+    """
     count = case.uncertainty.count if "count" in case.uncertainty.model_fields_set else count
     return draw_levels(len(case.unknowns), count, case.uncertainty.seed)
 
 
 def intervals(samples: Samples, loads: np.ndarray, level: float) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
-    """Return the median and the interval of each result: name -> values (m,) and attributes.
+    """Return the median and both interval ends of each result, as (values (m,), attributes) by name.
 
     level: coverage probability of the interval.
     """
@@ -234,9 +237,9 @@ def _dataset(samples: Samples, loads: np.ndarray, level: float) -> "xarray.Datas
 def _given(
     known: Measured, case: Case, loads: np.ndarray, working_index: int, level: float, stated: Sequence[Uncertain]
 ) -> tuple[Samples, dict[str, Any], dict[str, Any]]:
-    """Return samples weighted by measured values, the attributes of their prediction, and updated uncertain numbers.
+    """Return samples weighted by measured values, with attributes and updated uncertain numbers.
 
-    working_index: index of the working load in `loads`; stated: uncertain numbers that the case itself states.
+    working_index: index of the working load in `loads`. stated: uncertain numbers that the case itself states.
     """
     levels = draw_levels(len(case.unknowns), _MANY, case.uncertainty.seed)
     mixture = Mixture.of(SampledCase(case, np.concatenate([loads, known.load]), levels.inputs))
@@ -272,7 +275,7 @@ def _width(low: float, high: float) -> float:
 
 
 def _beside_area(contact: Contact) -> list[str]:
-    """Return the names of the laws, besides the area models, that the inputs of the contact require."""
+    """Return the names of the meniscus and contamination laws that the inputs of a contact require."""
     stated = {
         "meniscus law equilibrium_meniscus": contact.liquid,
         "contamination law independent_junctions": contact.strength_variation,

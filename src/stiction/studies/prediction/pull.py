@@ -42,16 +42,16 @@ _MENISCUS_BIAS, _MENISCUS_ERROR = 0.7, 0.53  # of ln of what menisci add to the 
 
 
 class Pull:
-    """Factors of the contact area due to adhesion and menisci.
+    """Store the factors of the contact area due to adhesion and menisci.
 
-    adhesion: one array (n, m) for each adhesion model; menisci: (n, m); most: largest pull of menisci over the load, (n, m).
+    adhesion: one array (n, m) for each adhesion model. menisci: (n, m). most: largest pull of menisci over the load, (n, m).
     """
 
     def __init__(self, adhesion: list[np.ndarray], menisci: np.ndarray, most: np.ndarray):
         self.adhesion, self.menisci, self.most = adhesion, menisci, most
 
     def at_load(self, index: int) -> "Pull":
-        """Return the area factors of adhesion and menisci at one load, by its index; for a case with one contact."""
+        """Return the factors at one load, given by its index; for a single contact."""
         *adhesion, menisci, most = (
             table[:, [index]] if table.shape[1] > 1 else table for table in (*self.adhesion, self.menisci, self.most)
         )
@@ -60,7 +60,7 @@ class Pull:
     def factor(self, model: np.ndarray, error: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """Return the total factor (n, m) of the contact area.
 
-        model, error: quantile levels (n,) that select the adhesion model and its error; rows: rows (n,) of the sampled inputs.
+        model, error: quantile levels (n,) that select the adhesion model and its error. rows: rows (n,) of the sampled inputs.
         """
         from scipy.special import ndtri
 
@@ -89,10 +89,10 @@ def pull_of(sampled: SampledCase) -> Pull:
 
 
 def _factor(pulled: np.ndarray, alone: np.ndarray) -> np.ndarray:
-    """Return the area with pull over the area without it, at least 1.
+    """Return the factor by which a pull increases the contact area, at least 1.
 
-    An area is NaN if an asperity sum exceeds the nominal area. If only the area with pull does, the surfaces are pulled
-    into full contact. If both do, the pull adds nothing.
+    pulled, alone: areas with and without the pull. An area is NaN if an asperity sum exceeds the nominal area. If only the area
+    with pull is NaN, the surfaces are pulled into full contact. If both are, the pull adds nothing.
     """
     flat = np.where(np.isnan(alone), 1.0, _FLAT)
     return np.where(np.isnan(pulled), flat, np.maximum(pulled / np.where(np.isnan(alone), pulled, alone), 1.0))
@@ -115,9 +115,9 @@ def _by_adhesion(sampled: SampledCase) -> list[np.ndarray]:
 
 
 def _merging(sampled: SampledCase) -> np.ndarray:
-    """Return the exponent of the adhesion factor of an asperity sum, 1 to 2: 2 where spots merge because adhesion is strong.
+    """Return the exponent (n or 1, m or 1) of the adhesion factor of an asperity sum, from 1 to 2.
 
-    Its shape is (n or 1, m or 1), over samples and points.
+    It is 2 for strong adhesion, which makes contact spots merge.
     """
     from xarray import DataArray
 

@@ -23,7 +23,7 @@ _MANY = 0.05  # share of draws that cannot be, from which on it is said
 
 
 def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
-    """Return the contact regime in one or two sentences.
+    """Return one or two sentences on the contact regime, e.g. how plastic the contact spots are.
 
     index: position of the load in `loads`.
     """
@@ -57,10 +57,10 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> str:
-    """Return a sentence on the mean pressure of contact spots, and on yielding of the body below a film.
+    """Return a sentence on the mean pressure of contact spots, or on yielding of the body below a film.
 
-    pressure: mean pressure over the hardness of the softer surface; index: position of the load in `loads`;
-    added: what is added to tau_0 over the pressure, in words.
+    pressure: mean pressure over the hardness of the softer surface. index: position of the load in `loads`. added: words for
+    what is added to tau_0 over the pressure.
     """
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
@@ -83,7 +83,7 @@ def warnings_of(
 ) -> list[str]:
     """Return the warnings about a prediction, the most serious first.
 
-    index: position of the load in `loads`; shares: fraction of the variance by part, empty if unknown; by_state:
+    index: position of the load in `loads`. shares: fraction of the variance by part, empty if unknown. by_state:
     texts of `mu_by_state`.
     """
     impossible = float(np.mean(~np.isfinite(samples.force[:, index])))
@@ -118,9 +118,10 @@ def warnings_of(
 
 
 def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> list[str]:
-    """Return the interval of mu for each possible state of an unstated interface in words, the weakest first; else [].
+    """Return the interval of mu for each possible state of an interface that is not stated, as texts, the weakest first.
 
-    Each state takes all samples. index: position of the load in `loads`; level: probability of the intervals.
+    The list is empty if the state is known. Each state is applied to all samples. index: position of the load in `loads`.
+    level: coverage probability of the intervals.
     """
     states = mixture.strength.states
     if len(states) < 2:
@@ -136,14 +137,14 @@ def mu_by_state(mixture: Mixture, levels: Levels, index: int, level: float) -> l
 
 
 def _kind_is_missing(mixture: Mixture) -> bool:
-    """Return whether the kind of surface is unknown: neither a scan, a kind, a shape nor non-Gaussian heights are stated."""
+    """Return whether the kind of surface is unknown: no scan, kind, shape or non-Gaussian heights are stated."""
     contact = mixture.sampled.contact
     stated = mixture.sampled.on_map or contact.surface_kind is not None or bool(contact.surface_shape)
     return not stated and contact.heights[0] == "gaussian"
 
 
 def _of_few_waves(mixture: Mixture) -> list[str]:
-    """Return a warning if a height map contains only a few of its longest wavelengths; else []."""
+    """Return a list with a warning if a height map contains only a few of its longest wavelengths; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
     few = f"The map is only {waves:.2g} of its longest wavelengths wide, fewer than {LEAST_WAVES:g}:"
     return [f"{few} it may not represent the surface."] if waves < LEAST_WAVES else []
@@ -160,7 +161,7 @@ _STEPS = {
 
 
 def next_step(shares: Mapping[str, float], mixture: Mixture) -> str:
-    """Return what to measure or state next, from the part with the largest share of the variance."""
+    """Return what to measure or state next, which follows from the part with the largest share of the variance."""
     largest = max(shares, key=lambda name: shares[name], default="")
     if len(mixture.strength.states) > 1:
         if largest == "area model" and _kind_is_missing(mixture):

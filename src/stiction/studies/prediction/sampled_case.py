@@ -38,7 +38,7 @@ _INTERFACE = (
 
 @dataclass(frozen=True)
 class Bodies:
-    """Strengths of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
+    """Store the strengths of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
 
     hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can
     bear, the greater of the hardness of the touching surfaces and of the bodies below films.
@@ -52,7 +52,7 @@ class Bodies:
 
 @dataclass(frozen=True)
 class SampledCase:
-    """A case at its loads, with n samples of its k uncertain numbers, given as quantile levels (n, k).
+    """Store a case at its loads, with n samples of its k uncertain numbers, given as quantile levels (n, k).
 
     load: loads above 0 in N, an array (m,) or a labelled array along dimensions of the contacts. If numbers of the case are
     swept, the m points are all combinations of these numbers and the loads, in the order of `dims`.
@@ -69,7 +69,7 @@ class SampledCase:
 
     @cached_property
     def dims(self) -> dict[str, int]:
-        """Return the dimensions of the points with their lengths."""
+        """Return the dimensions of the points and their lengths."""
         loads = {} if hasattr(self.load, "dims") else {"load": np.size(self.load)}
         return dimensions([*self.case.swept.values(), self.load]) | loads
 
@@ -82,7 +82,7 @@ class SampledCase:
 
     @property
     def contacts(self) -> int:
-        """Return the number of contacts."""
+        """Return the number of contacts, each with its own numbers."""
         return math.prod(size for dim, size in self.dims.items() if dim != "load")
 
     def ends(self) -> "list[SampledCase]":
@@ -101,9 +101,9 @@ class SampledCase:
         return np.broadcast_to(arranged(numbers, list(dims), self.dims), tuple(self.dims.values())).reshape(-1)
 
     def areas(self, choice: Choice, pulls: Sequence[str] = (), faint: bool = False) -> np.ndarray:
-        """Return the real contact area [m2] (n, m) of a model for all samples, NaN where the model refuses or is invalid.
+        """Return the real contact area [m2] (n, m) by one model for all samples; NaN where the model refuses or is invalid.
 
-        n is 1 without uncertain numbers. pulls: which of PULLS act on the contact; faint: whether the work of adhesion is
+        n is 1 without uncertain numbers. pulls: which of PULLS act on the contact. faint: whether the work of adhesion is
         reduced until it has no effect. Raises InputError if the model refuses the nominal contact.
         """
         left_out = [*_INTERFACE, *(name for name in PULLS if name not in pulls)]
@@ -125,7 +125,7 @@ class SampledCase:
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
-        """Return, for each point (m,), whether the contact has at least the asperity density that a Gaussian surface needs."""
+        """Return a mask (m,) of the points at which the asperity density is at least that of a Gaussian surface."""
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
         return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
@@ -153,7 +153,7 @@ class SampledCase:
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return whether contact spots are junctions of bulk metal (1 or m,), which grow under shear.
+        """Return a mask (1 or m,) of the points at which contact spots are junctions of bulk metal, which grow under shear.
 
         It is False for coated contacts, because no law describes junction growth in films.
         """
@@ -161,18 +161,18 @@ class SampledCase:
         return np.where(self._first_is_softer(self.contact), first, second) & (not self.contact.has_film)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
-        """Return, for each point (1 or m,), whether the first touching body is the softer one on average over the samples."""
+        """Return a mask (1 or m,) of the points at which the first touching body is the softer one on average."""
         first, second = (self.column(body.hardness).mean(axis=0) for body in contact.touching)
         return first <= second
 
     @cached_property
     def drawn(self) -> Contact:
-        """Return the contact with the samples of its uncertain numbers as arrays, which have no coordinates."""
+        """Return the contact with the samples of its uncertain numbers as arrays without coordinates."""
         return _contact(self.case.at(self.case.numbers_at(self.levels)) if self.case.unknowns else self.case).unlabelled
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return hardness, shear strength and shear modulus of the softer surface, and the largest pressure a spot can bear."""
+        """Return the strengths of the touching surfaces for all samples and points."""
         contact = self.drawn
         radius = contact.roughness.asperity_radius
         pair = Pair(*(at_radius(body, radius) for body in contact.touching))

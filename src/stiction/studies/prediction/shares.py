@@ -15,11 +15,10 @@ Quantity = Callable[[Levels, np.ndarray], np.ndarray]
 
 
 def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str, float]:
-    """Return the fraction of the variance of ln mu due to each part, the largest first; {} if nothing varies.
+    """Return the fraction of the variance of ln mu that each part causes, the largest first; {} if nothing varies.
 
     The fraction is the part's total Sobol index (Jansen 1999), found by exchanging the part between samples, over the sum
     of all indices. The fraction of the inputs is divided among them by a linear fit to their normal scores.
-
     index: position of the load in `loads`.
     """
     mixture = mixture.at_load(index)
@@ -56,7 +55,10 @@ def _total(log_mu: Quantity, levels: Levels, part: str, reference: np.ndarray) -
 
 
 def _of_each_input(mixture: Mixture, levels: Levels, log_mu: Quantity, share: float) -> dict[str, float]:
-    """Divide the share of all inputs among the uncertain numbers, by the squared slopes of a linear fit."""
+    """Return the share of each uncertain number in the variance that all inputs cause.
+
+    It is proportional to the squared slope of a linear fit. share: variance that all inputs cause together.
+    """
     from scipy.special import ndtri
 
     middle = Levels(levels.inputs, {name: np.full(len(levels), 0.5) for name in levels.others})

@@ -19,11 +19,11 @@ _NEAR_BODY = 0.5
 
 
 class Strength:
-    """The distribution of the shear strength of an interface.
+    """Describe the distribution of the shear strength of an interface.
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
-    coefficient: stated pressure coefficient; takes_states: whether the state supplies it instead. aged: factor of tau_0 by
-    hold time. Arrays are (n or 1, m or 1) over samples and points.
+    coefficient: stated pressure coefficient. takes_states: whether the state supplies this coefficient instead. aged: factor of
+    tau_0 by hold time. Arrays are (n or 1, m or 1) over samples and points.
     """
 
     def __init__(self, sampled: SampledCase):
@@ -44,36 +44,39 @@ class Strength:
 
     @property
     def grows_with_pressure(self) -> bool:
-        """Return whether the strength of an interface state increases with pressure."""
+        """Return whether the strength of any possible interface state increases with pressure."""
         middle = np.array([0.5])
         return self.takes_states and any(np.any(state.pressure_coefficient_at(middle) > 0.0) for state, _ in self.states)
 
     @property
     def has_coefficient(self) -> bool:
-        """Return whether the pressure coefficient, stated or of a state, adds to friction."""
+        """Return whether a pressure coefficient adds to friction; it is stated or belongs to a state."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
     @property
     def over_body(self) -> float:
         """Return the median of the stated strength, after ageing, over the shear strength of the weaker body.
 
-        0 if no strength is stated.
+        It is 0 if no strength is stated.
         """
         return 0.0 if self.stated is None else float(np.median(self.stated * self.aged / self.bodies.shear_strength))
 
     def states_drawn(self, level: np.ndarray) -> np.ndarray:
-        """Return the index of the state of the interface of each sample (n,) at these quantile levels; 0 if tau_0 is stated."""
+        """Return the index (n,) of the interface state that each quantile level (n,) selects; 0 if tau_0 is stated."""
         ends = np.cumsum([weight for _, weight in self.states] or [1.0])
         return np.minimum(np.searchsorted(ends, level * ends[-1]), len(ends) - 1)
 
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
-        """Return how far the interface hardens with a metal body, 0 to 1: not at a stated strength well below the body's."""
+        """Return how far the interface hardens with a metal body, 0 to 1.
+
+        It is 1 for an interface state. A stated strength hardens only if it is close to the shear strength of the body.
+        """
         return 1.0 if self.stated is None else np.clip((strength / shear_strength - _NEAR_BODY) / (1.0 - _NEAR_BODY), 0.0, 1.0)
 
     def at(self, state: np.ndarray, strength: np.ndarray, coefficient: np.ndarray, rows: np.ndarray):
         """Return the shear strength tau_0 [Pa] and the pressure coefficient of each sample, arrays (n, m or 1).
 
-        state, strength, coefficient: quantile levels (n,) that select them; rows: rows (n,) of the sampled inputs. tau_0 is
+        state, strength, coefficient: quantile levels (n,) that select them. rows: rows (n,) of the sampled inputs. tau_0 is
         at most the shear strength of the weaker body.
         """
         bodies = self.bodies
@@ -102,8 +105,9 @@ class Strength:
 def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.ndarray) -> np.ndarray:
     """Return the shear strength tau_0 of the interface, limited by the shear strength of the weaker body.
 
-    For metals the limit is the von Mises value. For others it lies between the values of Tresca and von Mises, at this
-    quantile level; the full range applies if tau_0 is twice the limit or more, and none of it if tau_0 is just above.
+    tau, shear: strengths of interface and body [Pa]. For metals the limit is the von Mises value. For others it lies between
+    the values of Tresca and von Mises, selected by the quantile level. This range opens as tau_0 rises from the limit to twice
+    the limit.
     """
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)

@@ -18,7 +18,7 @@ _DECIDE = {
 
 
 def refusal_of(case: Case) -> InputError | None:
-    """Return an error for a stated input that would decide friction but that predictions cannot use, or None."""
+    """Return the error for a stated input that would decide friction but that predictions cannot use; None if there is none."""
     contact = case.subject
     if not isinstance(contact, Contact):
         return None
@@ -32,7 +32,7 @@ def refusal_of(case: Case) -> InputError | None:
 
 
 def not_used(sampled: SampledCase, strength: Strength, touching: np.ndarray) -> list[str]:
-    """Return the stated inputs that have no effect, each with the reason.
+    """Return the stated inputs that have no effect on a prediction, each with the reason in brackets.
 
     touching: number of asperities in contact at each load (m,).
     """
@@ -62,9 +62,9 @@ def _of_bodies(sampled: SampledCase, strength: Strength) -> Iterator[tuple[str, 
 
 
 def _why_no_yield(sampled: SampledCase, strength: Strength) -> str:
-    """Return why the yield stress has no effect, or "" if it has.
+    """Return why the yield stress has no effect; "" if it has an effect.
 
-    It limits tau_0 and controls the growth of metal junctions.
+    The yield stress limits tau_0 and controls the growth of metal junctions.
     """
     stated = strength.stated
     if sampled.metallic.any() or stated is None or np.any(stated * strength.aged > sampled.bodies.shear_strength):

@@ -29,11 +29,12 @@ if TYPE_CHECKING:
 class Analysis:
     """Hold the analysis of a scan.
 
-    surface: the prepared map. spectrum: radial average of the power spectrum; of_spectrum: how gaps were filled for it, "" if
-    none. spikes: number of points farther than SUSPICIOUS robust deviations from the median. by_differences, by_spectrum:
-    spectral moments from differences and from the spectrum, with the same cutoff. asperities, heights, failures: asperities
-    found, their height distribution, or the reason of failure, by method. standing: method recommended for the surface, "" if
-    none found asperities. kind: one of finishes.SURFACE_KINDS, from skewness, lay and top; None if undecided.
+    surface: the prepared map. spectrum: radial average of the power spectrum. of_spectrum: how gaps were filled for the
+    spectrum, "" if there were none. spikes: number of points farther than SUSPICIOUS robust deviations from the median.
+    by_differences, by_spectrum: spectral moments from differences and from the spectrum, with the same cutoff. asperities,
+    heights, failures: asperities found, their height distribution, or the reason of failure, by method. standing: method
+    recommended for the surface, "" if none found asperities. kind: one of finishes.SURFACE_KINDS, from skewness, lay and top;
+    None if undecided.
     """
 
     surface: HeightMap
@@ -150,7 +151,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
 
 
 def _band(spectrum: BinnedSpectrum) -> dict[str, float] | None:
-    """Return the ends of the spectrum's reliable band; None if there is no such band."""
+    """Return the longest and shortest wavelength [m] of the reliable band of a spectrum; None if there is no such band."""
     if spectrum.shortest >= spectrum.longest:
         return None
     return {"longest": spectrum.longest, "shortest": spectrum.shortest}
@@ -161,7 +162,7 @@ def _moments(one: Moments) -> dict[str, Any]:
 
 
 def spectrum_rows(spectrum: BinnedSpectrum) -> tuple[list[str], Iterable[list[Any]]]:
-    """Return column heads and rows of the averaged spectrum, with a flag for bins in the reliable band."""
+    """Return column heads and rows of the averaged spectrum; the last column tells whether a bin is in the reliable band."""
     unit = "m^3" if spectrum.is_profile else "m^4"
     heads = ["wavevector [rad/m]", "wavelength [m]", f"density [{unit}]", "waves", "reliable"]
     columns = spectrum.wavevector, spectrum.wavelength, spectrum.density, spectrum.waves, spectrum.reliable

@@ -26,9 +26,9 @@ PRESSURES = (0.005, 0.02, 0.05, 0.1, 0.2)
 class ContactOfMap:
     """Hold the solved contact of a rough map with a flat.
 
-    Pressures are divided by E* h', E* the contact modulus. pressures: nominal pressures; gradient: h', root mean square
-    gradient; hardness: highest local pressure, None for elastic contact; height: Sq, root mean square height [m]; curve:
-    solutions for E* = 1 Pa; validity_warnings: warnings of the map itself.
+    Pressures are divided by E* h', with the contact modulus E*. pressures: nominal pressures. gradient: h', the root mean
+    square gradient. hardness: largest local pressure, None for elastic contact. height: Sq, root mean square height [m]. curve:
+    solutions for E* = 1 Pa. validity_warnings: warnings of the map itself.
     """
 
     pressures: np.ndarray
@@ -40,7 +40,7 @@ class ContactOfMap:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Dimensionless results, one for each pressure, by column head; NaN where the solution was interrupted."""
+        """Return dimensionless results by column head, one value for each pressure; NaN where the solution was interrupted."""
         curve = self.curve
         side = np.sqrt(curve.array("nominal_area"))
         return {

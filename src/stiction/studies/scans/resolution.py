@@ -52,8 +52,8 @@ _WAVES_IN_SIZE = 10
 def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
     """Return the default cutoff wavelengths [m]: 0 (unfiltered), then seven in geometric progression.
 
-    They run from POINTS_PER_WAVE times the larger point spacing to a tenth of the map's shorter side. A map too small for
-    this range gets 0 alone.
+    The seven run from POINTS_PER_WAVE times the larger point spacing, or `shortest` if this is longer, to a tenth of the map's
+    shorter side. A map too small for this range gets 0 alone.
     """
     sizes = surface.size[1:] if surface.is_profile else surface.size
     shortest, longest = max(POINTS_PER_WAVE * surface.coarsest_pitch, shortest), min(sizes) / _WAVES_IN_SIZE
@@ -64,7 +64,7 @@ def default_cutoffs(surface: HeightMap, shortest: float = 0.0) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Friction:
-    """The contact, load and model for which friction is computed; contact and load are None if not requested.
+    """Store the contact, load and model for which friction is computed; contact and load are None if it is not.
 
     Raises InputError if contact, load or model cannot be used with any asperities.
     """
@@ -95,7 +95,7 @@ class _Friction:
 
     @property
     def of_map(self) -> bool:
-        """Whether the model solves the height map itself and needs no asperities."""
+        """Return whether the model solves the height map itself and needs no asperities."""
         return find(self.choice.model_key, RoughSurface).of_map is not None
 
     def coefficient(
@@ -103,8 +103,9 @@ class _Friction:
     ) -> float:
         """Return the static friction coefficient of the contact with this surface.
 
-        found, heights: its asperities and their heights. Theories of the whole surface use spectral moments of the filtered
-        map `seen` instead; models that solve a map use `to_solve`. options: options of asperity methods, by method.
+        found, heights: asperities of the surface and their height distribution. seen: filtered map; theories of the whole
+        surface use its spectral moments instead of asperities. to_solve: map that models of a map solve. options: options of
+        asperity methods, by method.
         """
         assert self.contact is not None
         if takes_surface_moments(self.choice.model_key):
@@ -237,14 +238,14 @@ def _seen(surface: HeightMap, cutoff: float, points_per_cutoff: float | None) ->
 
 
 def _to_solve(surface: HeightMap, seen: HeightMap, cutoff: float) -> HeightMap:
-    """Return the map that a map model solves: `seen`, or for a periodic map a version filtered periodically."""
+    """Return the map that a map model solves: `seen`, or for a periodic map its periodic filtering."""
     if not surface.periodic or not surface.complete:
         return seen
     return surface if cutoff == 0.0 else filter_period(surface, shortest=cutoff)
 
 
 def thinned(surface: HeightMap, cutoff: float, points_per_cutoff: float) -> HeightMap:
-    """Return the map with every k-th point along each axis.
+    """Return every k-th point of a map along each axis.
 
     k is the largest number that leaves at least `points_per_cutoff` (2 or more) points in a cutoff wavelength [m].
     """

@@ -50,8 +50,8 @@ def sobol_indices(values: np.ndarray) -> Indices:
     """Return Sobol indices from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
-    Student's t interval over the parts, each scrambled on its own. Points with NaN are left out, and then as many others as
-    leave a power of two.
+    Student's t interval over the parts, each scrambled on its own. Points with NaN are excluded, and then so many others that
+    a power of two remains.
     """
     columns = values.shape[1] - 2
     known = np.isfinite(values).all(axis=1)
@@ -88,8 +88,8 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
 class Effects:
     """Hold statistics of the elementary effects of k inputs, each (k,).
 
-    size: mean of the absolute effects; size_error: its standard error; mean, deviation: mean and standard deviation of the
-    effects.
+    size: mean of the absolute effects. size_error: standard error of `size`. mean, deviation: mean and standard deviation of
+    the effects.
     """
 
     size: np.ndarray

@@ -32,10 +32,10 @@ _LEFT_OUT = ("surface_energy",)
 
 @dataclass(frozen=True)
 class LogSensitivities:
-    """Hold logarithmic sensitivities of results y to k input numbers x.
+    """Hold logarithmic sensitivities d ln y/d ln x of results y to k input numbers x.
 
-    names: names of the inputs (k,). tables: result -> d ln y/d ln x (k, *shape), NaN unless y > 0. errors: result -> error
-    bound of the same shape. dims: result -> dimensions of that shape.
+    names: names of the inputs (k,). tables: sensitivities (k, *shape) by result, NaN unless y > 0. errors: error bounds of the
+    same shape, by result. dims: dimensions of `shape`, by result.
     """
 
     names: list[str]
@@ -46,9 +46,9 @@ class LogSensitivities:
 
 @dataclass(frozen=True)
 class _Steps:
-    """Stand-in for a distribution: `ppf` returns the nominal value times exp(step).
+    """Replace a distribution by steps: `ppf` returns the nominal value times exp(step).
 
-    It lets the code that samples uncertain numbers step a number instead.
+    The code that samples uncertain numbers then steps a number instead.
     """
 
     nominal: float
@@ -59,7 +59,7 @@ class _Steps:
 
 
 def numbers_of(case: Case) -> dict[str, list[Uncertain]]:
-    """Return every number of the contact above 0, by name.
+    """Return every number of the contact above 0 as an uncertain number with steps, by name.
 
     Numbers that are uncertain together share one name and are stepped together.
     """
@@ -91,7 +91,7 @@ def _numbers(record: Input, path: Address) -> Iterator[tuple[Address, float]]:
 def log_sensitivities(case: Case, choice: Choice, names: Sequence[str] = OUTPUTS, progress: Any = iter) -> LogSensitivities:
     """Return the logarithmic sensitivities of results to every number of the contact. Raises InputError.
 
-    names: the results.
+    names: names of the results.
     """
     inputs, stepped, steps = _stepped_case(case, _STENCIL)
     found = draw(stepped, steps, [Variant(choice)], names=names, progress=progress)
@@ -115,9 +115,9 @@ def log_sensitivities_of_prediction(case: Case, load: float) -> dict[str, float]
 
 
 def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.ndarray]:
-    """Return the names of the k numbers, a case in which they are uncertain, and the steps to take (k s, k).
+    """Return the names of k numbers, a case in which they are uncertain, and the steps to take (k s, k).
 
-    stencil (s,): steps of ln x. Each row steps one number and leaves the others at 0.
+    stencil (s,): steps of ln x. Each row of steps changes one number and leaves the others at 0.
     """
     inputs = numbers_of(case)
     steps = np.zeros((len(inputs), len(stencil), len(inputs)))
@@ -129,9 +129,9 @@ def _stepped_case(case: Case, stencil: np.ndarray) -> tuple[list[str], Case, np.
 
 
 def _slopes(table: np.ndarray, inputs: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the extrapolated slopes d ln y/d ln x (inputs, *shape), and their change by the extrapolation.
+    """Return the slopes d ln y/d ln x (inputs, *shape), extrapolated to step 0, and their change by the extrapolation.
 
-    table: y at the steps of every input (inputs times steps, *shape). NaN unless y > 0 at all steps.
+    table: y at the steps of every input (inputs times steps, *shape). The slope is NaN unless y > 0 at all steps.
     """
     y = table.reshape(inputs, len(_STENCIL), *table.shape[1:])
     positive = np.asarray(np.all(y > 0.0, axis=1))

@@ -112,14 +112,14 @@ def sensitivity(
 def _of_prediction(case: Case, load: float) -> "xarray.Dataset":
     """Return the sensitivities of a prediction at a load [N] as a dataset.
 
-    They are each input's share of the variance of ln mu, and d ln mu/d ln x for every number x.
+    They are the share of each input in the variance of ln mu, and d ln mu/d ln x for every number x.
     """
     import xarray
 
     answer, slopes = predict(case, load=load), log_sensitivities_of_prediction(case, load)
     shares = answer.attrs["shares"]
     said = {"units": "1", "long_name": "share of the variance of ln mu"}
-    slope = {"units": "1", "long_name": "elasticity of the friction coefficient, d ln mu/d ln x"}
+    slope = {"units": "1", "long_name": "logarithmic sensitivity of the friction coefficient, d ln mu/d ln x"}
     variables = {
         "friction_coefficient_share": ("input", list(shares.values()), said),
         "friction_coefficient_log_sensitivity": ("number", list(slopes.values()), slope),
@@ -158,7 +158,7 @@ class _Variation:
         return [*self.numbers, *more]
 
     def rows(self, shares: np.ndarray) -> np.ndarray:
-        """Return the index of the variant (method and model) of each sample (n,).
+        """Return the index of the variant, a method and a model, of each sample (n,).
 
         shares (n, inputs): sampled position of each input, 0 to 1.
         """
@@ -245,9 +245,10 @@ _MEANINGS = {
 def _of_result(
     name: str, drawn: Draws, screened: Draws, points: np.ndarray, paths: np.ndarray
 ) -> Iterator[tuple[str, tuple[np.ndarray, dict[str, str]]]]:
-    """Yield the Sobol indices and Morris effects of one result: name ending, then (array (inputs, *shape), attributes).
+    """Yield the Sobol indices and Morris effects of the logarithm of one result.
 
-    drawn, screened: results at `points` (Sobol) and `paths` (Morris). The logarithm of the result is analysed.
+    Each item is the ending of a variable name, and (array (inputs, *shape), attributes). drawn, screened: results at `points`
+    (Sobol) and `paths` (Morris).
     """
     shape = drawn.tables[name].shape[1:]
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]

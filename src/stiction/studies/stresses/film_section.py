@@ -35,9 +35,9 @@ _ASIDE = 1e-9  # of the thickness, how far above the interface is in the film
 
 
 def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
-    """Compute stresses in section under the mean touching asperity.
+    """Compute the stresses in a section under the mean touching asperity.
 
-    contact: a Contact or Indices with a film; point: one load or separation of its `film_stresses` result. Returns a dataset
+    contact: a Contact or Indices with a film. point: one load or separation of its `film_stresses` result. Returns a dataset
     over depth z and position x along the tangential force, both divided by the contact radius. stress_over_yield is the von
     Mises stress over the local yield stress. interface_normal_stress (tension above 0) and interface_shear_stress are taken
     over x in the middle plane: in Pa for a Contact, over the mean pressure for Indices. Attributes: contact_radius and
@@ -68,8 +68,8 @@ def film_section(contact: Subject, point: "xarray.Dataset") -> "xarray.Dataset":
 def _asperity(subject: Subject, groups: Groups, point: "xarray.Dataset") -> tuple[float, float, float, dict[str, Any]]:
     """Return radius, pressure and traction of the mean touching asperity, and for a Contact its sizes in SI units.
 
-    The radius is over the thickness of one film, the mean pressure over the body's yield stress, and the traction is friction
-    over load.
+    The radius is divided by the thickness of one film, the mean pressure by the body's yield stress, and the traction is
+    friction over load.
     """
     count, area, load = (float(point[name]) for name in ("touching_asperities", "contact_area", "load"))
     if not (count > 0.0 and load > 0.0 and math.isfinite(float(point["stress_over_yield"]))):

@@ -132,7 +132,7 @@ def part_that_yields(subject: Subject, where: str) -> str:
 def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the middle load or separation of a `film_stresses` result, among those at which asperities press.
 
-    Where none press, the middle of all.
+    If asperities press at none, it is the middle of all.
     """
     if not data["load"].dims:
         return data
@@ -143,10 +143,10 @@ def middle_point(data: "xarray.Dataset") -> "xarray.Dataset":
 
 
 def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[float, float, float, float, str]:
-    """Return the results of one asperity from its normalised area, load and friction force.
+    """Return the stresses in a film under one asperity, from its normalised area, load and friction force.
 
-    They are contact radius over film thickness, stress over yield, interface tension and shear over the weaker strength, and
-    the part that yields first. Stresses are NaN where the asperity does not press.
+    They are contact radius over film thickness, stress over yield stress, tension and shear at the interface over the strength
+    of the weaker of film and body, and the part that yields first. Stresses are NaN if the asperity does not press.
     """
     if not (area > 1e-100 and load > 0.0):
         return contact_over_thickness(groups, area), np.nan, np.nan, np.nan, ""
@@ -157,12 +157,12 @@ def _of_one(groups: Groups, area: float, load: float, friction: float) -> tuple[
 
 
 def contact_over_thickness(groups: Groups, area: float) -> float:
-    """Return contact radius over the thickness of one film, for an asperity with this normalised area."""
+    """Return the contact radius over the thickness of one film, for an asperity with this normalised area."""
     return float(area**0.5 * per_root(groups)[0] ** 2)
 
 
 def pressure_over_yield(groups: Groups, area: float, load: float) -> float:
-    """Return mean pressure over the body's yield stress, for an asperity with this normalised area and load."""
+    """Return the mean pressure over the body's yield stress, for an asperity with this normalised area and load."""
     return load * float(groups.hardness_to_yield[0]) / (float(groups.eta[0]) * area)
 
 
@@ -175,7 +175,10 @@ def _worst(bodies: Bodies, radius: float, pressure: float, traction: float, stre
 
 
 def coated_bodies(bodies: Bodies, radius: float) -> list[Stresses]:
-    """Return the stress solution of each coated body; radius: contact radius over film thickness."""
+    """Return the stress solution of each coated body.
+
+    radius: contact radius over film thickness.
+    """
     return [Stresses(bodies.pair, body, radius) for body in dict.fromkeys(bodies.coated)]
 
 

@@ -32,12 +32,12 @@ _Z = np.linspace(0.0, 1.8, 49)
 
 @dataclass(frozen=True)
 class OneAsperity:
-    """Hold the stresses under one asperity in section.
+    """Hold the stresses in a section under one asperity.
 
     x (m,), z (n,): positions along the tangential force and depths, over the contact radius. stress (n, m): von Mises stress
     over the local yield stress. thickness: film thickness over contact radius, infinite without a film. largest: highest
-    stress anywhere; at: its position (x, z); where: "film", "interface" or "body". radius: contact radius over (R
-    sigma)^(1/2); load: over K R^(1/2) sigma^(3/2), all symbols as in the module; pressure: mean pressure over the hardness.
+    stress anywhere. at: its position (x, z). where: "film", "interface" or "body". radius: contact radius over (R sigma)^(1/2).
+    load: over K R^(1/2) sigma^(3/2), all symbols as in the module. pressure: mean pressure over the hardness.
     """
 
     x: np.ndarray
@@ -80,7 +80,7 @@ def _bare(groups: Groups, radius: float, traction: float) -> OneAsperity:
 
 
 def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
-    """Compute the stresses under an asperity on a coated body; if both bodies are coated, of the first.
+    """Compute the stresses under an asperity on a coated body; if both bodies are coated, in the first one.
 
     The film thickness is the total thickness divided by the number of films.
     """

@@ -21,11 +21,11 @@ from stiction.studies.sweep.table import MOMENTS
 def solve_block(
     plan: Plan, choice: Choice, block: int, dims: Mapping[str, tuple[str, ...]], sizes: Mapping[str, int]
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Solve the contacts of one block; return results by name and validity warnings as bits.
+    """Solve the contacts of one block; return results by name, and validity warnings as bits.
 
-    dims: name -> dimensions of each result to store; sizes: dimension -> number of loads or separations. Arrays run over the
-    contacts of the block and the loads or separations. Contacts that the model refuses have NaN, and the reason among their
-    bits.
+    dims: dimensions of each result to store, by name. sizes: number of loads or separations, by dimension. Arrays run over the
+    contacts of the block and the loads or separations. The results of a contact that the model refuses are NaN, and the reason
+    is among its bits.
     """
     shape = {dim: some.stop - some.start for dim, some in plan.region(block).items()} | dict(sizes)
     results = {name: np.full([shape[dim] for dim in of], np.nan) for name, of in dims.items()}
@@ -41,7 +41,10 @@ def solve_block(
 
 
 def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator[tuple[Region, BatchResult]]:
-    """Yield (region, results) of the contacts of a block that can be solved; region: slices within the block."""
+    """Yield (region, results) of the contacts of a block that can be solved.
+
+    region: slices within the block, by dimension.
+    """
     first = plan.region(block)
     for piece in plan.pieces(block):
         starts = {dim: some.start - first[dim].start for dim, some in piece.items()}
@@ -52,7 +55,7 @@ def _solved(plan: Plan, choice: Choice, block: int, keep: list[str]) -> Iterator
 
 
 def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None) -> Iterator[tuple[Region, BatchResult | None]]:
-    """Yield (region, results) for parts of `piece`, a region of the sweep; results are None for refused contacts.
+    """Yield (region, results) for all parts of `piece`, a region of the sweep; results are None for refused contacts.
 
     The results come from the named model, or from a prediction if the case names none.
     """
@@ -78,10 +81,10 @@ def _along_places(solved: BatchResult) -> BatchResult:
 
 
 def statistics_of(values: np.ndarray, contacts: int) -> np.ndarray:
-    """Return (5, points): count, mean, sum of squared deviations, minimum and maximum of the finite values.
+    """Return statistics of the finite values at each point, (5, points).
 
-    values: array over contacts and points (loads or separations). contacts: how many of its leading dimensions run over
-    contacts.
+    The rows are count, mean, sum of squared deviations, minimum and maximum. values: array over contacts and points (loads or
+    separations). contacts: how many of its leading dimensions run over contacts.
     """
     rows = values.reshape(math.prod(values.shape[:contacts]), -1)
     there = np.isfinite(rows)

@@ -34,9 +34,9 @@ FileMaps: Any = create_model(
 
 
 class Realisations(Input):
-    """Settings of periodic random maps with one self-affine spectrum, which differ by their seed.
+    """Define periodic random maps with one self-affine spectrum, which differ by their seed.
 
-    points: number of points along a side; realisations: number of maps; skewness and kurtosis: of the heights, both or
+    points: number of points along a side. realisations: number of maps. skewness, kurtosis: of the heights, both or
     neither.
     """
 
@@ -67,10 +67,10 @@ class Realisations(Input):
 
 @dataclass(frozen=True)
 class MapOfPlace:
-    """One map of a sweep: a scan file, a patch of a scan file, or a random map of a spectrum.
+    """Describe one map of a sweep: a scan file, a patch of a scan file, or a random map of a spectrum.
 
-    entry: settings from the list `roughness` of [sweep]; index: number of the patch or random map; folder: file names are
-    relative to it; content: SHA-256 digest of the file, "" for a random map.
+    entry: settings from the list `roughness` of [sweep]. index: number of the patch or random map. folder: file names are
+    relative to it. content: SHA-256 digest of the file, "" for a random map.
     """
 
     entry: Any
@@ -80,7 +80,7 @@ class MapOfPlace:
 
     @property
     def name(self) -> str:
-        """Name of the map in the results: its file and patch, or its seed."""
+        """Return the name of the map in the results: its file and patch, or its seed."""
         if isinstance(self.entry, Realisations):
             return f"seed {self.entry.seed + self.index}"
         row, column = divmod(self.index, self.entry.patches)
@@ -118,9 +118,9 @@ def _surface(entry: Any, folder: Path, _content: str) -> HeightMap:
 
 
 def maps_of(listed: Sequence[Any], shared: Any, folder: Path) -> tuple[MapOfPlace, ...]:
-    """Return the maps described by the list `roughness` of the table [sweep].
+    """Return the maps that the list `roughness` of the table [sweep] describes.
 
-    listed: entries, each a scan file or a spectrum; shared: settings that apply to every entry, or None; folder: file names
+    listed: entries, each a scan file or a spectrum. shared: settings that apply to every entry, or None. folder: file names
     are relative to it. Raises InputError.
     """
     if not isinstance(shared or {}, Mapping) or (shared or {}).keys() & {"first", "second", "file"}:

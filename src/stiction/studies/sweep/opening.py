@@ -55,7 +55,10 @@ def opened_store(path: Path, plan: Plan, title: str, text: str) -> Store:
 
 
 def _check_whole(store: Store, path: Path) -> None:
-    """Raise InputError if an array is absent, if the list of finished blocks cannot be read, or if a coordinate was changed."""
+    """Raise InputError if a store is damaged.
+
+    It is, if an array is absent, the list of finished blocks cannot be read, or a coordinate was changed.
+    """
     try:
         absent = ({DONE, CHECKSUMS} | (set() if store.plan.sweep.statistics else set(store._results))) - store._arrays.keys()
         store.left()
@@ -69,7 +72,7 @@ def _check_whole(store: Store, path: Path) -> None:
 
 
 def _checksum(coordinate: np.ndarray) -> int:
-    """Return the CRC-32 of a coordinate of numbers or texts."""
+    """Return the CRC-32 of a coordinate, an array of numbers or texts."""
     return crc32(repr(np.asarray(coordinate).tolist()).encode())
 
 
@@ -94,7 +97,7 @@ def _difference(one: Any, other: Any, path: str = "") -> str:
 
 
 def create(path: Path, plan: Plan, title: str, text: str) -> None:
-    """Create an empty store at a path; it is prepared beside the path and moved there at the end.
+    """Create an empty store at a path; it is prepared in a neighbouring folder and moved there at the end.
 
     A store that another process created meanwhile stays. Raises InputError if the first contacts cannot be solved, or if the
     path cannot be written.
@@ -115,9 +118,9 @@ def create(path: Path, plan: Plan, title: str, text: str) -> None:
 
 
 def _first(plan: Plan) -> tuple[Choice, Any]:
-    """Return the model choice, and (case, results) of the first contact that the model can solve.
+    """Return the model choice, and (case, results) of the first contact that can be solved.
 
-    Raises the last error if it refuses the first few contacts of the first blocks.
+    Raises the last error if the model refuses the first few contacts of the first blocks.
     """
     from stiction.studies.case_results import choice_of_case
 
@@ -244,7 +247,7 @@ def _statistics(group: Any, plan: Plan, layout: Mapping[str, tuple], points: Map
 
 
 def _coordinates(group: Any, plan: Plan, case: Any, points: Mapping[str, int]) -> dict[str, tuple]:
-    """Return the coordinates of the dimensions: name -> dimension, values, attributes.
+    """Return the coordinates of the dimensions, as (dimension, values, attributes) by name.
 
     Array parameters of listed or sampled contacts are written later, with each block; their empty arrays are created here.
     """

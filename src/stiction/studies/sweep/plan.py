@@ -28,10 +28,10 @@ _BITS = 32  # of the coordinates of Sobol points: as many as can be skipped quic
 
 @dataclass(frozen=True)
 class Plan:
-    """A checked sweep, cut into blocks that can be computed in any order and by any process, with the same bits.
+    """Describe a checked sweep, cut into blocks; any process can compute any block, in any order, with the same bits.
 
-    case: the case with the first value of each array parameter. several: address -> array parameter. sweep: the table
-    [sweep]. dims: dimension -> length, of the contacts; tile: dimension -> length within one block. points: loads or
+    case: the case with the first value of each array parameter. several: array parameters by address. sweep: the table
+    [sweep]. dims: numbers of contacts by dimension. tile: numbers of contacts within one block by dimension. points: loads or
     separations of each contact. load: loads [N], None if separations are stated. uncertain: numbers that a prediction samples
     for every contact. scans: attributes of measured roughness. maps: one map for each contact, in a sweep over maps. Use
     `make_plan` to build one.
@@ -54,14 +54,14 @@ class Plan:
 
     @property
     def size(self) -> int:
-        """Number of solved points: contacts times loads or separations."""
+        """Return the number of solved points: contacts times loads or separations."""
         return math.prod(self.dims.values()) * self.points
 
     def _tiles(self) -> list[int]:
         return [-(-length // self.tile[dim]) for dim, length in self.dims.items()]
 
     def region(self, block: int) -> Region:
-        """Return the contacts of a block as slices: dimension -> slice."""
+        """Return the contacts of a block, as a slice for each dimension."""
         places = np.unravel_index(block, self._tiles()) if self.dims else ()
         starts = {dim: int(at) * self.tile[dim] for dim, at in zip(self.dims, places, strict=True)}
         return {dim: slice(start, min(start + self.tile[dim], self.dims[dim])) for dim, start in starts.items()}
@@ -75,7 +75,10 @@ class Plan:
         return math.prod(some.stop - some.start for some in self.region(block).values())
 
     def case_at(self, region: Mapping[str, slice]) -> Case:
-        """Return the case for a region of contacts; in a sweep over maps, with the roughness of the region's first map."""
+        """Return the case for a region of contacts.
+
+        In a sweep over maps, it has the roughness of the region's first map.
+        """
         if not self.maps:
             return self.case
         return self.case.at({("contact", "roughness"): self.maps[region[PLACE].start].roughness()})
@@ -103,7 +106,7 @@ class Plan:
         return {path: one.array(one.at(shares[:, columns.index(one.dimension)]), SAMPLE) for path, one in self.swept.items()}
 
     def identity(self) -> str:
-        """Return JSON text of everything that decides the results; equal for equal sweeps."""
+        """Return JSON text of everything that determines the results; equal for equal sweeps."""
         case = self.case
         solve = {"separation": case.separation, "load": case.load, **case.choice.arguments()}
         plain: Any = {name: subject.model_dump() for name, subject in case.tables.items()}
@@ -121,9 +124,9 @@ def _plain(value: Any) -> Any:
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
-    """Return the sample points (n, columns) of a slice, in the unit cube.
+    """Return the sample points (n, columns) of a slice, each coordinate from 0 to 1.
 
-    A share is a position between the start (0) and the stop (1) of a range.
+    A coordinate is a position between the start (0) and the stop (1) of a range.
     """
     from scipy.stats import qmc
 
@@ -140,7 +143,7 @@ def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
 
 
 def make_plan(content: Mapping[str, Any], folder: Path = Path()) -> Plan:
-    """Return the sweep plan of a case file's tables.
+    """Return the sweep plan that the tables of a case file describe.
 
     folder: file names in the tables are relative to it. Raises InputError.
     """
@@ -185,7 +188,7 @@ def _plan_of_maps(content: Mapping[str, Any], folder: Path, sweep: Sweep) -> Pla
 
 
 def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
-    """Return the case with the roughness numbers of its chosen asperity method in place of scans, and the scans' attributes.
+    """Return the case with the roughness numbers of its asperity method in place of scans, and attributes of the scans.
 
     Worker processes then need no scan files.
     """
@@ -195,7 +198,7 @@ def _without_scans(case: Case) -> tuple[Case, dict[str, str]]:
 
 
 def _lengths(plan: Plan) -> dict[str, int]:
-    """Return dimension -> length of the contacts of a sweep.
+    """Return the number of contacts of a sweep along each dimension.
 
     Raises InputError if there is no array parameter, or if lengths differ along a dimension.
     """
@@ -217,7 +220,7 @@ def _lengths(plan: Plan) -> dict[str, int]:
 def _cut(plan: Plan, lengths: Mapping[str, int]) -> Plan:
     """Return the plan cut into blocks of the requested or default size.
 
-    lengths: dimension -> number of contacts. Blocks are cut along the first dimensions and span the last ones.
+    lengths: number of contacts along each dimension. Blocks are cut along the first dimensions and span the last ones.
     """
     size = math.prod(lengths.values()) * plan.points
     times = min(max(1, size // (64 * AT_ONCE)), 8) if plan.sweep.statistics else 1

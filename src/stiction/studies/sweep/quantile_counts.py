@@ -46,8 +46,8 @@ def values_at(sizes: np.ndarray) -> np.ndarray:
 def counted(values: np.ndarray) -> np.ndarray:
     """Return histograms of values (n, points) as an array (2, points, m): bin numbers and their counts.
 
-    Non-finite values are left out. The bin numbers of a point ascend; shorter rows are filled up with bin 0, which no value
-    has. m: the largest number of occupied bins of a point.
+    Non-finite values are excluded. The bin numbers of a point ascend. m is the largest number of occupied bins of a point;
+    shorter rows are filled up with bin 0, which no value has.
     """
     there = np.isfinite(values)
     sizes = np.where(there, sizes_of(np.where(there, values, 0.0)), np.uint32(0)).T.copy()
@@ -71,8 +71,8 @@ def counted(values: np.ndarray) -> np.ndarray:
 def quantiles_of(parts: Iterable[np.ndarray], points: int, shares: Iterable[float]) -> np.ndarray:
     """Return quantiles (shares, points) of all values in several histograms.
 
-    parts: histograms (2, points, n) as `counted` returns them; shares: quantile levels, 0 to 1. A quantile is the lowest bin
-    up to which the values make the level; NaN without values.
+    parts: histograms (2, points, n) as `counted` returns them. shares: quantile levels, 0 to 1. A quantile is the centre of the
+    lowest bin at which the cumulative count reaches the level. It is NaN without values.
     """
     keys, counts = _together(parts)
     shares = list(shares)

@@ -127,7 +127,7 @@ def _done(store: "Store", left: list[int], workers: int, scheduler: str | None) 
 
 @contextmanager
 def _refused_where_not_writable(store: "Store") -> Iterator[None]:
-    """Raise InputError, in one line, where a file of the store cannot be written."""
+    """Turn an OSError about a file of the store that cannot be written into an InputError of one line."""
     try:
         yield
     except OSError as error:

@@ -39,7 +39,7 @@ _ROWS_AT_ONCE = 1_000_000  # numbers of blocks that are read together
 
 @dataclass(frozen=True)
 class Store:
-    """The store of a sweep plan at a path; several processes may open it and compute different blocks."""
+    """Read and write the store of a sweep plan; several processes may open one store and compute different blocks."""
 
     path: str
     plan: Plan
@@ -52,7 +52,7 @@ class Store:
 
     @cached_property
     def _arrays(self) -> dict[str, Any]:
-        """All arrays of the store by path, each opened once, because opening reads a file."""
+        """Return all arrays of the store by path, each opened once, because opening reads a file."""
         return {path: one for path, one in self.group.members(max_depth=None) if hasattr(one, "shape")}
 
     @cached_property
@@ -117,7 +117,7 @@ class Store:
             yield values
 
     def _places(self, block: int) -> dict[str, tuple]:
-        """Return where the values of a block are stored: path of an array -> index in this array."""
+        """Return where the values of a block are stored: the index in each array, by path of the array."""
         if self.plan.sweep.statistics:
             parts = [PARTS, COUNTS] if percentiles(self.plan) else [PARTS]
             return {f"{part}/{name}": (slice(block, block + 1),) for part in parts for name in self._results}
@@ -135,7 +135,7 @@ class Store:
         return {one.name: drawn[path].values for path, one in self.plan.swept.items()}
 
     def _statistics(self, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Return the statistics of a block's results by array path, and histograms if percentiles are requested."""
+        """Return the statistics of a block's results by array path, with histograms if percentiles are requested."""
         contacts = len(self.plan.dims)
         values = {f"{PARTS}/{name}": statistics_of(table, contacts)[None] for name, table in results.items()}
         if percentiles(self.plan):
@@ -161,7 +161,7 @@ class Store:
             file.unlink(missing_ok=True)
 
     def validity_warnings(self) -> dict[str, int]:
-        """Return validity warning -> number of points that have it, over the finished blocks; zeros are left out."""
+        """Return the number of points with each validity warning, by its text, over the finished blocks; zeros are omitted."""
         counts = np.zeros(self.group[DONE].shape[1], dtype=np.int64)
         for row in _each_row(self.group[DONE]):
             counts += np.where(row == NOT_DONE, 0, row)
@@ -169,7 +169,7 @@ class Store:
 
 
 def _checksum(tables: Iterable[np.ndarray]) -> int:
-    """Return the CRC-32 of the bytes of tables, one after the other."""
+    """Return the CRC-32 of the bytes of several arrays, one after the other."""
     total = 0
     for table in tables:
         total = crc32(np.ascontiguousarray(table).tobytes(), total)
@@ -177,7 +177,7 @@ def _checksum(tables: Iterable[np.ndarray]) -> int:
 
 
 def percentiles(plan: Plan) -> dict[str, float]:
-    """Return the percentiles among the requested statistics: name -> quantile level, 0 to 1."""
+    """Return the quantile level, 0 to 1, of each percentile among the requested statistics, by its name."""
     return {name: PERCENTILES[name] for name in plan.sweep.statistics if name in PERCENTILES}
 
 

@@ -16,10 +16,10 @@ STATISTICS = (*MOMENTS, *PERCENTILES)
 
 
 class Sample(Input):
-    """How the contacts of a sweep are selected from the values of its array parameters.
+    """Define how the contacts of a sweep are selected from the values of its array parameters.
 
     grid: every combination. list: the first values together, then the second, and so on. sobol, latin_hypercube: `count`
-    points between start and stop of each range, even in the value or in its logarithm.
+    points between start and stop of each range, uniform in the value or in its logarithm.
     """
 
     method: Method = Field("grid", description=", ".join(get_args(Method)))
@@ -28,7 +28,7 @@ class Sample(Input):
 
     @property
     def is_drawn(self) -> bool:
-        """Whether the method samples points between the ends of ranges: sobol or latin_hypercube."""
+        """Return whether the method samples points between the ends of ranges: sobol or latin_hypercube."""
         return self.method in ("sobol", "latin_hypercube")
 
     @model_validator(mode="after")
@@ -43,7 +43,7 @@ class Sample(Input):
 
 
 class Sweep(Input):
-    """Settings of a sweep: which contacts are computed and which results are stored.
+    """Define the table [sweep] of a case file: which contacts are computed and which results are stored.
 
     roughness: maps, each the roughness of one contact (see `maps`). sample: how contacts are selected. keep: names of
     results, all by default. statistics: statistics over all contacts at each load, stored in place of single results.
@@ -64,4 +64,4 @@ class Sweep(Input):
     block: int | None = Field(None, ge=1, le=LARGEST_BLOCK, strict=True, description=f"a whole number, 1 to {LARGEST_BLOCK}")
 
 
-TABLE = (Sweep, "what `stiction sweep` computes and keeps")
+TABLE = (Sweep, "contacts and results of `stiction sweep`")

@@ -25,7 +25,7 @@ _NEEDED = ["stiction.studies.sweep.store", "stiction.studies.case_results", "sci
 
 
 def make_ready() -> Any:
-    """Return the multiprocessing context for workers; it begins to import their modules in the background."""
+    """Return the multiprocessing context for workers, which begins to import their modules in the background."""
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -151,7 +151,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
 
 class _Room:
-    """Limit of blocks submitted to a cluster at once, from the number of its threads, which is counted every few seconds."""
+    """Limit how many blocks are submitted to a cluster at once, by the number of its threads, counted every few seconds."""
 
     def __init__(self, client: Any) -> None:
         self.client, self.room, self.counted = client, 0, -_EVERY

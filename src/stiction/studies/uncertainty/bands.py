@@ -80,7 +80,7 @@ def with_bands(data: "xarray.Dataset", case: Case, choice: Choice, progress: Ste
 def _with_stated_values_beyond(data: "xarray.Dataset") -> "xarray.Dataset":
     """Return the dataset with a warning if mu at the stated values is outside its own interval by more than 1 %.
 
-    It is so where mu has its maximum or minimum at these values: samples are then all on one side.
+    This happens if mu has its maximum or minimum at these values, because samples are then all on one side.
     """
     if "friction_coefficient_quantile" not in data:
         return data
@@ -129,5 +129,5 @@ def sampling_attributes(case: Case) -> dict[str, str]:
 
 
 def warning_shares(draws: Draws) -> str:
-    """Return the fraction of all points outside each validity range, as JSON."""
+    """Return the fraction of all points at which each validity warning applies, as JSON."""
     return json.dumps(draws.shares(), ensure_ascii=False)

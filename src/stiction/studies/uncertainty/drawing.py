@@ -29,7 +29,7 @@ _MOST = 50_000_000  # points that are kept
 
 @dataclass(frozen=True)
 class Variant:
-    """A model with its laws and, for a measured surface, the roughness found by one asperity method."""
+    """Describe a model with its laws and, for a measured surface, the roughness that one asperity method finds."""
 
     choice: Choice
     roughness: Any = None
@@ -41,13 +41,11 @@ class Variant:
 
 @dataclass
 class Draws:
-    """Results of n samples of a contact.
+    """Store the results of n samples of a contact.
 
-    - points: number of points of one contact
-    - tables: name -> array (n, *shape), NaN where a result is missing or impossible
-    - dims, attributes: name -> dimensions of `shape`, and meaning and unit
-    - validity_warnings: text of a violated validity range, or reason for a missing result -> number of points
-    - impossible: number of points with an impossible result
+    points: number of points of one contact. tables: arrays (n, *shape) by name, NaN where a result is missing or impossible.
+    dims: dimensions of `shape`, by name. attributes: meaning and unit, by name. validity_warnings: number of points by the text
+    of a violated validity range, or of the reason for a missing result. impossible: number of points with an impossible result.
     """
 
     points: int = 0
@@ -75,7 +73,7 @@ class Draws:
 
 
 def scrambled(columns: int, count: int, seed: int, parts: int = 1) -> np.ndarray:
-    """Return points (parts, count / parts, columns) in the unit cube from Sobol sequences, one for each part.
+    """Return points (parts, count / parts, columns) from Sobol sequences, one for each part, with coordinates 0 to 1.
 
     Each sequence has its own Owen scrambling.
     """
@@ -103,10 +101,11 @@ def draw(
     names: Sequence[str] = OUTPUTS,
     progress: Any = iter,
 ) -> Draws:
-    """Solve a case at these quantile levels (n, k) of its `unknowns`.
+    """Solve a case for samples of its uncertain numbers, and return their results.
 
-    rows: index of the variant that solves each sample, by default the first. names: results to return. progress: wraps the
-    list of batches. Raises InputError if the first variant refuses the nominal contact, or if there are too many points.
+    shares: quantile levels (n, k) of the case's `unknowns`. variants: models that may be used. rows: index of the variant that
+    solves each sample, by default the first. names: results to return. progress: wraps the list of batches. Raises InputError
+    if the first variant refuses the nominal contact, or if there are too many points.
     """
     for variant in variants:
         if solves_maps(variant.choice):
@@ -128,7 +127,7 @@ def draw(
 
 
 def _points(case: Case) -> dict[str, Any] | None:
-    """Return the loads of the case, or None for separations, which the case recomputes if sigma varies."""
+    """Return the loads of the case; None if it has separations, which the case computes again where sigma varies."""
     return None if case.load is None else {"load": case.load}
 
 
