@@ -30,7 +30,7 @@ _MOST_POINTS = 1024  # along a side, for the autocorrelation
 
 @dataclass(frozen=True)
 class ArealParameters:
-    """Store the areal parameters of a map.
+    """Store the areal parameters of a map (ISO 25178-2).
 
     Lengths are in m and ratios are fractions (0.1 for 10 %). A parameter that the map does not determine is None.
     """

@@ -18,7 +18,7 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Asperities:
-    """The asperities that one method finds on a surface.
+    """Store the asperities that one method finds on a surface.
 
     method: key of the method. density: N, number per nominal area [1/m^2]. deviation: standard deviation sigma of the
     asperity heights [m]. radius: R [m], the reciprocal of the mean summit curvature, as in the relations of Nayak and McCool.
@@ -94,7 +94,7 @@ def of_samples(
 
 
 def spread(samples: np.ndarray) -> float:
-    """Return the standard deviation; 0 if all samples are equal apart from rounding."""
+    """Return the standard deviation of samples (n,); 0 if all are equal apart from rounding."""
     deviation = float(samples.std())
     return deviation if deviation > _ROUNDING * np.abs(samples).max() else 0.0
 
@@ -109,15 +109,15 @@ def of_numbers(surface: "Roughness") -> Asperities:
 
 
 def rounding(heights: np.ndarray) -> float:
-    """Return the height difference [m] that levelling may cause by rounding.
+    """Return the smallest height difference [m] that counts; smaller ones may be rounding errors of levelling.
 
-    Smaller differences do not count as peaks along the ridge of a groove.
+    Without this limit, rounding would make peaks along the ridge of a groove.
     """
     return _ROUNDING * float(np.nanmax(heights) - np.nanmin(heights))
 
 
 def skewness(samples: np.ndarray) -> float:
-    """Return the third central moment divided by the cube of the standard deviation.
+    """Return the skewness of samples (n,): third central moment over the cube of the standard deviation.
 
     The result is 0 if all samples are equal apart from rounding.
     """
@@ -129,7 +129,7 @@ def skewness(samples: np.ndarray) -> float:
 
 
 def over_mean_plane(surface: HeightMap) -> np.ndarray:
-    """Return the heights (rows, columns) [m] minus their mean; NaN where missing.
+    """Return the heights (rows, columns) [m] of a map minus their mean; NaN where missing.
 
     A tilt stays: level the map first.
     """

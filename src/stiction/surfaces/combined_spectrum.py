@@ -144,7 +144,10 @@ def _reliable(surface: "HeightMap", tip_radius: float | None, field: str) -> Bin
 
 
 def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
-    """Return a spectrum in bins of at most 1/_PER_DECADE of a decade; a mean over wide ones is too large where C is steep."""
+    """Return a spectrum averaged in bins of at most 1/_PER_DECADE of a decade.
+
+    In wider bins the mean would be too large where the spectrum is steep.
+    """
     _, group = np.unique(np.floor(_PER_DECADE * np.log10(binned.wavevector)), return_inverse=True)
     waves = np.bincount(group, binned.waves)
     q, density = (np.bincount(group, binned.waves * table) / waves for table in (binned.wavevector, binned.density))
@@ -152,7 +155,7 @@ def _smoothed(binned: BinnedSpectrum) -> BinnedSpectrum:
 
 
 def _at(spectrum: BinnedSpectrum, wavevector: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return ln C and its weight (bins,) at wave numbers; the weight is 0 outside the band of the scan."""
+    """Return ln C of a scan and its weight, (bins,) each, at wave numbers; the weight is 0 outside the band of the scan."""
     log_q, own = np.log(wavevector), np.log(spectrum.wavevector)
     inside = (wavevector >= spectrum.wavevector[0]) & (wavevector <= spectrum.wavevector[-1])
     weight = np.minimum(np.interp(log_q, own, spectrum.waves), _MOST_WAVES)

@@ -114,7 +114,7 @@ def _laplace(heights: np.ndarray, missing: np.ndarray, pitch: tuple[float, float
 
 
 def _neighbours(axis: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """Return two slices along an axis: all points but the last, and all points but the first.
+    """Return two slices of a map along an axis: all points but the last, and all points but the first.
 
     Points at the same position of both slices are neighbours.
     """

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def methods() -> dict[str, AsperityMethod]:
-    """Return all methods that find asperities as a dict key -> record, in display order."""
+    """Return all methods that find asperities, as records by key, in display order."""
     known = of_kind(AsperityMethod)
     return dict(sorted(known.items(), key=lambda one: (one[1].order, one[0])))
 
@@ -35,7 +35,7 @@ def methods_for(surface: HeightMap) -> tuple[str, ...]:
 
 
 def method_of_moments() -> str:
-    """Return the key of the method that computes spectral moments and finds no summits.
+    """Return the key of the asperity method that computes spectral moments and finds no single summits.
 
     Theories that describe the surface by its spectral moments use this method.
     """

@@ -36,7 +36,7 @@ def _finish(value):
 
 
 class Finished(Input):
-    """A rough body described by a finish.
+    """Describe a rough body by its finish.
 
     finish: name of a finish class (interfaces.md). rms_height: Sq. mean_height: Ra, converted by Sq = 1.25 Ra. Without
     either height, the finish provides Sq. kind: kind of surface as in Roughness; the default is the kind of the finish.
@@ -80,13 +80,13 @@ class Finished(Input):
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the quantities that the finish states only as a range."""
+        """Return the names of the quantities that the finish states as a range."""
         return ("rms_slope", "roughness_parameter", *(["rms_height"] if self.height is None else []))
 
     def moments(self, levels: Mapping[str, Any]) -> Moments:
-        """Return the spectral moments at quantile levels of the uncertain quantities.
+        """Return the spectral moments of the surface at quantile levels of the quantities that are uncertain.
 
-        levels: name -> level between 0 and 1. A quantity without a level takes its median.
+        levels: level between 0 and 1 by name. A quantity without a level takes its median.
         """
         made = finish(self.finish)
         slope, density, *drawn = (made.quantile(name, levels.get(name, 0.5)) for name in self.unknowns)
@@ -94,7 +94,7 @@ class Finished(Input):
         return Moments(m0, m2, bandwidth(density) * m2**2 / m0)
 
     def notes(self) -> list[str]:
-        """Return a line with the quantities taken from the finish, and one for the conversion of Ra."""
+        """Return one line with the quantities taken from the finish, and one on the conversion of Ra if Ra is stated."""
         made = finish(self.finish)
         words = "; ".join(_median(made, name) for name in self.unknowns)
         of_ra = [] if self.mean_height is None else [f"Sq = {SQ_OVER_RA} Ra, as of Gaussian heights"]
@@ -121,7 +121,7 @@ _Body = Annotated[Finished | Roughness, BeforeValidator(_body, json_schema_input
 
 
 class FinishedBodies(Input):
-    """The rough bodies of a contact; a finish describes at least one of them.
+    """Describe the rough bodies of a contact, at least one of them by a finish.
 
     A contact has two rough bodies, or one rough body on a smooth one. Raises InputError.
     """
@@ -136,7 +136,7 @@ class FinishedBodies(Input):
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Return the names of the quantities known only as a range, e.g. "first.rms_slope"."""
+        """Return the names of the quantities that are stated as a range, e.g. "first.rms_slope"."""
         finished = {name: body for name, body in self.bodies.items() if isinstance(body, Finished)}
         return tuple(f"{name}.{number}" for name, body in finished.items() for number in body.unknowns)
 
@@ -150,16 +150,16 @@ class FinishedBodies(Input):
         return self
 
     def asperities(self, levels: Mapping[str, Any]) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2] at quantile levels of the uncertain quantities.
+        """Return sigma [m], R [m] and N [1/m^2] of the contact at quantile levels of the quantities that are uncertain.
 
-        levels: name (as in `unknowns`) -> level between 0 and 1. A quantity without a level takes its median.
+        levels: level between 0 and 1 by name, as in `unknowns`. A quantity without a level takes its median.
         """
         each = [_moments(body, name, levels) for name, body in self.bodies.items()]
         both = each[0] if len(each) == 1 else combine(*each)
         return both.asperities()
 
     def roughness(self) -> Roughness:
-        """Return the roughness at the medians; it keeps a reference to this object."""
+        """Return the roughness of the contact at the medians; it keeps a reference to this object."""
         numbers = dict(zip(_ASPERITIES, self.asperities({}), strict=True))
         shape = {} if len(self.bodies) > 1 else {number: getattr(self._only, number) for number in SHAPE}
         return Roughness(**numbers, **shape, kind=self._kind()).attached(finished=self)
@@ -186,9 +186,9 @@ class FinishedBodies(Input):
         ]
 
     def _kind(self) -> str | None:
-        """Return the kind of surface of the contact; None if the relevant bodies differ in kind.
+        """Return the kind of surface of the contact; None if the bodies that decide it differ in kind.
 
-        A body with at least 80 % of the mean square slope decides alone. Otherwise both bodies count.
+        A body with at least 80 % of the mean square slope decides alone. Otherwise both bodies decide.
         """
         kinds = {name: body.kind or getattr(body, "finish", None) for name, body in self.bodies.items()}
         slopes = {name: float(np.mean(_moments(body, name, {}).m2)) for name, body in self.bodies.items()}

@@ -23,11 +23,11 @@ NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 
 
 class Finish(Input):
-    """A finish class: 5 and 95 % quantiles of roughness quantities for one process.
+    """Store a finish class: 5 and 95 % quantiles of roughness quantities for one process.
 
-    range: quantity in NUMBERS -> (5 % quantile, 95 % quantile). Each quantity is lognormal; its median is the geometric mean
-    of the two. surface_kind: one of SURFACE_KINDS. source, grade: origin and quality grade of each range (data_files.GRADES).
-    Raises InputError.
+    range: (5 % quantile, 95 % quantile) of each quantity in NUMBERS. Each quantity is lognormal; its median is the geometric
+    mean of the two. surface_kind: one of SURFACE_KINDS. source, grade: origin and quality grade of each range
+    (data_files.GRADES). Raises InputError.
     """
 
     name: str = "unnamed"
@@ -44,7 +44,7 @@ class Finish(Input):
         return self
 
     def quantile(self, name: str, level: Any) -> np.ndarray:
-        """Return a quantity in NUMBERS [SI] at quantile levels between 0 and 1.
+        """Return a quantity in NUMBERS at quantile levels between 0 and 1, in SI units.
 
         Raises InputError for another quantity.
         """
@@ -83,7 +83,7 @@ def surface_kind_of(word: Any) -> str:
 
 
 def finishes(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return one dict per finish, for the given names or for all finishes.
+    """Return one dict for each finish, for the given names or for all finishes.
 
     Each dict has the keys name, surface_kind and numbers. numbers holds the unit, the 5 and 95 % quantiles, the source and
     the grade of each quantity. Raises InputError for an unknown name.

@@ -49,7 +49,7 @@ _SETTLED = 0.01  # the iteration ends when a step improves the spectrum by less 
 
 
 class Lay(TypedDict, total=False):
-    """Optional keyword arguments of `gaussian_surface` that `non_gaussian_surface` also accepts."""
+    """Define the keyword arguments that `gaussian_surface` and `non_gaussian_surface` share."""
 
     stretch: float
     angle: float
@@ -58,7 +58,7 @@ class Lay(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class _Periodic:
-    """The checked arguments of `gaussian_surface`, with the size in metres.
+    """Store the checked arguments of `gaussian_surface`, with the size in metres.
 
     Raises InputError.
     """
@@ -273,9 +273,9 @@ def _check_grid(shape, seed) -> None:
 
 
 def _blocks(shape, size):
-    """Yield (slice of rows, q_y (n, 1), q_x (1, columns // 2 + 1)) [rad/m] for blocks of rows.
+    """Yield blocks of rows of the output of `rfft2`, as (slice of rows, q_y, q_x).
 
-    The wave numbers belong to the output of `rfft2`.
+    q_y (n, 1) and q_x (1, columns // 2 + 1) are the wave numbers of the block [rad/m].
     """
     rows, columns = shape
     along_y = 2.0 * math.pi * np.fft.fftfreq(rows, size[0] / rows)[:, np.newaxis]
@@ -289,10 +289,10 @@ def _blocks(shape, size):
 
 
 def _alternate(start, amplitudes, wanted, steps):
-    """Alternately impose the distribution of heights and the spectrum.
+    """Impose the distribution of heights and the spectrum in turn, until the error of the spectrum settles.
 
-    Returns the heights with the exact distribution, the heights with the exact spectrum, the relative rms error of the
-    amplitudes of the first, and the number of steps.
+    There are at most `steps` + 1 turns. Returns the heights with the exact distribution, the heights with the exact spectrum,
+    the relative rms error of the amplitudes of the former, and the number of steps.
     """
     spectral, last = start, math.inf
     size = math.sqrt(float(np.sum(amplitudes**2)))

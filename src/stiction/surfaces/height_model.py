@@ -24,11 +24,11 @@ _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 100.0  # as of stiction.engine.heights
 
 @dataclass(frozen=True)
 class HeightModel:
-    """A chosen height distribution, and how well each candidate distribution fits the heights.
+    """Store a chosen height distribution, and how well each candidate distribution fits the heights.
 
-    name and parameters: as in Roughness. distances: Kolmogorov-Smirnov distance by name of the distribution. allowed: largest
+    name, parameters: as in Roughness. distances: Kolmogorov-Smirnov distance by name of the distribution. allowed: largest
     acceptable distance. likelihoods: mean log-likelihood of the standardised heights, by name; -inf if a height is
-    impossible. skewness: of the heights. reason: why this distribution was chosen.
+    impossible. skewness: skewness of the heights. reason: why this distribution was chosen.
     """
 
     name: str

@@ -136,12 +136,12 @@ class HeightMap:
         return replace(self, heights=heights, size=self.size if size is None else size, history=(*self.history, step))
 
     def alone(self) -> "HeightMap":
-        """Return the map marked as not periodic, for use after a step that ignores periodicity."""
+        """Return the map marked as not periodic, after a step that does not keep the period."""
         return replace(self, periodic=False) if self.periodic else self
 
 
 def _unmasked(heights) -> np.ndarray:
-    """Return an array in which NaN replaces the masked values of a masked array."""
+    """Return an array with NaN in place of its masked values, if it is a masked array."""
     if not isinstance(heights, np.ma.MaskedArray) or heights.dtype.kind not in "iuf":
         return np.asarray(heights)
     return np.ma.filled(heights.astype(np.float64), np.nan)
@@ -185,7 +185,7 @@ def in_metres(value, field: str) -> float:
 
 
 def metres_per(unit: str, field: str) -> float:
-    """Return the length of one `unit` in metres. Raises InputError for an unknown unit."""
+    """Return the length of one `unit` in metres. Raises InputError, which names the field, for an unknown unit."""
     try:
         return metres(f"1 {unit}", field)
     except InputError:

@@ -34,7 +34,7 @@ _Length = Annotated[str, BeforeValidator(_length)]
 
 
 class Scan(Input):
-    """A scan file of one body, and how to read it.
+    """Define a scan file of one body, and how to read it.
 
     file: path, relative to the folder of the case file. size: length of the scan along x; it replaces the size in the file.
     unit, height_unit: units of the numbers in the file. height_scale: factor on the heights. channel: channel to read from a
@@ -89,7 +89,7 @@ def _with_methods(schema: dict[str, Any]) -> None:
 
 
 class MeasuredRoughness(Input):
-    """Scans of one or both bodies, and how asperities are found in them.
+    """Define the scans of one or both bodies, and how asperities are found in them.
 
     first, second: a scan, or a Roughness with Gaussian heights; at least one must be a scan. In Python a scan may also be a
     HeightMap or any input of `as_height_map`. A body that is not stated is smooth. method: key of an asperity method; the
@@ -118,14 +118,14 @@ class MeasuredRoughness(Input):
 
 @dataclass(frozen=True)
 class Measured:
-    """The roughness of a contact, as every asperity method finds it in the scans.
+    """Store the roughness of a contact, as every asperity method finds it in the scans.
 
-    by_method: method -> Roughness. method: the chosen method. failures: method -> why it found no asperities. history: body
-    -> processing steps of its scan. notes: method -> its results and their basis, in words. counts: method -> number of
-    separate asperities; 0 for a method that only computes averages, and for two combined bodies. mean_heights: method -> mean
-    height of the asperities above the mean plane [m]; separations are measured from it. validity_warnings: warnings about the
-    scans and their combination. of_moments: the method that computes the spectral moments of the surface. stated: which of
-    "method" and "heights" the user stated. solvable: the maps for a point-by-point solution.
+    by_method: Roughness by method. method: the chosen method. failures: reason why a method found no asperities, by method.
+    history: processing steps of the scan of each body. notes: results and their basis in words, by method. counts: number of
+    separate asperities by method; 0 for a method that only computes averages, and for two combined bodies. mean_heights: mean
+    height of the asperities above the mean plane [m] by method; separations are measured from it. validity_warnings: warnings
+    about the scans and their combination. of_moments: the method that computes the spectral moments of the surface. stated:
+    which of "method" and "heights" the user stated. solvable: the maps for a point-by-point solution.
     """
 
     by_method: Mapping[str, Roughness]
@@ -148,12 +148,15 @@ class Measured:
         return found.attached(measured=self)
 
     def contacts(self, contact: _Contact) -> dict[str, _Contact]:
-        """Return method -> copy of the contact with its roughness, the chosen method first."""
+        """Return copies of a contact with the roughness of each method, by method, the chosen method first."""
         order = sorted(self.by_method, key=lambda name: name != self.method)
         return {name: contact.model_copy(update={"roughness": self.by_method[name]}) for name in order}
 
     def with_surface_moments(self) -> "Measured":
-        """Return a copy with the asperities of the surface's spectral moments; the same object if these were not found."""
+        """Return a copy whose only method is the one that computes the surface's spectral moments.
+
+        The same object is returned if these moments were not found.
+        """
         if self.of_moments not in self.by_method:
             return self
         return replace(self, method=self.of_moments, by_method={self.of_moments: self.by_method[self.of_moments]})
@@ -289,7 +292,7 @@ def measure(wanted: MeasuredRoughness, folder: Path = Path()) -> Measured:
 
 
 def _with_the_surface(by_method: dict[str, Roughness], surface: Roughness | None) -> dict[str, Roughness]:
-    """Set `surface` of each roughness to the asperities with the measured moments."""
+    """Return the roughness of each method with its field `surface` set to the asperities from the spectral moments."""
     return {
         name: one if one is surface or surface is None else one.model_copy(update={"surface": surface})
         for name, one in by_method.items()
@@ -305,7 +308,7 @@ def _one_map(solvable: SolvableMaps) -> "HeightMap | None":
 
 
 def independent(found: "Asperities", surface: "HeightMap") -> int:
-    """Return the number of separate asperities, at most their density times the area of the map.
+    """Return the number of separate asperities: the number found, but at most density times area of the map.
 
     A method may find the same hill on several neighbouring profiles and count it each time.
     """

@@ -23,7 +23,7 @@ def needed_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) 
 
 
 def available_memory() -> int | None:
-    """Return the bytes available without swapping, or None if the system does not report them."""
+    """Return the memory available without swapping [bytes]; None if the system does not report it."""
     try:
         for line in Path("/proc/meminfo").read_text(encoding="ascii").splitlines():
             if line.startswith("MemAvailable:"):
@@ -37,9 +37,9 @@ def available_memory() -> int | None:
 
 
 def require_memory(shape: tuple[int, int], *, free: bool = False, kept: int = 1) -> None:
-    """Raise InputError if a map of this shape does not fit into memory.
+    """Raise InputError if solving a map of this shape needs more memory than there is.
 
-    Called before the map is generated or read.
+    It is called before the map is generated or read.
     """
     _require(shape, needed_memory(shape, free=free, kept=kept))
 

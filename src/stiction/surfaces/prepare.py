@@ -32,7 +32,7 @@ def prepared(
     shortest: "QuantityLike | None" = None,
     longest: "QuantityLike | None" = None,
 ) -> HeightMap:
-    """Return the scan without its form and without waves outside a band.
+    """Prepare a scan for analysis: remove its form, and filter it to a band of wavelengths.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def prepared_period(
 
 
 def _seam(surface: HeightMap) -> str:
-    """Return a warning text if opposite edges of a stated period do not match, otherwise an empty text.
+    """Return a warning text if opposite edges of a map that is stated to be periodic do not match; otherwise "".
 
     They do not match if the mean square step across the seam is much larger than between neighbours.
     """
@@ -148,7 +148,7 @@ def remove_form(surface: HeightMap, order: int) -> HeightMap:
 
 
 def _without_polynomial(surface: HeightMap, order: int) -> np.ndarray:
-    """Subtract the least-squares polynomial from the heights.
+    """Return the heights minus their least-squares polynomial of this order.
 
     Legendre polynomials over -1..1 keep the normal equations well conditioned; they are summed row by row, so that the matrix
     of all points and terms never exists. A second fit to the residual removes the rounding of the first. Raises InputError if
@@ -291,9 +291,9 @@ def _band(surface: HeightMap, shortest: Any, longest: Any) -> tuple[float | None
 
 
 def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> np.ndarray:
-    """Return the Gaussian mean of the points with heights, NaN at missing points.
+    """Return the Gaussian mean of the heights around each point (rows, columns) [m]; NaN at missing points.
 
-    If no point is missing, the weight is a product of one function of y and one of x.
+    cutoff: wavelength [m]. If no point is missing, the weight is a product of one function of y and one of x.
     """
     missing = np.isnan(heights)
     axes = [axis for axis in (0, 1) if heights.shape[axis] > 1]

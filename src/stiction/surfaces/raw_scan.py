@@ -13,7 +13,7 @@ FEWEST_POINTS = 8  # along a direction: fewer have no spectrum and no summits to
 
 @dataclass(frozen=True)
 class RawScan:
-    """The content of a scan file, before units and size are settled.
+    """Store the content of a scan file, before units and size are settled.
 
     heights: (rows, columns) in the unit of the file, NaN where missing, of any real type. said: format and channel, in words.
     size: (y, x) in the unit of the file, pitch times number of points; None if the file does not state it. unit: unit of size
@@ -31,12 +31,11 @@ class RawScan:
 
 @dataclass(frozen=True, kw_only=True)
 class Reader:
-    """A reader of one file format, or of several similar formats.
+    """Describe a reader of one file format, or of several similar formats.
 
     endings: file name endings in lower case, with the dot; empty for a reader that is tried on every file, after all others.
     read(path, channel): function that returns a RawScan, or None if the file has another format. channel: name or position of
-    a channel; None for the default. holds: content of such a file. given: inputs that the user must state. Both are words for
-    tables and errors.
+    a channel; None for the default. holds: content of such a file, in words. given: inputs that the user must state, in words.
     """
 
     endings: tuple[str, ...]

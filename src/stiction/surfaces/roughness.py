@@ -133,7 +133,7 @@ class Roughness(Input):
         return () if self._finished is None else self._finished.unknowns
 
     def drawn(self, levels: Any) -> tuple[Any, Any, Any]:
-        """Return sigma [m], R [m] and N [1/m^2], (n,) each, at quantile levels of the uncertain quantities.
+        """Return sigma [m], R [m] and N [1/m^2], (n,) each, at quantile levels of the quantities that a finish leaves open.
 
         Parameters
         ----------
@@ -167,9 +167,9 @@ class Roughness(Input):
         return [] if self._finished is None else self._finished.notes()
 
     def of_surface(self) -> "Roughness | None":
-        """Return the field `surface` with the kind and shape of this roughness; None if it is not stated.
+        """Return the asperities that have the spectral moments of the surface; None if they are not stated.
 
-        It holds the asperities that have the spectral moments of the surface.
+        They are the field `surface`, with the kind and shape of this roughness.
         """
         more = self.shape | ({} if self.kind is None else {"kind": self.kind})
         return self.surface if self.surface is None or not more else self.surface.replace(**more)

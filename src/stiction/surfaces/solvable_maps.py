@@ -17,9 +17,9 @@ _ALIKE = 1e-6  # sizes of two maps that differ by less, relatively, are one
 
 @dataclass(frozen=True)
 class SolvableMaps:
-    """The prepared maps of the rough bodies of a contact.
+    """Store the prepared maps of the rough bodies of a contact.
 
-    maps: "first" or "second" -> HeightMap. some_numbers: whether a rough body has no map but only stated numbers.
+    maps: HeightMap by body, "first" or "second". some_numbers: whether a rough body has no map but only stated numbers.
     """
 
     maps: "Mapping[str, HeightMap]" = field(default_factory=dict)

@@ -45,7 +45,7 @@ _ROUNDING = 1.0 + 1e-9  # a wave on the edge of a bin, or at the cutoff, is coun
 
 @dataclass(frozen=True)
 class PowerSpectrum:
-    """The power of every wave on the grid of a map or profile (definitions in the module docstring).
+    """Store the power of every wave on the grid of a map or profile (definitions in the module docstring).
 
     density: C on the half plane q_x >= 0, (rows, columns // 2 + 1) [m^4], or (1, columns // 2 + 1) [m^3] for a profile; q_y
     in the order of numpy.fft. columns: number of columns of the map. size: (y, x) [m]. window: a key of WINDOWS.
@@ -105,7 +105,7 @@ class PowerSpectrum:
 
 @dataclass(frozen=True)
 class BinnedSpectrum:
-    """A power spectrum averaged in bins of |q|; arrays (bins,) run from long to short waves.
+    """Store a power spectrum averaged in bins of |q|; arrays (bins,) run from long to short waves.
 
     wavevector: mean |q| of the waves in a bin [rad/m]. density: mean C, [m^4] for a map and [m^3] for profiles. waves: number
     of waves in a bin; q and -q count as two. longest, shortest: ends of the reliable band [m]. is_profile: whether C is that
@@ -139,7 +139,7 @@ def _rectangle(shape, size) -> np.ndarray:
 
 
 def _hann(shape, size) -> np.ndarray:
-    """Return the product of Hann's windows along x and y."""
+    """Return Hann's window (rows, columns): the product of its one-dimensional windows along x and y."""
     rows, columns = (hann(count, sym=False) for count in shape)
     return rows[:, None] * columns
 
@@ -160,7 +160,7 @@ WINDOWS: dict[str, Callable[..., np.ndarray]] = {"hann": _hann, "radial hann": _
 
 
 def _window(name: str, shape, size) -> np.ndarray:
-    """Return the named window with a mean square of 1."""
+    """Return the window of this name (rows, columns), with a mean square of 1."""
     if name not in WINDOWS:
         raise InputError("window", name, ", ".join(WINDOWS))
     window = WINDOWS[name](shape, size)
@@ -272,7 +272,10 @@ def _average_over_directions(spectrum: PowerSpectrum, edges: np.ndarray, block: 
 
 
 def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
-    """Return the bin means from the sums; empty bins are left out."""
+    """Return the averaged spectrum from the sums over each bin; empty bins are omitted.
+
+    waves, power, magnitudes: number of waves, sum of C and sum of |q|, (bins,) each.
+    """
     full = waves > 0
     count = waves[full]
     return BinnedSpectrum(magnitudes[full] / count, power[full] / count, np.rint(count).astype(int), **settings)
@@ -282,7 +285,7 @@ def _binned(waves, power, magnitudes, **settings) -> BinnedSpectrum:
 
 
 def _complete(surface: HeightMap) -> np.ndarray:
-    """Return the heights. Raises InputError if points are missing or a side is too short."""
+    """Return the heights of a map. Raises InputError if points are missing or a side is too short."""
     heights = surface.heights
     if surface.missing:
         raise InputError(

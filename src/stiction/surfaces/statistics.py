@@ -52,10 +52,9 @@ _ROUNDING = 1.0 + 1e-9  # a wave at the cutoff is counted in
 
 @dataclass(frozen=True)
 class Statistics:
-    """Height, slope and curvature parameters of a map or profile (definitions in the module docstring).
+    """Store the height, slope and curvature parameters of a map or profile (definitions in the module docstring).
 
     Parameters that a profile does not have are None.
-
     Sq, Sa, Sz [m]; Ssk, Sku [1]. mean: mean height [m], from which heights are measured. slope_x, slope_y: rms slopes along x
     and y [1]. slope: rms gradient Sdq = (slope_x^2 + slope_y^2)^(1/2). curvature_x, curvature_y: rms second derivatives
     [1/m]. curvature: rms of half the Laplacian [1/m], which is the mean of the two principal curvatures where slopes are
@@ -78,7 +77,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class ProfileMoments:
-    """Spectral moments of the profiles of a map, from differences or from the spectrum.
+    """Store the spectral moments of the profiles of a map, from differences or from the spectrum.
 
     x, y: moments of profiles along x and along y; y is None for a profile. isotropic: moments of an isotropic surface, from
     averages over the directions. equivalent: moments from equation (1) of the module docstring, which allows for a lay; None
@@ -206,7 +205,7 @@ def _height_parameters(heights: np.ndarray) -> tuple[float, tuple[float, float, 
 
 
 def _blocks(heights: np.ndarray, overlap: int = 0) -> Iterator[np.ndarray]:
-    """Yield views of about _BLOCK points in whole rows, plus `overlap` rows of the next block."""
+    """Yield consecutive blocks of whole rows of a map, about _BLOCK points each, plus `overlap` rows of the next block."""
     rows = max(1, _BLOCK // heights.shape[1])
     for start in range(0, max(1, heights.shape[0] - overlap), rows):
         yield heights[start : start + rows + overlap]
@@ -304,7 +303,10 @@ _EVEN = [0, 2, 3]  # their places of 0, 2 and 4
 
 
 def _powers(spectrum: "PowerSpectrum", highest: float) -> np.ndarray:
-    """Return (4, 4): sum_q C q_y^i q_x^j / A over 0 < |q| <= highest, for i and j in _POWERS."""
+    """Return the sums (4, 4) of C q_y^i q_x^j over the waves with 0 < |q| <= highest, divided by the area.
+
+    i and j run over _POWERS.
+    """
     qy, qx = spectrum.wavevectors
     columns = spectrum.waves[:, None] * qx[:, None] ** _POWERS
     reach = np.sqrt(np.maximum(highest * highest - qy * qy, 0.0))

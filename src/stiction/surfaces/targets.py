@@ -99,7 +99,7 @@ class SelfAffine:
             raise InputError("longest", self.longest, f"above the shortest wavelength, {self.shortest:g} m")
 
     def with_slope(self, slope: float) -> "SelfAffine":
-        """Return the same spectrum scaled to this rms gradient [1]."""
+        """Return the same spectrum scaled to the rms gradient `slope` [1]."""
         require_positive(slope=slope)
         return replace(self, deviation=self.deviation * slope / self.rms_slope)
 
@@ -148,10 +148,9 @@ class SelfAffine:
 
 @dataclass(frozen=True)
 class GaussianCorrelation:
-    """The spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
+    """Define the spectrum of a surface with the autocorrelation deviation^2 exp(-r^2 / length^2).
 
     Such a surface is smooth and has one length scale. Nayak's alpha is exactly 3.
-
     deviation: rms height [m]. length: correlation length [m]. dimensions: 2 for a surface, 1 for a profile.
     """
 

@@ -24,11 +24,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def eight_neighbour(surface: HeightMap, fit_points: int) -> Asperities:
-    """Find the points higher than all eight neighbours.
+    """Find the points of a map that are higher than all eight neighbours.
 
-    fit_points: a key of FITS, of the fitted paraboloid. Neighbours must be lower, not equal: plateaus are not counted. Summits
-    whose fitted points are not all on the map and known are excluded, also from the area. Raises InputError for a profile or if
-    fewer than two summits are found.
+    fit_points: number of points of the fitted paraboloid, a key of FITS. Neighbours must be lower, not equal: plateaus are not
+    counted. Summits whose fitted points are not all on the map and known are excluded, and so is such area. Raises InputError
+    for a profile or if fewer than two summits are found.
     """
     heights = areal(surface)
     middle = heights[1:-1, 1:-1]

@@ -25,11 +25,11 @@ from stiction.surfaces.theory.moments import LEAST_DENSITY
 
 
 def mccool(surface: HeightMap, cutoff: float | None) -> Asperities:
-    """Return the summits of the Gaussian surface with the moments of this one.
+    """Return the summits of the Gaussian surface that has the spectral moments of this surface.
 
-    The moments are by finite differences; the surface is isotropic or stretched (a lay). cutoff: [m], as in
-    `moments_by_differences`, None for two pitches. Differences underestimate waves near the cutoff; for moments by the spectrum
-    see `of_moments`. Raises InputError as both do, and for grooves all along one line.
+    The moments are computed by finite differences. The surface is isotropic, or stretched along one direction (a lay). cutoff:
+    [m], as in `moments_by_differences`, None for two pitches. Differences underestimate waves near the cutoff; for moments from
+    the spectrum see `of_moments`. Raises InputError as both functions do, and for grooves all along one line.
     """
     moments = moments_by_differences(surface, cutoff).equivalent
     if moments is None:

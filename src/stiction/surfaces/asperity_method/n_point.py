@@ -67,9 +67,10 @@ def _rises(lines: np.ndarray, level: float) -> float:
 
 
 def _unbroken(lines: np.ndarray) -> Iterator[tuple[int, int, np.ndarray]]:
-    """Yield each run of at least three neighbouring points of a line without a missing height.
+    """Yield each run of at least three neighbouring points with known heights.
 
-    Each item holds the index of the line, the index of the first point, and the heights of the run [m].
+    lines: heights (lines, points) [m]. Each item holds the index of the line, the index of the first point, and the heights of
+    the run [m].
     """
     known = np.isfinite(lines)
     whole = known.all(axis=1)

@@ -61,9 +61,9 @@ _MISSING = -1
 
 @cache
 def _groups() -> np.ndarray:
-    """Return the number of connected groups of neighbours for each of the 256 neighbour masks.
+    """Return the number of connected groups of higher neighbours for each of the 256 possible patterns, (256,).
 
-    Neighbours are connected at sides or corners.
+    A bit of the pattern is set if that neighbour is higher. Neighbours are connected at sides or corners.
     """
     from scipy.ndimage import label  # slow to import
 
@@ -93,10 +93,10 @@ def persistent_maxima(heights: np.ndarray, threshold: float) -> np.ndarray:
 
 @kernel
 def _uphill(heights, groups):
-    """Return the index of a higher neighbour of every point (n,), and a mask of the saddle points.
+    """Return the index of a higher neighbour of every point (n,), and a mask (n,) of the saddle points.
 
-    The index of a maximum is its own index; it is _MISSING where the height is missing. A saddle point has two or more
-    separate groups of higher neighbours. groups: number of groups for each of the 256 neighbour masks, from `_groups`.
+    A maximum has its own index; a point without a height has _MISSING. A saddle point has two or more separate groups of higher
+    neighbours. groups: number of groups for each pattern of higher neighbours, from `_groups`.
     """
     rows, columns = heights.shape
     parent = np.empty(heights.size, dtype=np.int32)
@@ -119,13 +119,13 @@ def _uphill(heights, groups):
 
 @formula
 def _above(heights, one, other):
-    """Return whether one point ranks higher than another; equal heights are ranked by index."""
+    """Return whether point `one` ranks higher than point `other`; equal heights are ranked by index."""
     return heights[one] > heights[other] or (heights[one] == heights[other] and one > other)
 
 
 @formula
 def _top(parent, point):
-    """Return the highest point of the hill that a point belongs to.
+    """Return the index of the highest point of the hill that a point belongs to.
 
     The search shortens the stored path, so that later calls are faster.
     """

@@ -25,11 +25,11 @@ from stiction.surfaces.heightmap import HeightMap
 
 
 def three_point(surface: HeightMap, directions: str) -> Asperities:
-    """Find points higher than both neighbours along a profile.
+    """Find the points of profiles that are higher than both neighbours.
 
-    Their curvature is the second difference. directions: a value of DIRECTIONS. Peaks of all profiles are taken together; with
-    one direction D_x D_y is D^2. Neighbours must be lower, not equal: plateaus are not counted. Points next to missing ones are
-    excluded. Raises InputError if fewer than two peaks are found.
+    Their curvature is the second difference. directions: a value of DIRECTIONS. The peaks of all profiles are pooled. For
+    profiles along one direction, the density D_x D_y is D^2. Neighbours must be lower, not equal: plateaus are not counted.
+    Points next to missing ones are excluded. Raises InputError if fewer than two peaks are found.
     """
     found = [_peaks(lines, pitch) for lines, pitch in profiles(surface, directions)]
     heights, curvatures = np.concatenate([one[0] for one in found]), np.concatenate([one[1] for one in found])
@@ -44,9 +44,9 @@ def three_point(surface: HeightMap, directions: str) -> Asperities:
 
 
 def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, float, tuple[np.ndarray, np.ndarray]]:
-    """Return heights and curvatures of the peaks of all lines (lines, points).
+    """Return heights (n,) and curvatures (n,) of the peaks of all lines, their number per length, and their places.
 
-    Also returns the number per length, and their lines and points.
+    lines: heights (lines, points) [m]. The places are two arrays (n,): index of the line, index of the point.
     """
     middle = lines[:, 1:-1] - rounding(lines)
     peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN

@@ -10,9 +10,10 @@ from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
 
 def read(path: Path, channel) -> RawScan:
-    """Read the measurement with this name or position, by default the first, with the filters that the container states.
+    """Read one measurement from a container, with the filters that the container states.
 
-    Raises InputError for another .zip file, a damaged one, or if the library SurfaceTopography is not installed.
+    channel: name or position of the measurement, by default the first. Raises InputError for another .zip file, a damaged one,
+    or if the library SurfaceTopography is not installed.
     """
     try:
         from SurfaceTopography.Container.IO import CEReader

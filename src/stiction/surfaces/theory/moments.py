@@ -37,7 +37,7 @@ LEAST_DENSITY = math.sqrt((LEAST_BANDWIDTH - SUMMIT_DEFICIT) / _BANDWIDTH_FACTOR
 
 @dataclass(frozen=True)
 class Moments:
-    """Spectral moments along a profile of an isotropic surface; numbers or arrays.
+    """Store the spectral moments along a profile of an isotropic surface, as numbers or arrays.
 
     m0: mean square height [m^2]. m2: mean square slope [1]. m4: mean square second derivative [1/m^2]. Any other unit of
     length may replace the metre.
@@ -59,7 +59,7 @@ class Moments:
 
     @classmethod
     def from_groups(cls, density, sharpness) -> "Moments":
-        """Return the moments in units of sigma, from N R sigma and sqrt(sigma/R).
+        """Return the moments in units of sigma, from the dimensionless groups of the asperities.
 
         density: N R sigma. sharpness: sqrt(sigma/R).
         """

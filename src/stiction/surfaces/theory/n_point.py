@@ -153,7 +153,7 @@ def _table() -> np.ndarray:
 
 
 def solved_mean_height(level: float, correlation: float, heights: int = 48, fineness: float = 1.7, least: int = 2) -> float:
-    """Return the mean height above one level >= -3 by solving the integral equation; accurate to 3e-6.
+    """Return the mean height of n-point asperities above one level >= -3, by solving the integral equation; accurate to 3e-6.
 
     level and result: in standard deviations of the profile. correlation: of neighbouring heights. heights: number of heights
     z in the quadrature. A panel between two of them has `least` Gauss points, plus `fineness` for every width of the kernel.

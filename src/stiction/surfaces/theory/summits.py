@@ -41,7 +41,7 @@ _MOST_PANELS = 200
 
 @cache
 def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the Chebyshev coefficients of F_n in two ranges of h.
+    """Return the Chebyshev coefficients of F_n, the integral of `truncated_mean`, in two ranges of h.
 
     On 0..FAR the series is of F_n exp(h^2/2) (1 + h)^(n+1), on DEEP..0 of F_n / (1 - h)^n.
     """
@@ -68,7 +68,7 @@ def _truncated_tables(n: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fold(h, last):
-    """Map 0..last to -1..1, dense near zero: h/(h + 3), stretched. Arrays."""
+    """Map h in 0..last to -1..1, so that points are dense near zero: h/(h + 3), stretched. h is an array."""
     return 2.0 * (last + 3.0) / last * h / (h + 3.0) - 1.0
 
 
@@ -115,7 +115,7 @@ _asymptotic_one = formula(_asymptotic)
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """Load and area factors of an elliptic summit at the Gauss points of its shape t.
+    """Store load and area factors of an elliptic summit at the Gauss points of its shape t.
 
     t = r / kappa is half the difference of the principal curvatures over their mean: 0 for a round summit, 1 for a ridge. All
     arrays are (m,). weight: of each Gauss point. load: factor C_P(t). area: factor C_A(t). Both factors are 1 for a round

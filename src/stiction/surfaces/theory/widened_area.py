@@ -20,9 +20,9 @@ MEETING = 3.5  # (5)
 
 
 def widened(pressure, c):
-    """Return the contact area fraction by (1).
+    """Return the elastic contact area fraction by (1).
 
-    pressure: mean pressure divided by E* and the rms gradient h'.
+    pressure: mean pressure divided by E* and the rms gradient h'. c: coefficient of (1).
     """
     plain = erf(math.sqrt(2.0) * pressure)
     return erf(math.sqrt(2.0) * pressure * (1.0 + c * (1.0 - np.sqrt(plain))))

@@ -23,7 +23,7 @@ DIRECTIONS = Parameter("directions of the profiles; a single profile has only x"
 
 
 def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, float]]:
-    """Return the profiles along each direction and their pitch.
+    """Return the profiles of a map along each chosen direction, with their pitch.
 
     Each item holds the heights (lines, points) [m] above the mean plane and the pitch [m]. Raises InputError if the profiles
     are too short.
@@ -38,7 +38,7 @@ def profiles(surface: HeightMap, directions: str) -> list[tuple[np.ndarray, floa
 
 
 def directions_of(surface: HeightMap, directions: str) -> str:
-    """Return the directions of profiles to use: "x" for a single profile, else `directions`."""
+    """Return the directions of profiles to use, as letters: "x" for a single profile, otherwise `directions`."""
     return "x" if surface.is_profile else directions
 
 

@@ -29,7 +29,7 @@ def areal(surface: HeightMap) -> np.ndarray:
 def fitted(
     method: str, surface: HeightMap, heights: np.ndarray, tops: tuple[np.ndarray, ...], fit_points: int, note: str, **more
 ) -> Asperities:
-    """Return the Asperities object for summits at given points, with fitted curvatures.
+    """Return the Asperities object for summits at given points, with the curvatures of fitted paraboloids.
 
     tops: (rows, columns) of the summits in the map. heights: (rows, columns) [m] above the mean plane. fit_points: number of
     points of the fitted paraboloid, a key of FITS. A summit counts only if all its fitted points have heights; the area of
@@ -66,7 +66,7 @@ def _whole_windows(heights: np.ndarray, reach: int, complete: bool) -> np.ndarra
 
 
 def _square(reach: int) -> Callable[[float, float], np.ndarray]:
-    """Return a function of the pitch (dy, dx) that gives curvature weights for a square of points.
+    """Return a function of the pitch (dy, dx) that gives the weights of heights in the curvature, for a square of points.
 
     The least-squares paraboloid is fitted to (2 reach + 1)^2 points. The function x^2 minus its mean, w, is orthogonal to all
     terms of the paraboloid but d x^2. The coefficient is therefore d = sum(w z) / sum(w^2) with the heights z.
@@ -81,7 +81,7 @@ def _square(reach: int) -> Callable[[float, float], np.ndarray]:
 
 
 def _cross(dy: float, dx: float) -> np.ndarray:
-    """Return the weights that give the curvature of the paraboloid through a point and its four nearest neighbours."""
+    """Return the weights (3, 3) of heights in the curvature of the paraboloid through a point and its four neighbours."""
     along = np.array([[0.0, 0.0, 0.0], [1.0, -2.0, 1.0], [0.0, 0.0, 0.0]]) / 2.0
     return -(along / (dx * dx) + along.T / (dy * dy))
 

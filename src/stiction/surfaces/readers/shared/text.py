@@ -77,7 +77,7 @@ def _no_numbering(table: np.ndarray, name: str) -> None:
 
 @dataclass(frozen=True)
 class _Layout:
-    """The number format of a text file.
+    """Store how the numbers of a text file are written.
 
     delimiter: column separator; None for blanks. commas: whether commas are decimal marks. ends_rows: whether the delimiter
     also ends each row. heading: the line of words above the columns, or None.
@@ -110,7 +110,7 @@ def _layout(path: Path) -> _Layout | None:
 
 
 def _surveyed(path: Path, delimiter: str | None, heading: str | None) -> _Layout:
-    """Return the layout after a check of all lines for decimal marks and row ends."""
+    """Return the layout of a text file, after all its lines are checked for decimal marks and row ends."""
     commas, points, ends_rows = False, False, delimiter is not None
     for line in islice(_lines(path), bool(heading), None):
         commas = commas or (delimiter != "," and "," in line)
