@@ -21,9 +21,9 @@ from stiction.case.text import as_toml
 from stiction.quantities.errors import InputError
 from stiction.solving.solve import solve
 from stiction.studies import evaluate_many
-from stiction.studies.sweep import guards as sweep_guards
 from stiction.studies.sweep import opening as sweep_opening
 from stiction.studies.sweep import plan as sweep_plan
+from stiction.studies.sweep import run as sweep_run
 from stiction.studies.sweep import store as sweep_store
 from stiction.studies.sweep import workers as sweep_workers
 from stiction.studies.sweep.blocks import merged, statistics_of
@@ -504,7 +504,7 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path):
 
 def test_two_sweeps_do_not_share_a_store(tmp_path):
     sweep(DRAWN, tmp_path / "store")
-    with sweep_guards.locked(tmp_path / "store"), refusal("--out"):
+    with sweep_run.locked(tmp_path / "store"), refusal("--out"):
         sweep(DRAWN, tmp_path / "store")
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stiction.case.addresses import roughness_in, with_numbers, with_roughness
-from stiction.case.bare_numbers import refuse_bare_numbers
 from stiction.case.case_tables import case_tables
+from stiction.case.distribution import Distribution, is_scipy_law
 from stiction.case.own_materials import naming_materials_file, with_materials_of_file, with_own_materials
 from stiction.case.study_tables import study_tables
 from stiction.case.swept import Address, SweptNumber, points_of, swept_numbers
@@ -33,6 +33,7 @@ from stiction.quantities.dimensions import dimensions
 from stiction.quantities.errors import InputError, InputWarning, field_as
 from stiction.quantities.inputs import require_names
 from stiction.quantities.paths import read_text
+from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import LAWS, Choice
 from stiction.surfaces.finished import is_finished
 from stiction.surfaces.measured import Measured, MeasuredRoughness, measure
@@ -236,6 +237,30 @@ def _tables(path) -> Mapping:
     return content
 
 
+def refuse_bare_numbers(table: Mapping, path: str) -> None:
+    """Raise InputError if a number of the table needs a unit and has none.
+
+    path: dotted name of the table, e.g. "contact.coating"; "" for the whole case.
+    """
+    for key, value in table.items():
+        where = f"{path}.{key}" if path else key
+        if isinstance(value, Mapping):
+            refuse_bare_numbers(value, where)
+        elif where != "solve.load" and not _is_text(value, path) and key in QUANTITIES and QUANTITIES[key].unit:
+            raise InputError(where, value, QUANTITIES[key].as_text)
+
+
+def _is_text(value: Any, path: str) -> bool:
+    """Return whether a value is text, or a range of two texts, and so may state a unit.
+
+    Lists and distributions count as text: swept numbers are checked when they are read, and distributions made in Python
+    are in SI units.
+    """
+    if isinstance(value, list):
+        return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
+    return isinstance(value, str | Distribution) or is_scipy_law(value)
+
+
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
     """Return the case of these tables and warn of unlikely inputs.
 
@@ -279,6 +304,20 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
     if wants_ranges(content):
         used |= {number.path: number for number in with_ranges(content, [*numbers, *used])}
     return content, numbers | {number.path: number for number in named(list(used.values()))}
+
+
+def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
+    """Return tables as `with_files_read`, without those of studies, and their uncertain numbers.
+
+    allowed: what an array parameter, which raises InputError, may be instead.
+    """
+    content, numbers = with_files_read(without_studies(content), folder)
+    uncertain = {}
+    for path, number in numbers.items():
+        if not isinstance(number, Uncertain):
+            raise InputError(number.where, number.words, f"a single number; {allowed}")
+        uncertain[path] = number
+    return content, uncertain
 
 
 def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:

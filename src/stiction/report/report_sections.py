@@ -148,10 +148,6 @@ _RESULTS = ("friction_coefficient", "friction_force", "contact_area", "area_frac
 _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotlib")
 
 
-def _warning_in_words(warning: ValidityWarning) -> str:
-    return letters(f"{KINDS_OF_WARNING[warning.kind].capitalize()}: {warning}")
-
-
 def answer_table(findings: ReportData, name: str) -> Table:
     """Return the answer of a prediction as a table of headings and texts.
 
@@ -234,7 +230,7 @@ def here_table(findings: ReportData) -> Table | None:
     every, rows = warnings_here(findings), []
     for row_number, name in enumerate(names):
         mine: Any = [
-            _warning_in_words(warning)
+            letters(f"{KINDS_OF_WARNING[warning.kind].capitalize()}: {warning}")
             for warning in every
             if warning.quantity == name or (row_number == 0 and warning.quantity not in names)
         ]

@@ -68,7 +68,7 @@ def solve_case(case: "CaseLike", choice: Choice | None = None, progress: Progres
     """
     case = as_case(case)
     choice = case.choice if choice is None else choice
-    _check_choice(choice)
+    require_choice(choice)
     if choice.model == RECOMMENDED and is_predicted(chosen := replace(case, choice=choice)):
         return predict(chosen)
     if case.size > _MOST:
@@ -162,7 +162,7 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
     return data.assign(swept).assign_attrs(subject.groups())
 
 
-def _check_choice(choice: Any) -> None:
+def require_choice(choice: Any) -> None:
     if not isinstance(choice, Choice):
         raise InputError("choice", choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
 
@@ -172,7 +172,7 @@ def choice_of_case(case: Case, choice: Choice) -> Choice:
 
     The name of a model may be any that `compare` shows; it is replaced by the model and laws that it stands for.
     """
-    _check_choice(choice)
+    require_choice(choice)
     laws = {law: key for law, key in choice.laws().items() if law != "model"}
     if choice.model != case.choice.model:
         model = find(choice_of(choice.model, {}, case.subject).model_key, RoughSurface)

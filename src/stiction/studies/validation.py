@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.read import Case, case_of, read_content, with_files_read
+from stiction.case.read import Case, case_of, read_content, with_single_numbers
 from stiction.case.uncertain import Uncertain, named
 from stiction.contact.contact import Contact
 from stiction.contact.subject import Subject
@@ -135,16 +135,10 @@ def read_entry(path: Any) -> Entry:
     load = {"load": "1 N"} if "indices" not in content else {"load": 1.0}
     tables = {name: value for name, value in content.items() if name != "measured"} | {"solve": load}
     folder = Path(path).parent
-    tables_read, varied = with_files_read(tables, folder)
-    uncertain = tuple(number for number in varied.values() if isinstance(number, Uncertain))
-    if len(uncertain) < len(varied):
-        number = next(number for number in varied.values() if not isinstance(number, Uncertain))
-        raise InputError(
-            number.where, number.words, "a single number; numbers that change from row to row are columns of the file"
-        )
+    tables_read, uncertain = with_single_numbers(tables, folder, "numbers that change from row to row are columns of the file")
     values = _of_bands(origin.band) if origin.band else read_measurements(folder / origin.file, tables_read)
     _check(values, origin.file)
-    entry = Entry(str(content.get("title", "")), origin, tables_read, values, tuple(named(list(uncertain))))
+    entry = Entry(str(content.get("title", "")), origin, tables_read, values, tuple(named([*uncertain.values()])))
     entry.cases()  # so that a contact that is none is refused here
     return entry
 

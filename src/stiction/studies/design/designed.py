@@ -1,6 +1,6 @@
 """Turn the result of a design search into a labelled dataset and a case file."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,8 +11,8 @@ from stiction.case.read import wants_ranges, without_studies
 from stiction.case.text import case_text, show_exactly, with_written
 from stiction.quantities.sampling import spread_rows
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.design.missed import missed_objectives, off_targets
 from stiction.studies.design.plan import LOAD, DesignPlan, Options, quantity_of
 from stiction.studies.design.space import TOLERANCE
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from stiction.studies.design.run import DesignSearch
 
+_NEAR = 0.01  # of a target: nearer than this counts as met
 _SHOWN = 200  # designs of a front at most
 
 
@@ -145,3 +146,27 @@ def _with_numbers(content: Any, numbers: Mapping[tuple[str, ...], Any]) -> Any:
 
 def _placed(content: Any, path: tuple[str, ...], entry: Any) -> Any:
     return {**content, path[0]: _placed(content.get(path[0], {}), path[1:], entry)} if path else entry
+
+
+def off_targets(plan: DesignPlan, known: Mapping[str, np.ndarray]) -> Iterator[tuple[str, np.ndarray]]:
+    """Yield each objective with a target: the name of its result, and the relative distances (n,) of n designs from the target.
+
+    A distance is (result - target)/|target|. known: results (n,) by name.
+    """
+    for objective, target in zip(plan.objectives, plan.targets, strict=True):
+        if objective.target:
+            yield objective.quantity, (known[objective.quantity] - target) / (abs(target) or 1.0)
+
+
+def missed_objectives(plan: DesignPlan, known: Mapping[str, np.ndarray], row: int) -> list[str]:
+    """Return one sentence for each target that a design misses by more than 1 %, with the difference in percent.
+
+    known: results (n,) by name. row: index of the design.
+    """
+    targets = {objective.quantity: target for objective, target in zip(plan.objectives, plan.targets, strict=True)}
+    found = []
+    for name, off in off_targets(plan, known):
+        if abs(off[row]) > _NEAR:
+            value, target = (show(one, quantity_of(name), 4) for one in (float(known[name][row]), targets[name]))
+            found.append(f"{name} = {value}, {abs(100.0 * off[row]):.3g} % {'above' if off[row] > 0.0 else 'below'} {target}")
+    return found

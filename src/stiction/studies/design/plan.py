@@ -9,7 +9,7 @@ import numpy as np
 
 from stiction.case.addresses import address_of, as_numbers, leaves_of, subject_table
 from stiction.case.free import Free, read_free
-from stiction.case.read import with_files_read, without_studies
+from stiction.case.read import with_single_numbers
 from stiction.case.study_tables import study_table
 from stiction.case.swept import Address, number_of
 from stiction.case.uncertain import Uncertain
@@ -109,10 +109,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
     require_names(content)
     wanted = 'a table [design] with objective = { minimise = "friction_coefficient" } and [design.choose]'
     design: Design = study_table(content, "design", wanted)
-    plain, varied = with_files_read(without_studies(content), folder)
-    for one in varied.values():
-        if not isinstance(one, Uncertain):
-            raise InputError(one.where, one.words, "a single number; lists to choose from go under [design.choose]")
+    plain, uncertain = with_single_numbers(content, folder, "lists to choose from go under [design.choose]")
     plain = as_numbers(plain)
     free, options = _unknowns(design, plain)
     objectives, targets = _objectives(design)
@@ -129,7 +126,7 @@ def make_design_plan(content: Mapping[str, Any], folder: Path = Path()) -> Desig
         validity=design.validity,
         effort=design.effort,
         seed=design.seed,
-        uncertain=tuple(one for one in varied.values() if isinstance(one, Uncertain)),
+        uncertain=tuple(uncertain.values()),
     )
 
 

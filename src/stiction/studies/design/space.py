@@ -16,13 +16,12 @@ from stiction.quantities.dimensions import arranged
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import sobol_points
 from stiction.quantities.units import reason_of, show
-from stiction.records.claims import Validity
 from stiction.records.validity_warning import ValidityWarning
-from stiction.solving.candidates import choice_of
 from stiction.solving.choice import RECOMMENDED, Choice
 from stiction.solving.pointwise import WHY_NOT, BatchResult, Region, solve_batch
 from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
+from stiction.studies.case_results import choice_of_case
 from stiction.studies.design.plan import LOAD, DesignPlan, quantity_of
 from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.prediction.many import PREDICTED, predict_many
@@ -90,15 +89,19 @@ class DesignSpace:
     def _choice(self) -> Choice:
         """Return the model and laws that evaluate the designs, resolved for the middle of all choices.
 
-        Raises InputError if the model does not compute an objective or a limited result.
+        Raises InputError if the model, or the prediction, does not compute an objective or a limited result.
         """
         shares = np.full((1, self.dimension), 0.5)
         numbers, points = self._contacts(shares, np.arange(1))
-        subject = self.case.at(numbers).subject
+        case = self.case.at(numbers)
+        subject = case.subject
         if self.is_predicted:
-            return self._prediction(subject)
-        given = {name: value for name, value in self.case.choice.arguments().items() if name != "model"}
-        choice = choice_of(self.case.choice.model, given, subject)
+            for name in self.names:
+                if name not in PREDICTED and name not in subject.all_groups():
+                    groups = "a group of the contact; or a named model, whose results may be objectives"
+                    raise InputError("design", name, f"{', '.join(PREDICTED)}, {groups}")
+            return Choice(RECOMMENDED)
+        choice = choice_of_case(case, case.choice)
         for name in set(self.names) & set(YIELDED):
             require_states(make_problem(subject, choice), name)
         solved = solve_batch(subject, choice, load=float(points["load"].values.flat[0]))
@@ -106,17 +109,6 @@ class DesignSpace:
             if name not in solved.variables and name not in YIELDED and name not in subject.all_groups():
                 raise InputError("design", name, f"a result of {choice.model_key}, or a group of the contact")
         return choice
-
-    def _prediction(self, subject: Any) -> Choice:
-        """Return the choice that evaluates designs by prediction.
-
-        Raises InputError for an objective or limit that a prediction does not compute.
-        """
-        for name in self.names:
-            if name not in PREDICTED and name not in subject.all_groups():
-                allowed = f"{', '.join(PREDICTED)}, a group of the contact; or a named model, whose results may be objectives"
-                raise InputError("design", name, allowed)
-        return Choice(RECOMMENDED)
 
     def _evaluated(self, numbers: Mapping, points: Mapping) -> Iterator[tuple[Region, Any, Any]]:
         """Solve designs in batches, and yield (region, case, results) of each batch.
@@ -280,8 +272,8 @@ class DesignSpace:
         shape = _shape(subject, designs, loads)
         tables = self._tables(subject, solved, shape)
         objectives = [
-            _cost_of(objective, tables[objective.quantity], target)
-            for objective, target in zip(self.plan.objectives, self.plan.targets, strict=True)
+            np.abs(tables[one.quantity] - target) if one.target else (-1.0 if one.maximise else 1.0) * tables[one.quantity]
+            for one, target in zip(self.plan.objectives, self.plan.targets, strict=True)
         ]
         excess = [_beyond(limit.low, limit.high, tables[limit.quantity]) for limit in self.plan.limits]
         excess.append(_as_table(solved.validity_warnings[0], _outside(solved, self.plan.validity), shape))
@@ -343,11 +335,6 @@ def _as_table(dims: Any, values: np.ndarray, shape: tuple[int, int, int]) -> np.
     return np.broadcast_to(arranged(values, dims, (_DESIGN, _SAMPLE, "load")), shape)
 
 
-def _cost_of(objective: Any, table: np.ndarray, target: float) -> np.ndarray:
-    """Return a result as a cost to be minimised: as it is, with changed sign, or its distance from the target."""
-    return np.abs(table - target) if objective.target else -table if objective.maximise else table
-
-
 def _beyond(low: float, high: float, table: np.ndarray) -> np.ndarray:
     """Return how far results lie beyond a limit, relative to the limit; 0 or below inside."""
     over = (table - high) / (abs(high) or 1.0) if np.isfinite(high) else np.full(table.shape, -np.inf)
@@ -371,13 +358,9 @@ def _validity_bits(solved: BatchResult, validity: str) -> dict[np.uint32, str]:
     """
     found = {np.uint32(1 << at): why for at, why in enumerate(WHY_NOT)}
     for at, rule in enumerate(solved.rules, start=len(WHY_NOT)):
-        if _counts(rule, validity):
+        if rule.kind == "impossible" if validity == "possible" else validity == "claimed" and rule.kind != "statistics":
             found[np.uint32(1 << at)] = ValidityWarning(rule.why, rule.quantity, low=rule.low, high=rule.high).rule
     return found
-
-
-def _counts(rule: Validity, validity: str) -> bool:
-    return rule.kind == "impossible" if validity == "possible" else validity == "claimed" and rule.kind != "statistics"
 
 
 def _worst(table: np.ndarray) -> np.ndarray:

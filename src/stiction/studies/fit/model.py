@@ -14,6 +14,7 @@ from stiction.quantities.errors import InputError
 from stiction.solving.candidates import choice_of
 from stiction.solving.choice import Choice
 from stiction.solving.pointwise import solve_batch
+from stiction.studies.case_results import choice_of_case
 from stiction.studies.evaluate_many import evaluate_many
 from stiction.studies.fit.plan import RESISTANCE, FitPlan, middle_of
 
@@ -125,8 +126,7 @@ def forward_model(plan: FitPlan, model: str | None = None, data: Measurements | 
     data = plan.data if data is None else data
     parameters = _parameters(plan)
     case = case_between_the_ends(plan, data)
-    given = {name: value for name, value in case.choice.arguments().items() if name != "model"} if model is None else {}
-    choice = choice_of(model or case.choice.model, given, case.subject)
+    choice = choice_of_case(case, case.choice) if model is None else choice_of(model, {}, case.subject)
     forward = ForwardModel(plan, choice, parameters, data, _groups(data, parameters))
     _check_answers(forward, case.subject)
     return forward

@@ -11,10 +11,9 @@ import numpy as np
 from stiction.case.addresses import address_of, as_numbers, leaves_of, roughness_in
 from stiction.case.free import Free, read_free
 from stiction.case.measurements import Measurements, read_measurements
-from stiction.case.read import Case, case_of, with_files_read, without_studies
+from stiction.case.read import Case, case_of, with_single_numbers
 from stiction.case.study_tables import study_table
 from stiction.case.swept import Address, number_of
-from stiction.case.uncertain import Uncertain
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.inputs import require_names
 from stiction.studies.fit.table import Fit
@@ -55,11 +54,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     require_names(content)
     given = dict(content)
     fit = read_fit(given)
-    plain, varied = with_files_read(without_studies(given), folder)
-    for one in varied.values():
-        if isinstance(one, Uncertain):
-            continue  # its nominal value stands for it, which is said
-        raise InputError(one.where, one.words, "a single number in [contact]; arrays go under [fit.predict]")
+    plain, uncertain = with_single_numbers(given, folder, "arrays go under [fit.predict]")  # nominal values stand for errors
     plain = as_numbers(plain)
     free = free_numbers(fit, plain)
     measured = read_measurements(data, plain)
@@ -80,7 +75,7 @@ def make_fit_plan(content: Mapping[str, Any], data: Any, folder: Path = Path()) 
     )
     _check(plan)
     taken = {one.path for one in free} | {path for row in measured.known for path in row}
-    names = tuple(".".join(path[1:]) for path, one in varied.items() if isinstance(one, Uncertain) and path not in taken)
+    names = tuple(".".join(path[1:]) for path in uncertain if path not in taken)
     return replace(plan, uncertain=names)
 
 

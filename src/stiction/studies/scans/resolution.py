@@ -19,6 +19,7 @@ from stiction.solving.choice import Choice
 from stiction.solving.method_spread import METHOD
 from stiction.solving.problem import takes_surface_moments
 from stiction.solving.solve import solve
+from stiction.studies.case_results import require_choice
 from stiction.surfaces.finding import Asperities, asperities, method_of_moments, methods_for
 from stiction.surfaces.height_model import HeightModel, height_model, roughness
 from stiction.surfaces.heightmap import HeightMap, in_metres
@@ -74,8 +75,7 @@ class _Friction:
     choice: Choice
 
     def __post_init__(self) -> None:
-        if not isinstance(self.choice, Choice):
-            raise InputError("choice", self.choice, "a stiction.solving.choice.Choice, e.g. Choice(model=...)")
+        require_choice(self.choice)
         if (self.contact is None) != (self.load is None):
             missing, given = ("load", "contact") if self.load is None else ("contact", "load")
             raise InputError(missing, None, f"both contact and load, or neither; {given} is given")

@@ -2,9 +2,9 @@
 
 import errno
 import json
+import os
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
-from os import PathLike
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -87,7 +87,7 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
     require("sweep", *(("distributed",) if scheduler else ()), "zarr")
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST_WORKERS:
         raise InputError("--workers", workers, f"a whole number, 1 to {_MOST_WORKERS}; more are for a cluster, --scheduler")
-    if not isinstance(out, str | PathLike):
+    if not isinstance(out, str | os.PathLike):
         raise InputError("--out", out, "the path of a store, new, or of this case")
     if not (scheduler is None or isinstance(scheduler, str)):
         raise InputError("--scheduler", scheduler, "the address of a scheduler, as text")
@@ -96,7 +96,6 @@ def run_sweep(case: Any, out: Any, workers: int, scheduler: str | None, progress
     content, folder = tables_of(case)
     text = json.dumps(case, default=str) if content is case else Path(case).read_text(encoding="utf-8-sig")
     plan = make_plan(content, folder)
-    from stiction.studies.sweep.guards import locked
     from stiction.studies.sweep.opening import opened_store
 
     store = opened_store(Path(out), plan, str(content.get("title", "")), text)
@@ -134,3 +133,29 @@ def _refused_where_not_writable(store: "Store") -> Iterator[None]:
         full = error.errno in (errno.ENOSPC, errno.EDQUOT)
         why = "room on its disk, which is full" if full else f"a folder that can be written ({error.strerror or error})"
         raise InputError("--out", store.path, f"{why}; finished blocks are kept, run the sweep again to continue") from None
+
+
+@contextmanager
+def locked(path: Path):
+    """Lock the store folder `path`; raise InputError if another sweep is writing to it.
+
+    The operating system releases the lock when the process ends. Without file locks two sweeps may run at once, but they write
+    the same bits.
+    """
+    try:
+        import fcntl
+    except ImportError:
+        yield
+        return
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        with suppress(OSError):  # of a file system without locks
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise InputError(
+                    "--out", str(path), "a store that no other sweep writes to; wait for that sweep, or choose another folder"
+                ) from None
+        yield
+    finally:
+        os.close(handle)
