@@ -15,7 +15,22 @@ from stiction.quantities.errors import InputError
 from stiction.web.fields import example_cases
 
 SECTIONS = ("uncertainty", "sweep", "design", "fit")
-WRONG = ("", "nan", "1e400 m", "-1 nm", "5 parsnip", [], {}, True, -1, 0, 1e300, float("nan"), "no such thing", [1, "2 nm"])
+WRONG: tuple[Any, ...] = (
+    "",
+    "nan",
+    "1e400 m",
+    "-1 nm",
+    "5 parsnip",
+    [],
+    {},
+    True,
+    -1,
+    0,
+    1e300,
+    float("nan"),
+    "no such thing",
+    [1, "2 nm"],
+)
 _QUANTITY = re.compile(r"^([-+]?[0-9]+\.?[0-9]*(?:[eE][-+]?[0-9]+)?)\s*(.*)$")
 _MOST_POINTS = 40  # more are only more work
 _MOST_DEPTH = 6  # of tables in tables that are made
@@ -35,10 +50,10 @@ def case_of(seed: int) -> dict[str, Any]:
             tables = changed
     if chance.random() < 0.3:
         name = chance.choice(SECTIONS)
-        tables[name] = value_of(chance, _schema()["properties"][name], name)
+        tables[name] = value_of(chance, schema_of(name), name)
     if not careful and chance.random() < 0.5:
         place = chance.choice(list(_leaves(tables)))
-        _put(tables, place, copy.deepcopy(chance.choice(WRONG)))
+        put(tables, place, copy.deepcopy(chance.choice(WRONG)))
     return tables
 
 
@@ -152,26 +167,26 @@ def _change(chance: random.Random, tables: dict[str, Any]) -> None:
     value = _got(tables, place)
     kind = chance.random()
     if kind < 0.5:
-        _put(tables, place, _scaled(chance, value))
+        put(tables, place, scaled(chance, value))
     elif kind < 0.65:
         several = (
-            {"start": value, "stop": _scaled(chance, value), "count": chance.randint(1, 4)},
+            {"start": value, "stop": scaled(chance, value), "count": chance.randint(1, 4)},
             {"median": value, "factor": 10 ** chance.uniform(0, 1.5)},
-            {"mean": value, "deviation": _scaled(chance, value)},
-            {"low": value, "high": _scaled(chance, value)},
-            [value, _scaled(chance, value)],
+            {"mean": value, "deviation": scaled(chance, value)},
+            {"low": value, "high": scaled(chance, value)},
+            [value, scaled(chance, value)],
         )
-        _put(tables, place, chance.choice(several))
+        put(tables, place, chance.choice(several))
     elif kind < 0.75 and len(place) > 1:
         _got(tables, place[:-1]).pop(place[-1], None)
     else:
         section = chance.choice([name for name in ("contact", "indices", "solve") if name in tables] or ["contact"])
-        parts = _resolved(_schema()["properties"][section]).get("properties", {})
+        parts = schema_of(section).get("properties", {})
         name = chance.choice(list(parts))
         tables.setdefault(section, {})[name] = value_of(chance, parts[name], name)
 
 
-def _scaled(chance: random.Random, value: Any) -> Any:
+def scaled(chance: random.Random, value: Any) -> Any:
     """Return a number, or text with a unit, times a random factor; other text is exchanged."""
     factor = 10 ** chance.gauss(0.0, chance.choice((0.1, 1.0, 4.0)))
     if isinstance(value, bool) or value is None:
@@ -186,7 +201,7 @@ def _scaled(chance: random.Random, value: Any) -> Any:
 def _text(chance: random.Random, schema: dict[str, Any], name: str) -> str:
     examples = schema.get("examples")
     if examples:
-        return str(_scaled(chance, chance.choice(examples)))
+        return str(scaled(chance, chance.choice(examples)))
     if name in ("first", "second", "material", "preset"):
         return chance.choice(material_names())
     if name == "interface":
@@ -226,7 +241,8 @@ def _got(table: dict[str, Any], place: tuple[str, ...]) -> Any:
     return table
 
 
-def _put(table: dict[str, Any], place: tuple[str, ...], value: Any) -> None:
+def put(table: dict[str, Any], place: tuple[str, ...], value: Any) -> None:
+    """Put a value at a place; tables that are not there are made."""
     for name in place[:-1]:
         table = table.setdefault(name, {})
     table[place[-1]] = value
@@ -239,6 +255,11 @@ def _schema() -> dict[str, Any]:
 
 
 _made: dict[str, Any] = {}
+
+
+def schema_of(section: str) -> dict[str, Any]:
+    """Return the schema of a section of a case file."""
+    return _resolved(_schema()["properties"][section])
 
 
 def _resolved(schema: dict[str, Any]) -> dict[str, Any]:

@@ -114,4 +114,4 @@ def test_several_heights_of_a_finish_are_predicted_one_by_one():
 
 @pytest.mark.parametrize("text", ["elastic", "e", "-", "boundary lubricant"])
 def test_text_without_a_number_is_exchanged_and_not_scaled(text):
-    assert isinstance(generate._scaled(random.Random(1), text), str)
+    assert isinstance(generate.scaled(random.Random(1), text), str)
