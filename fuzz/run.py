@@ -62,7 +62,7 @@ _PICTURES = 40  # one seed in so many writes all files: matplotlib takes longer 
 _CHANGED = 4  # one case in so many is a changed example (generate.py), the others are built (case_files.py)
 _RARE = {"other_means": 10, "solved_again": 4, "calls": 4}  # one seed in so many tries these: they take .1 to .5 s
 _MOST_BYTES = 4 * 2**30
-_TOLD = 100  # seeds between two lines on how far it is
+_TOLD = 50  # seeds between two lines on how far it is
 _SEEDS_OF_A_WORKER = 500  # it is replaced then: what it has kept could hide what a fresh process does
 
 
