@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from generate import put, scaled, schema_of, value_of
 
-from stiction.contact.interfaces import interface_names
-from stiction.contact.materials import material_names
+from stiction.contact.interfaces import allowed_interfaces, interface_names
+from stiction.contact.materials import material, material_names
 from stiction.records.registry import (
     AsperityLaw,
     AsperityMethod,
@@ -46,9 +46,9 @@ _WRONG: tuple[Any, ...] = (
     "1e-200 m",
     "1e200 Pa",
 )
-_FILMS = 0.06  # share of cases of [contact]; a third of these have random elastic constants
-_SCANS = 0.06
-_PLAIN = (0.97, 0.85, 0.6)  # probabilities that a number is just a number; each case has one of them
+_FILMS = 0.05  # share of cases of [contact]; a third of these have random elastic constants
+_SCANS = 0.04
+_PLAIN = (0.99, 0.95, 0.8)  # probabilities that a number is just a number; each case has one of them
 
 
 def built_case(chance: random.Random, folder: Path) -> dict[str, Any]:
@@ -68,7 +68,7 @@ def built_case(chance: random.Random, folder: Path) -> dict[str, Any]:
     for section in ("sweep", "design", "fit"):
         if chance.random() < 0.04:
             tables[section] = value_of(chance, schema_of(section), section)
-    if chance.random() < 0.2:
+    if chance.random() < 0.15:
         _spoil(chance, tables)
     return tables
 
@@ -97,7 +97,7 @@ class _Numbers:
         chance = self.chance
         if chance.random() < self._plain:
             return text(value)
-        far = value * 10.0 ** chance.choice((0.0, 0.01, 0.1, 0.3, 1.0))
+        far = value * 10.0 ** chance.choice((0.001, 0.01, 0.1, 0.3, 1.0))
         kind = chance.randrange(7)
         if kind == 0:
             return [text(value), text(far)][: chance.randint(1, 2)]
@@ -110,7 +110,7 @@ class _Numbers:
         if kind == 4:
             return f"{value:.4g} +/- {value * chance.uniform(0.0, 0.5):.2g} {unit}".strip()
         if kind == 5:
-            return {"values": [text(value), text(far)], "along": chance.choice(("pair", "x", "pair", "load"))}
+            return {"values": [text(value), text(far)], "along": chance.choice(("pair", "x"))}
         name = f"samples_{len(list(self.folder.glob('samples_*')))}.txt"
         numbers = [min(max(value * 10 ** chance.gauss(0.0, 0.1), least), most) for _ in range(chance.randint(1, 9))]
         self.folder.joinpath(name).write_text("".join(f"{number:.6g}\n" for number in numbers), encoding="utf-8")
@@ -132,9 +132,17 @@ def _contact(draw: _Numbers, tables: dict[str, Any]) -> dict[str, Any]:
     contact["roughness"] = _scanned(draw) if scan else _roughness(draw)
     if film:
         contact["coating"] = _coating(draw)
+    _add_strength(draw, contact, bodies)
+    _add_pulls_and_rest(draw, contact)
+    return contact
+
+
+def _add_strength(draw: _Numbers, contact: dict[str, Any], bodies: list[Any]) -> None:
+    chance = draw.chance
     kind = chance.random()
     if kind < 0.3:
-        contact["interface"] = chance.choice(interface_names())
+        states = _suited(bodies) if chance.random() < 0.9 else interface_names()
+        contact["interface"] = chance.choice(states or interface_names())
     elif kind < 0.4:
         strengths = {
             "interfacial_shear_strength": lambda: draw.log(1e4, 1e10, "Pa"),
@@ -146,13 +154,20 @@ def _contact(draw: _Numbers, tables: dict[str, Any]) -> dict[str, Any]:
         contact["interface"] |= _some(chance, pressure_coefficient=lambda: draw.even(0.0, 0.9))
     elif kind < 0.8:
         contact["interfacial_shear_strength"] = draw.log(1e4, 1e10, "Pa") if chance.random() < 0.95 else "0 Pa"
+    if "interface" not in contact and chance.random() < 0.2:
+        contact["pressure_coefficient"] = draw.even(0.0, 0.9)
+    if chance.random() < 0.05:
+        contact["peeling"] = draw.even(0.0, 1.0)  # refused without a named model
     contact |= _some(
-        chance, (0.05, 0.25), pressure_coefficient=lambda: draw.even(0.0, 0.9), peeling=lambda: draw.even(0.0, 1.0),
-        hardness_to_yield=lambda: draw.even(1.0, 4.0), strength_variation=lambda: draw.even(0.0, 3.0),
+        chance, (0.05, 0.25), hardness_to_yield=lambda: draw.even(1.0, 4.0), strength_variation=lambda: draw.even(0.0, 3.0),
     )  # fmt: skip
     if chance.random() < 0.2:
         contact["weakening_slip"] = draw.log(1e-2, 1e5, "nm")
         contact["residual_strength"] = draw.even(0.0, 1.0)
+
+
+def _add_pulls_and_rest(draw: _Numbers, contact: dict[str, Any]) -> None:
+    chance = draw.chance
     if chance.random() < 0.5:
         contact["work_of_adhesion"] = draw.log(1e-5, 10.0, "J/m^2") if chance.random() < 0.9 else "0 J/m^2"
     if chance.random() < 0.25:
@@ -167,7 +182,13 @@ def _contact(draw: _Numbers, tables: dict[str, Any]) -> dict[str, Any]:
             molar_volume=lambda: draw.log(5.0, 500.0, "cm^3/mol"),
             surface_tension=lambda: draw.log(1.0, 500.0, "mN/m"),
         )  # fmt: skip
-    return contact
+
+
+def _suited(bodies: list[Any]) -> list[str]:
+    """Return the interfaces that two bodies may have."""
+    if all(body in material_names() for body in bodies):
+        return allowed_interfaces(*map(material, bodies), coated=False)
+    return ["boundary lubricant"]
 
 
 def _material(draw: _Numbers, modulus: float) -> Any:
@@ -241,10 +262,13 @@ def _summits(draw: _Numbers) -> dict[str, Any]:
 
 def _of_heights(draw: _Numbers, share: float) -> dict[str, Any]:
     chance = draw.chance
-    return _some(
-        chance, (share,), kind=lambda: chance.choice(_KINDS), skewness=lambda: draw.even(-3.0, 3.0),
-        kurtosis=lambda: draw.even(1.5, 20.0), texture_aspect_ratio=lambda: draw.even(0.02, 1.0),
-    )  # fmt: skip
+    heights = _some(
+        chance, (share,), kind=lambda: chance.choice(_KINDS), texture_aspect_ratio=lambda: chance.uniform(0.02, 1.0)
+    )
+    if chance.random() < share:
+        skewness = round(chance.uniform(-3.0, 3.0), 2)
+        heights |= {"skewness": skewness, "kurtosis": round(1.0 + skewness**2 + 10.0 ** chance.uniform(-1.0, 1.0), 2)}
+    return heights
 
 
 def _scanned(draw: _Numbers) -> dict[str, Any]:
@@ -287,7 +311,7 @@ def _groups(draw: _Numbers) -> dict[str, Any]:
         ("peeling",),
         ("hardening",),
     ]
-    together += [("sharpness", "roughness_parameter", "nominal_width"), ("tabor_parameter",), ("K_beta",), ("film_aspect",)]
+    together += [("sharpness", "roughness_parameter", "nominal_width"), ("tabor_parameter",), ("K_beta",), ("films",)]
     if chance.random() < 0.1:
         together = [(name,) for name in schema_of("indices")["properties"] if name not in groups]
     for names in together:

@@ -26,11 +26,13 @@ import traceback
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from multiprocessing.connection import Connection
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
+import typer.testing
 from typer.testing import CliRunner
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -64,6 +66,10 @@ _RARE = {"other_means": 10, "solved_again": 4, "calls": 4}  # one seed in so man
 _MOST_BYTES = 4 * 2**30
 _TOLD = 50  # seeds between two lines on how far it is
 _SEEDS_OF_A_WORKER = 500  # it is replaced then: what it has kept could hide what a fresh process does
+
+
+# CliRunner makes the commands of the program anew for each call, which takes longer than most refusals.
+typer.testing._get_command = cache(typer.testing._get_command)  # type: ignore[attr-defined]
 
 
 class TooLong(BaseException):
@@ -249,13 +255,28 @@ def _without_reason(value: Any, place: str, explained: bool) -> Iterator[str]:
             yield from _without_reason(one, place, explained)
     if not isinstance(value, dict):
         return
-    answer = value.get("answer")
-    explained = explained or any(table.get(name) for table in (value, answer) if isinstance(table, dict) for name in _REASONS)
-    mu = value.get("friction_coefficient", 0.0)
-    if not explained and (mu is None or (isinstance(mu, list) and None in mu)):
+    answer, attributes = value.get("answer"), value.get("attrs")
+    of_contact_only = isinstance(attributes, dict) and str(attributes.get("friction_law")).startswith("none")
+    explained = (
+        explained
+        or of_contact_only
+        or any(table.get(name) for table in (value, answer) if isinstance(table, dict) for name in _REASONS)
+    )
+    if not explained and _without_mu(value):
         yield f"{place or 'result'}: mu is null without a warning"
     for name, one in value.items():
         yield from _without_reason(one, f"{place}.{name}", explained)
+
+
+def _without_mu(table: dict[str, Any]) -> bool:
+    """Return whether a coefficient of friction is null at a load that is compressive, or at an unknown one."""
+    mu, loads = table.get("friction_coefficient", 0.0), table.get("load")
+    both = zip(mu, loads, strict=False) if isinstance(mu, list) and isinstance(loads, list) else [(mu, loads)]
+    return any(_is_null(one) and not (isinstance(load, float) and load <= 0.0) for one, load in both)
+
+
+def _is_null(value: Any) -> bool:
+    return value is None or (isinstance(value, list) and None in value)
 
 
 def main() -> int:

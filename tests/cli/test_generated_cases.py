@@ -1,5 +1,6 @@
 """A fixed share of the generated cases and other inputs of `make fuzz`: each ends in an answer or in one line."""
 
+import contextlib
 import multiprocessing
 import random
 import sys
@@ -10,11 +11,13 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "fuzz"))
 
+import case_files
 import generate
 import inputs
 import run
 
 import stiction as st
+from stiction.case.read import case_in
 
 SEEDS = range(12)
 
@@ -60,6 +63,21 @@ def test_random_contacts_are_solved_and_a_difference_of_solutions_is_found():
     assert not list(inputs._differences(subject, found, found, 1e-12))
 
 
+def test_most_built_cases_are_read_and_a_seed_makes_the_same_case(tmp_path):
+    folders = [tmp_path / name for name in ("one", "other")]
+    for folder in folders:
+        folder.mkdir()
+    built = [[case_files.built_case(random.Random(seed), folder) for seed in range(60)] for folder in folders]
+    assert repr(built[0]) == repr(built[1])
+    read = 0
+    for seed in range(60):
+        tables = case_files.built_case(random.Random(seed), tmp_path)
+        with contextlib.suppress(st.InputError):
+            read += bool(case_in(tables, tmp_path))
+    assert read > 25
+    assert {name for case in built[0] for name in case} >= {"contact", "indices", "solve", "uncertainty", "sweep", "design"}
+
+
 def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
     cases = [repr(generate.case_of(seed)) for seed in SEEDS]
     assert cases == [repr(generate.case_of(seed)) for seed in SEEDS]
@@ -75,12 +93,26 @@ def test_a_seed_makes_the_same_case_and_seeds_make_different_ones():
         ('{"answer": {"friction_coefficient": null, "warnings": []}}', "answer: mu is null without a warning"),
         ('{"curve": {"load": [1.0, 2.0], "friction_coefficient": [0.2, null]}}', "curve: mu is null without a warning"),
         ('{"models": [{"why_not": "no film", "x": {}}, {"friction_coefficient": null}]}', "models: mu is null without"),
+        ('{"curve": {"load": [-1.0, 2.0], "friction_coefficient": [null, null]}}', "curve: mu is null without a warning"),
+        ('{"curve": {"contact_area_low": [1.0, -1e-30]}}', "curve.contact_area_low is negative"),
         ('{"curve": {"load": [1.0, Infinity]}}', "load is inf"),
         ("no result", "no JSON"),
     ],
 )
 def test_a_fault_in_a_result_is_found(result, fault):
     assert any(fault in found for found in run.faults_of(result))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        '{"answer": {"load": -1.5, "friction_coefficient": null}}',
+        '{"curve": {"load": [-1.0, 2.0], "friction_coefficient": [null, 0.3]}}',
+        '{"answer": {"friction_coefficient": null}, "attrs": {"friction_law": "none: this model is of contact only"}}',
+    ],
+)
+def test_a_null_at_a_tensile_load_or_without_friction_is_no_fault(said):
+    assert not list(run.faults_of(said))
 
 
 def test_a_null_with_a_reason_is_no_fault():

@@ -335,6 +335,16 @@ def test_broken_limits_are_named_with_their_values():
     assert notes.count("N R sigma is not 0.001 to 1") == 2 and "violated (silver): " in notes and "violated (gold): " in notes
 
 
+def test_a_design_that_is_refused_states_the_reason():
+    """An empirical distribution needs ten heights; every design of this case has nine."""
+    table = case(LEAST, RADIUS)
+    del table["solve"]["model"]
+    nine = {"height_distribution": "empirical", "height_parameters": {"samples": list(range(9))}}
+    table["contact"]["roughness"] = ROUGH | nine
+    refused = design(table)
+    assert not refused["feasible"].any() and "10 or more finite heights" in str(refused["violated"].values[0])
+
+
 def test_what_is_uncertain_is_held_for_nineteen_of_twenty():
     """Friction is strength times area over load: with a strength that is uncertain the area must be so much smaller."""
     table = case({"maximise": "contact_area"}, RADIUS, {"friction_coefficient": {"high": 0.1}})

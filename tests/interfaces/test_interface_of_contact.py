@@ -184,3 +184,33 @@ def test_a_state_that_is_changed_loses_what_was_said_of_the_number():
     changed = interface("boundary lubricant").replace(pressure_coefficient=0.5)
     assert changed.pressure_coefficient == 0.5 and changed.range.keys() == changed.source.keys() == changed.grade.keys()
     assert changed.range.keys() == {"interfacial_shear_strength"}
+
+
+def predicted(**interface):
+    tables = {"first": STEEL, "second": SOFTER, "roughness": ROUGHNESS, "nominal_area": "1 mm^2", "interface": interface}
+    found = st.predict({"contact": tables, "solve": {"load": ["1 N"]}})
+    return np.array([found[f"friction_coefficient{end}"].values.ravel() for end in ("", "_low", "_high")])
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "more"),
+    [
+        ("interfacial_shear_strength", ["50 MPa", "200 MPa"], {}),
+        ("shear_strength", [0.01, 0.1], {"pressure_coefficient": 0.1}),
+        ("pressure_coefficient", [0.0, 0.1, 0.3], {"strength_over_shear_modulus": 1e-3}),
+    ],
+)
+def test_swept_numbers_of_a_stated_interface_are_predicted_one_by_one(name, values, more):
+    together = predicted(**{name: values}, **more)
+    alone = [predicted(**{name: value}, **more) for value in values]
+    np.testing.assert_allclose(together, np.concatenate(alone, axis=1), rtol=1e-12)
+
+
+def test_uncertain_numbers_of_a_stated_interface_widen_the_interval_by_their_quantiles():
+    """Logarithms of independent factors add in quadrature: the strength's, 3.29 log 3, and those of a certain strength."""
+    _, low, high = predicted(interfacial_shear_strength="5 MPa")
+    certain = np.log(high[0] / low[0])
+    _, low, high = predicted(interfacial_shear_strength={"median": "5 MPa", "factor": 3})
+    assert np.log(high[0] / low[0]) == pytest.approx(np.hypot(certain, 3.29 * np.log(3.0)), rel=0.08)
+    _, low, high = predicted(interfacial_shear_strength="1 MPa", pressure_coefficient={"low": 0.0, "high": 0.5})
+    assert float(high[0] - low[0]) == pytest.approx(0.45, rel=0.02)

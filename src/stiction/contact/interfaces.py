@@ -62,11 +62,12 @@ class Interface(Input):
         """Return the name of the stated strength, one of STRENGTHS."""
         return next(name for name in STRENGTHS if getattr(self, name) is not None)
 
-    def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None) -> Any:
+    def strength_at(self, level: Any, hardness: Any = None, shear_modulus: Any = None, median: Any = None) -> Any:
         """Return tau_0 [Pa] at quantile levels between 0 and 1; arrays broadcast.
 
-        hardness, shear_modulus: of the softer body [Pa]; only the reference of a relative strength is used. Raises
-        InputError for a level that is not between 0 and 1, and if the reference is missing.
+        hardness, shear_modulus: of the softer body [Pa]; only the reference of a relative strength is used. median: values
+        that replace the stated number, which must then have no range. Raises InputError for a level that is not between 0
+        and 1, and if the reference is missing.
         """
         scale: Any = 1.0
         if self.strength != "interfacial_shear_strength":
@@ -76,11 +77,14 @@ class Interface(Input):
                 raise InputError(
                     name, None, f"the {name} of the softer body, because the strength of {self.name} is relative to it"
                 )
-        return scale * self._quantile(self.strength, level)
+        return scale * self._quantile(self.strength, level, median)
 
-    def pressure_coefficient_at(self, level: Any) -> np.ndarray:
-        """Return alpha at quantile levels between 0 and 1; 0 if the state has no pressure coefficient. Raises InputError."""
-        return self._quantile("pressure_coefficient", level)
+    def pressure_coefficient_at(self, level: Any, median: Any = None) -> np.ndarray:
+        """Return alpha at quantile levels between 0 and 1; 0 if the state has no pressure coefficient.
+
+        median: as of `strength_at`. Raises InputError.
+        """
+        return self._quantile("pressure_coefficient", level, median)
 
     def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
         """Return tau_0 [Pa] and alpha between two bodies at quantile levels; alpha is None if the state has none.
@@ -123,8 +127,8 @@ class Interface(Input):
                 rows.append((name, as_text(getattr(self, name), name) + ends))
         return rows
 
-    def _quantile(self, name: str, level: Any) -> Any:
-        median = getattr(self, name)
+    def _quantile(self, name: str, level: Any, median: Any = None) -> Any:
+        median = getattr(self, name) if median is None else median
         if median is None:
             return np.zeros(np.shape(level))
         if name not in self.range:

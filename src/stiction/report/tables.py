@@ -138,10 +138,11 @@ def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
         band = (
             _without_band(data) if ends is None else f", {answer['level']:.0%} interval {number(ends[0])} to {number(ends[1])}"
         )
-        rows.insert(
-            0,
-            ("mu", f"{number(mu)}{band}" if mu is not None and np.isfinite(mu) else "not defined at this load"),
-        )
+        if mu is None:
+            said = "not computed: state the strength of the interface"
+        else:
+            said = f"{number(mu)}{band}" if np.isfinite(mu) else "not defined at this load"
+        rows.insert(0, ("mu", said))
     unused = data.attrs.get("inputs_not_used", "")
     yield facts([*rows, ("not used", unused), ("outside", f"{warnings[0]}{more}" if warnings else "")])
 

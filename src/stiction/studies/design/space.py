@@ -23,7 +23,7 @@ from stiction.solving.problem import make_problem
 from stiction.solving.yielded import YIELDED, require_states, yielded_shares
 from stiction.studies.case_results import choice_of_case
 from stiction.studies.design.plan import LOAD, DesignPlan, quantity_of
-from stiction.studies.evaluate_many import evaluate_many
+from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 from stiction.studies.prediction.many import PREDICTED, predict_many
 from stiction.studies.prediction.predict import is_predicted
 
@@ -120,6 +120,13 @@ class DesignSpace:
             return evaluate_many(self.case, numbers, points, self.choice, self._kept, along=(_DESIGN,))
         return predict_many(self.case, numbers, points["load"], self._uncertain(list(numbers)), along=(_DESIGN,))
 
+    def _alone(self, numbers: Mapping, points: Mapping) -> tuple[Any, Any]:
+        """Return case and results of one design as `_evaluated` does; raises the InputError or ArithmeticError of a refusal."""
+        if not self.is_predicted:
+            return evaluate_together(self.case, numbers, points, self.choice, self._kept)
+        ((_, case, solved),) = self._evaluated(numbers, points)
+        return case, solved
+
     def _uncertain(self, chosen: list[tuple[str, ...]]) -> list[Uncertain]:
         """Return the uncertain numbers of the case that the design does not set.
 
@@ -192,7 +199,7 @@ class DesignSpace:
         """
         try:
             numbers, points = self._contacts(shares[None, :], np.arange(1))
-            case, solved = next((case, solved) for _, case, solved in self._evaluated(numbers, points))
+            case, solved = self._alone(numbers, points)
         except InputError as error:
             return [reason_of(error)]
         except ArithmeticError as error:

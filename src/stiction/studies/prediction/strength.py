@@ -22,8 +22,9 @@ class Strength:
     """Describe the distribution of the shear strength of an interface.
 
     states: states of the interface with weights that sum to 1; empty if tau_0 is stated. stated: tau_0 [Pa], or None.
-    coefficient: stated pressure coefficient. takes_states: whether the state supplies this coefficient instead. aged: factor of
-    tau_0 by hold time. Arrays are (n or 1, m or 1) over samples and points.
+    coefficient: stated pressure coefficient. takes_states: whether the state supplies this coefficient instead. varied: swept
+    and uncertain numbers of a stated interface by name. aged: factor of tau_0 by hold time. Arrays are (n or 1, m or 1) over
+    samples and points.
     """
 
     def __init__(self, sampled: SampledCase):
@@ -35,6 +36,7 @@ class Strength:
             self.stated = sampled.column(contact.interfacial_shear_strength)
         if contact.pressure_coefficient is not None:
             self.coefficient = sampled.column(contact.pressure_coefficient)
+        self.varied = _varied(sampled) if self.stated is None and contact.interface is not None else {}
         self.metallic = sampled.metallic
         self.takes_states = contact.pressure_coefficient is None
         self.aged = sampled.column(1.0)
@@ -87,14 +89,17 @@ class Strength:
         if self.stated is not None:
             tau = self.stated[rows % len(self.stated)]
         else:
-            tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape))
-            alpha = np.broadcast_to(alpha, (len(rows), alpha.shape[1])).copy()
+            varied = {name: table[rows % len(table)] for name, table in self.varied.items()}
+            shapes = [table.shape for table in varied.values()]
+            tau = np.zeros(np.broadcast_shapes(hardness.shape, modulus.shape, *shapes))
+            alpha = np.broadcast_to(alpha, np.broadcast_shapes((len(rows), alpha.shape[1]), *shapes)).copy()
             which = self.states_drawn(state)
             for index, (table, _) in enumerate(self.states):
                 mine = which == index
-                tau[mine] = table.strength_at(strength[mine, None], hardness[mine], modulus[mine])
+                of_state = {name: values[mine] for name, values in varied.items()}
+                tau[mine] = table.strength_at(strength[mine, None], hardness[mine], modulus[mine], of_state.get(table.strength))
                 if self.takes_states:
-                    alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None])
+                    alpha[mine] = table.pressure_coefficient_at(coefficient[mine, None], of_state.get("pressure_coefficient"))
         tau = tau * self.aged[rows % len(self.aged)]
         if self.stated is not None and self.over_body > _NEAR_BODY:  # a metal's then fails as clean metal does
             clean = interface("clean metal").strength_at(strength[:, None], hardness, modulus)
@@ -112,6 +117,12 @@ def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.
     with np.errstate(divide="ignore"):
         beyond = np.clip(np.log2(tau / shear), 0.0, 1.0)
     return np.minimum(tau, np.where(metallic, shear, shear * (1.0 - (1.0 - _TRESCA) * beyond * (1.0 - level))))
+
+
+def _varied(sampled: SampledCase) -> dict[str, np.ndarray]:
+    state = sampled.drawn.interface
+    numbers = {name: getattr(state, name) for name in (state.strength, "pressure_coefficient")}
+    return {name: sampled.column(value) for name, value in numbers.items() if hasattr(value, "dims")}
 
 
 def _states(sampled: SampledCase) -> list[tuple[Interface, float]]:
