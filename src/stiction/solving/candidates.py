@@ -28,17 +28,14 @@ _POINTS = 300_000
 
 @dataclass(frozen=True)
 class Candidate:
-    """Store a model that can be applied to a contact, with its laws and options.
-
-    It also has the name that a comparison shows.
-    """
+    """Store a model that can be applied to a contact, with its laws and options, and its name in a comparison."""
 
     name: str
     choice: Choice
 
 
 def candidates(subject: Subject) -> list[Candidate]:
-    """Return every rough-surface model, and the Greenwood-Williamson sum over other asperity laws.
+    """Return every rough-surface model that a comparison tries, and the Greenwood-Williamson sum over other asperity laws.
 
     Laws of junction growth are offered only for a contact without a film and without a pressure coefficient, with an
     asperity law that flows. On a coated contact each model takes its own film law or "sequential", and each other film

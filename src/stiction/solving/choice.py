@@ -17,7 +17,7 @@ DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 class LawKeywords(TypedDict, total=False):
     """List the keyword arguments for laws and options of the public functions, for code completion in editors.
 
-    A test compares the list with the registry. Laws of other packages may add options, which are also given as
+    A test compares the list with the registry. Laws of other packages may add options, which are also passed as
     keywords.
     """
 
@@ -98,7 +98,7 @@ class Choice:
         return " + ".join([self.model_key, *laws, *options])
 
     def with_changes(self, laws: Mapping[str, str | None], options: Mapping[str, str | None]) -> "Choice":
-        """Return the choice with those laws and options that are not None."""
+        """Return the choice with other laws and options; a value of None changes nothing."""
         changed = {name: value for name, value in {**laws, **options}.items() if value is not None}
         words = {**self.laws(), **self.options, **changed}
         return Choice.of(words.pop("model"), words)

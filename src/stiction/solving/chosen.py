@@ -29,9 +29,9 @@ from stiction.solving.choice import Choice
 class ResolvedLaws:
     """Hold a model with its laws and all their options.
 
-    asperity: None for a theory in closed form; film: None for a bare contact; tangential: None for contact only;
-    ignored: keys of selected laws that have no effect on this contact; additions: further laws of the contact by
-    keyword, see `registry.Addition`; dry: whether the user omitted menisci by name.
+    asperity: None for a theory in closed form. film: None for a bare contact. tangential: None for contact only.
+    ignored: keys of selected laws that have no effect on this contact. additions: further laws of the contact by
+    keyword, see `registry.Addition`. dry: whether the user omitted menisci by name.
     """
 
     model: RoughSurface
@@ -53,7 +53,7 @@ class ResolvedLaws:
     def yielded(self) -> str:
         """Return what limits the friction of yielded junctions, one of registry.YIELDED.
 
-        "" for contact only, or if the law does not state it.
+        It is "" for contact only, or if the law does not state it.
         """
         if self.tangential is None:
             return ""
@@ -138,7 +138,7 @@ def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, op
 
 
 def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
-    """Return the film law that was selected for a contact without a film.
+    """Return the film law that was selected although the contact has no film, as a text; () if none was.
 
     Raises InputError for an unknown key.
     """

@@ -66,7 +66,7 @@ class ClosedFormProblem(Problem):
 
     @property
     def way(self) -> str:
-        """Describe how the area is computed, for theories with more than one method."""
+        """Describe how the area is computed, for theories that can compute it in more than one way; otherwise ""."""
         return "" if self.record.way is None else self.record.way(self.map)
 
     def _area(self, load: np.ndarray) -> np.ndarray:

@@ -32,7 +32,7 @@ def _any(problem: Problem) -> bool:
 
 
 def _by_numbers(problem: Problem) -> bool:
-    """Return whether the model takes roughness numbers; False for a solution on a height map."""
+    """Return whether the model uses roughness numbers; False for a solution on a height map."""
     return problem.record.of_map is None
 
 
@@ -157,12 +157,15 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
 
 def rules_of(problem: Problem) -> list[Validity]:
-    """Return every range that results of this problem can violate, each once, whatever the values of its contacts."""
+    """Return every validity range that results of this problem can violate, each once.
+
+    The list does not depend on the values of the contacts.
+    """
     return list(dict.fromkeys(_rules_for(problem)))
 
 
 def excludes(rule: Validity) -> bool:
-    """Return whether a violation of this range is physically impossible, so that a sample of uncertain inputs is excluded."""
+    """Return whether results that violate this range are impossible, so that a sample of uncertain inputs is excluded."""
     return rule.kind == "impossible" or rule.quantity == "mean_pressure_over_hardness"
 
 
@@ -229,7 +232,7 @@ def _hardens(problem: Problem) -> bool:
 
 
 def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning]:
-    """Drop validity warnings that a stronger one on the same quantity implies.
+    """Return the validity warnings without those that a stronger warning on the same quantity implies.
 
     For example, a value above 1 is also above 0.1.
     """

@@ -42,9 +42,9 @@ class Unreachable(Exception):
 class Inversion:
     """Hold the separations at which n contacts carry m loads, per asperity, normalised.
 
-    h (n, m): separations; residual (n, m): load error over the load, or over the largest tension where the load is
-    negligible; evaluations: largest number of evaluations for one root; tension (n,): largest tension on the branch of
-    the problem, 0 without adhesion; where (n,): its separation, NaN without adhesion.
+    h (n, m): separations. residual (n, m): load error over the load, or over the largest tension where the load is
+    negligible. evaluations: largest number of evaluations for one root. tension (n,): largest tension on the branch of
+    the problem, 0 without adhesion. where (n,): separation of the largest tension, NaN without adhesion.
     """
 
     h: np.ndarray
@@ -54,9 +54,9 @@ class Inversion:
     evaluations: int = 0
 
     def with_rows(self, rows: np.ndarray, found: "Inversion") -> "Inversion":
-        """Copy the separations found for some contacts into these arrays; return an inversion with them and all evaluations.
+        """Copy the separations found for some contacts into these arrays, and return this inversion.
 
-        rows: indices of these contacts.
+        rows: indices of these contacts. found: their inversion.
         """
         for name in _ARRAYS:
             getattr(self, name)[rows] = getattr(found, name)
@@ -124,7 +124,7 @@ def _whole(parts: list[Inversion]) -> Inversion:
 
 
 def _of_block(problem: Problem, targets: np.ndarray, refuse: bool) -> tuple[Inversion, np.ndarray | None]:
-    """Find separations as `separations_at` does, for one block; also return the sums there.
+    """Find separations as `separations_at` does, for one block; also return the sums (regimes, n, m, 5) there, or None.
 
     The fast method is used for all contacts that it suits, and the robust method for the others.
     """
@@ -168,7 +168,10 @@ def _quickly(problem: AsperitySum, targets: np.ndarray) -> tuple[Inversion, np.n
 
 
 def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
-    """Return sums (regimes, n, m, 5) with those (regimes, k, 5) of the known pairs (n, m), NaN elsewhere."""
+    """Return sums (regimes, n, m, 5), NaN except at the pairs (n, m) for which they are known.
+
+    known: mask (n, m) of k pairs. sums: (regimes, k, 5).
+    """
     found = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
     found[:, known] = sums
     return found
@@ -228,10 +231,7 @@ def _log_of(share: np.ndarray) -> np.ndarray:
 
 
 def _relative(excess: np.ndarray, targets: np.ndarray, tension: np.ndarray) -> np.ndarray:
-    """Return load residuals (n, m), divided by the load or the largest tension.
-
-    The larger of the two is the divisor.
-    """
+    """Return load errors (n, m), each divided by the load or by the largest tension, whichever is larger."""
     tension = tension[:, None]
     scale = np.where(np.abs(targets) > NOTHING * tension, np.abs(targets), np.where(tension > 0.0, tension, 1.0))
     return excess / scale
@@ -317,7 +317,7 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
     """Return descending separations (H,), the loads (n, H) there, and the scale (n,) of the loads.
 
     The separations start where the load is below the smallest target and almost nothing touches. They end far beyond
-    the range of any model, where compression exceeds all tension; asperities of listed heights, which may be nearly alike, are
+    the range of any model, where compression exceeds all tension. Asperities of listed heights, which may be nearly alike, are
     pressed until they carry the largest target. The scale does not depend on this range.
     """
     h, loads = _FIRST, problem.loads_on_grid(_FIRST)
@@ -341,7 +341,7 @@ def _loads_past(problem: Problem, targets: np.ndarray) -> tuple[np.ndarray, np.n
 def _touches(loads: np.ndarray, size: np.ndarray, smallest: np.ndarray) -> np.ndarray:
     """Return a mask (n,) of contacts that still touch at the largest separation of the table.
 
-    Their load there is not yet negligible, or the largest tension may lie beyond.
+    Their load there is not yet negligible, or their largest tension may lie at larger separations.
     """
     farthest = loads[:, 0]
     tension = (farthest < -NO_TENSION * size) & (np.argmin(loads, axis=1) == 0)

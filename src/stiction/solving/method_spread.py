@@ -55,7 +55,7 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
 
 def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
-    """Return the values of an array, broadcast to the shape of another."""
+    """Return the values of a labelled array, broadcast to the shape of another."""
     return np.broadcast_to(aligned(array, {str(dim): size for dim, size in like.sizes.items()}), like.shape)
 
 
@@ -127,7 +127,10 @@ def _on_the_tail(data: "xarray.Dataset") -> str:
 def with_range_over_methods(
     data: "xarray.Dataset", methods: list[str], each: np.ndarray, points, name: str
 ) -> "xarray.Dataset":
-    """Return the dataset with the values (methods, points) of each method, and their lowest and highest value."""
+    """Return the dataset with a quantity by each asperity method, and its lowest and highest value, added.
+
+    each: values (methods, points). name: name of the quantity.
+    """
     tables = ((METHOD, *points), each), (points, np.fmin.reduce(each)), (points, np.fmax.reduce(each))
     added = {
         f"{name}_{end}": (*table, {"units": "1", "symbol": "mu", "long_name": short, "comment": meaning})

@@ -20,7 +20,10 @@ __all__ = ["AdhesiveMap", "PeelingMap", "without_mode_mixity"]
 
 
 def without_mode_mixity(problem: MapProblem) -> MapProblem:
-    """Return the problem of the contact that is not sheared. Raises InputError for mode mixity without adhesion."""
+    """Return the problem in which shear does not change the adhesion.
+
+    Raises InputError for mode mixity without adhesion.
+    """
     law = problem.options.get("mode_mixity", "none")
     if law != "none" and not problem.adheres:
         raise InputError("mode_mixity", law, "none, or the option adhesion = shortest_range: without adhesion nothing peels")
@@ -29,7 +32,10 @@ def without_mode_mixity(problem: MapProblem) -> MapProblem:
 
 @dataclass(frozen=True)
 class AdhesiveMap(MovingMap):
-    """Represent an adhesive map at one load; all touching points have one strength, and shear does not change them."""
+    """Represent an adhesive map at several loads, without an effect of shear on adhesion.
+
+    All touching points have the same strength.
+    """
 
     @classmethod
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "AdhesiveMap":
@@ -44,7 +50,7 @@ class AdhesiveMap(MovingMap):
 
 @dataclass(frozen=True)
 class PeelingMap(AdhesiveMap):
-    """Represent an adhesive map at one load; shear lowers the adhesion at its edges by a law of mode mixity."""
+    """Represent an adhesive map at several loads; shear lowers the adhesion at its edges by a law of mode mixity."""
 
     def path(self, index: int, shifts: np.ndarray, weakening: "Weakening | None") -> "SlidingPath":
         from stiction.solvers.shear.peeling import slide_and_peel
@@ -66,7 +72,7 @@ class PeelingMap(AdhesiveMap):
 
 
 def _remark(problem: MapProblem) -> str:
-    """Return how well the law of mode mixity is known."""
+    """Return a remark on the grade and evidence of the law of mode mixity; "" if there is no such law."""
     name = problem.options["mode_mixity"]
     if name == "none":
         return ""
@@ -92,7 +98,10 @@ def _adhesive_state(problem: MapProblem, one: "MapContact") -> "AdhesiveState":
 
 
 def _strength(problem: MapProblem, one: "MapContact", contact: "AdhesiveState") -> np.ndarray:
-    """Return the shear strength of every point [Pa] (rows, columns): that of the whole contact, spread over its points."""
+    """Return the shear strength of every point [Pa] (rows, columns).
+
+    It is the strength of the whole contact, divided equally among its points.
+    """
     touching = contact.touching
     count = int(np.count_nonzero(touching))
     if count == 0:

@@ -19,11 +19,11 @@ __all__ = ["MovingMap"]
 
 @dataclass(frozen=True)
 class MovingMap:
-    """Represent a map at several loads. Shear leaves its pressure alone, as it does for like bodies.
+    """Represent a solved map at several loads, which is displaced tangentially; shear does not change its pressure.
 
     contacts: solved without shear, for each load. strengths: shear strength of their points (rows, columns) [Pa]. operator:
-    computes shear displacements. remark: what the solution neglects, for the user, or an empty text. farther: displacements
-    to solve by default, over the one at which every point slips if shear leaves the pressure alone.
+    computes shear displacements. remark: what the solution neglects, for the user; "" if nothing. farther: largest displacement
+    to solve by default, divided by the displacement at which every point slips if shear does not change the pressure.
     """
 
     farther: ClassVar[float] = 1.0
@@ -36,7 +36,7 @@ class MovingMap:
 
     @classmethod
     def of(cls, problem: MapProblem, contacts: "tuple[MapContact, ...]") -> "MovingMap":
-        """Return the map of solved contacts. Raises InputError without a strength of every point."""
+        """Return the moving map of solved contacts. Raises InputError if the strength of points is not known."""
         strengths = tuple(problem.strengths(one) for one in contacts)
         return cls(problem, contacts, strengths, operator_of(problem, problem.surface()))
 
@@ -57,15 +57,15 @@ class MovingMap:
         return slide_map(self.operator, strength, shifts.tolist(), pixel=pixel, weakening=weakening, keep_maps=False)
 
     def remark_on(self, paths: "list[SlidingPath]") -> str:
-        """Return what the user should know of the solution, or an empty text."""
+        """Return a remark for the user on what the solution neglects; "" if there is none."""
         return self.remark
 
     def results(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load (m,)."""
+        """Return further results of each load (m,), by name."""
         return {}
 
     def curves(self, paths: "list[SlidingPath]") -> "dict[str, np.ndarray]":
-        """Return further results of each load and displacement (m, k); areas are those of the map."""
+        """Return further results of each load and displacement (m, k), by name; areas are those of the solved map."""
         return {}
 
 

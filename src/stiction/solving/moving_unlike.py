@@ -27,13 +27,13 @@ _LEAST_BETA = 1e-3  # Dundurs' parameter from which on pressure and shear are co
 
 
 def are_unlike(problem: MapProblem) -> bool:
-    """Return whether the elastic constants of the bodies couple pressure and shear."""
+    """Return whether the elastic constants of the two bodies differ so that pressure and shear are coupled."""
     return _coupling_of(problem, problem.surface()).beta > _LEAST_BETA
 
 
 @dataclass(frozen=True)
 class UnlikeBodies(MovingMap):
-    """Represent a map of unlike bodies; the contacts are those of a whole period."""
+    """Represent a map of unlike bodies, whose pressure and shear are coupled; the contacts are those of a whole period."""
 
     farther: ClassVar[float] = 1.5
 
@@ -113,9 +113,9 @@ class UnlikeBodies(MovingMap):
 
 
 def effect_of_coupling(problem: MapProblem, contacts: "tuple[MapContact, ...]") -> float:
-    """Return the largest relative change of friction by the coupling of pressure and shear, over all loads.
+    """Return the largest relative change of friction that the coupling of pressure and shear causes, over all loads.
 
-    All points slide under the strength that their pressure gives them. Liquids count as load.
+    All points slide, each at the strength that its pressure gives. Menisci are included in the load.
     """
     from stiction.solvers.shear.coupled import force_when_all_slide
 
@@ -152,7 +152,10 @@ def _period(surface: "HeightMap") -> "HeightMap":
 
 
 def _contact_of_period(one: "MapContact") -> "MapContact":
-    """Return the contact of a window and its mirror images; the attributes that slide() needs are multiplied."""
+    """Return the contact of a window together with its mirror images, from the contact of the window.
+
+    Only the attributes that slide() needs are changed.
+    """
     assert one.pressure is not None
     areas = {name: 4.0 * getattr(one, name) for name in ("nominal_area", "area", "area_pixels", "plastic_area")}
     return replace(one, load=4.0 * one.load, points=4 * one.points, pressure=_mirrored(one.pressure), **areas)

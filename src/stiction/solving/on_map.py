@@ -39,7 +39,10 @@ _MOST_POINTS = 1_100_000
 
 @dataclass(frozen=True)
 class MapProblem(Problem):
-    """Represent a contact whose roughness is a height map; results are normalised as for all problems."""
+    """Represent a contact whose roughness is a height map, which is solved point by point.
+
+    Results are normalised, as for all problems.
+    """
 
     @property
     def needs_load(self) -> bool:
@@ -74,7 +77,7 @@ class MapProblem(Problem):
 
     @cached_property
     def factors(self) -> dict[str, Any]:
-        """Return the units of normalised results, by scale."""
+        """Return the units by which normalised results are multiplied, by scale, e.g. "N"."""
         return self.contact.scales().factors()
 
     @property
@@ -211,16 +214,16 @@ class MapProblem(Problem):
             yield state, each * unit["N"] / whole
 
     def _sheared(self, loads: np.ndarray, area: float, state: str) -> float:
-        """Return the total tangential force of map points, by the tangential law.
+        """Return the total tangential force of map points, by the tangential law, normalised.
 
-        loads: normal load of each point. area: the same for all points. state: of the points, elastic or plastic.
+        loads: normal load of each point. area: contact area of each point. state: of the points, elastic or plastic.
         """
         return self._each_sheared(loads, area, state).sum()
 
     def _each_sheared(self, loads: np.ndarray, area: float, state: str) -> np.ndarray:
-        """Return the tangential force (n,) of each map point, by the tangential law.
+        """Return the tangential force (n,) of each map point, by the tangential law, normalised.
 
-        loads: normal load (n,) of each point. area: the same for all points. state: of the points, elastic or plastic.
+        loads: normal load (n,) of each point. area: contact area of each point. state: of the points, elastic or plastic.
         """
         assert self.chosen.tangential is not None
         return resistances(self.chosen.tangential, self.groups, loads[None], np.full((1, loads.size), area), state)[0]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class ModelRow(TypedDict):
-    """What is known of one model, law or method, as `models` returns it.
+    """Define what `models` returns of one model, law or method.
 
     Keys that not every kind of record has come last.
     """

@@ -15,15 +15,12 @@ def sum_selected(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
 
 
 def states_of(regimes: list[Regime]) -> list[str]:
-    """Return the states of asperities to report: elastic, plastic, and perhaps elastic-plastic.
-
-    Elastic-plastic is reported only if a regime has it.
-    """
+    """Return the states of asperities to report: elastic and plastic, and elastic-plastic if a regime has it."""
     return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
 
 
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:
-    """Return the share (n, m) of |parts| in regimes beyond the half-space limit of the film.
+    """Return the share (n, m) of the summed |parts| in regimes beyond the half-space limit of the film.
 
     parts: (regimes, n, m). The share is 0 where all parts are 0.
     """

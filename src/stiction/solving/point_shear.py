@@ -29,11 +29,11 @@ _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
 def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
-    """Yield the state, the pressures [Pa] of its points, the area of a pixel [m2] and the area that each point counts with.
+    """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
-    First the points that do not flow, then those that flow, if any. Each point counts with its whole area, less its
-    share of the excess area at contact edges. That excess is subtracted from the points that do not flow; if their area
-    does not suffice, all points are reduced by one factor.
+    The first group are the points that do not flow, the second those that flow, if there are any. The contact area of a point
+    is its pixel minus its share of the excess area at contact edges. That excess is subtracted from the points that do not
+    flow; if their area does not suffice, all points are reduced by one factor.
     """
     assert one.pressure is not None
     pixel = one.nominal_area / one.pressure.size

@@ -28,7 +28,7 @@ class Points:
 
     name: "load" or "mean_separation". value: the requested number or array with named dimensions, in the units of the
     contact. factors: units of the contact, by scale. dims: dimensions of the results, those of the contacts first.
-    wanted: normalised values in the shape of dims; narrow: the same with length 1 along dimensions on which they do not
+    wanted: normalised values in the shape of dims. narrow: the same values, with length 1 along dimensions on which they do not
     depend.
     """
 
@@ -73,7 +73,10 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:
-    """Return the points for a value that `requested_points` has validated; name: "load" or "mean_separation"."""
+    """Return the points for a value that `requested_points` has checked.
+
+    name: "load" or "mean_separation".
+    """
     factors = problem.subject.scales().factors()
     dims = dimensions([value, *factors.values()], problem.dims)
     narrow = aligned(value, dims) / aligned(factors["N" if name == "load" else "m"], dims)
@@ -106,7 +109,7 @@ def requested_points(subject: Subject, name: str, value: Any) -> Any:
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of labelled arrays; load and mean_separation only if they are dimensions."""
+    """Return the coordinates of labelled arrays; load and mean_separation are included only if they are dimensions."""
     named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
     results = ("load", "mean_separation")
     return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
@@ -116,7 +119,7 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
 class Solved:
     """Hold normalised results at points: arrays by name, in the shape of the points.
 
-    found, carried: for requested loads, the inversion that found the separations, and the loads computed there.
+    found, carried: for requested loads, the inversion that found the separations, and the loads computed at these separations.
     """
 
     tables: dict[str, np.ndarray]

@@ -40,9 +40,9 @@ NOT_COMPUTED = np.uint32(1 << 31)
 class BatchResult:
     """Hold the results of many contacts.
 
-    variables: dimensions, values in the units of the contact, and attributes, by name. validity_warnings: dimensions,
+    variables: (dimensions, values in the units of the contact, attributes) by name. validity_warnings: dimensions,
     and an array of bits (uint32): first one bit for each of WHY_NOT, then one for each rule. subject: the contacts as
-    the model takes them; attributes: models and sources as in `solve`, if all results are requested.
+    the model takes them. attributes: models and sources as in `solve`, if all results are requested.
     """
 
     variables: dict[str, tuple]
@@ -158,10 +158,7 @@ def pieces(region: Region, room: int) -> Iterator[Region]:
 
 
 def _halves(region: Region) -> list[Region]:
-    """Return the halves along the longest dimension, the second one first.
-
-    Empty for a single contact.
-    """
+    """Return the two halves of a region along its longest dimension, the second one first; [] for a single contact."""
     dim = max(region, key=lambda name: region[name].stop - region[name].start, default="")
     if not dim or region[dim].stop - region[dim].start == 1:
         return []
@@ -170,7 +167,7 @@ def _halves(region: Region) -> list[Region]:
 
 
 def _taken(points: Points) -> tuple[Solved, np.ndarray]:
-    """Return the results of contacts none of which is refused, and the bits of WHY_NOT.
+    """Return the results of contacts that the model does not refuse, and the bits of WHY_NOT.
 
     A theory without separations is not evaluated for tensile loads.
     """

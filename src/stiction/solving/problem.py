@@ -36,7 +36,7 @@ _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUA
 
 @dataclass(frozen=True)
 class AsperitySum(Problem):
-    """Represent a sum over asperities: the engine integrates the regimes of the laws over the heights."""
+    """Represent a sum over asperities: the engine integrates the regimes of the laws over the asperity heights."""
 
     @property
     def law(self) -> Law:
@@ -79,7 +79,10 @@ class AsperitySum(Problem):
 
     @cached_property
     def load_alone(self) -> "AsperitySum":
-        """Return the problem without its tangential law, whose kinks would split pieces; itself if its model needs that law."""
+        """Return the problem without its tangential law, whose kinks would split pieces of the sum.
+
+        The problem itself is returned if its model needs that law.
+        """
         if self.chosen.tangential is None:
             return self
         alone = replace(self, chosen=replace(self.chosen, tangential=None))
@@ -95,9 +98,10 @@ class AsperitySum(Problem):
 
     @cached_property
     def largest_tension(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the largest tension (n,) on the approach, its separation (n,), and a mask (n,) of contacts where they hold.
+        """Return the largest tension (n,) on approach, its separation (n,), and a mask (n,) of contacts where both are valid.
 
-        Heights are Gaussian. They do not hold where the pull of menisci reaches its upper bound, which the approach ignores.
+        Heights are Gaussian. The values are not valid where the pull of menisci reaches its upper bound, which the approach
+        ignores.
         """
         estimate, where, plain = self.approach.lowest
         tension, holds, adheres = np.zeros_like(estimate), plain.copy(), np.flatnonzero(estimate > 0.0)
@@ -145,7 +149,7 @@ class AsperitySum(Problem):
         return self._at_sums(h, self.sums_at(h))
 
     def with_sums(self, h: np.ndarray, sums: np.ndarray) -> dict[str, np.ndarray]:
-        """Return results as `at` does, from known sums (regimes, n, m, 5).
+        """Return the results (n, m) at the separations h (n, m), from known sums (regimes, n, m, 5).
 
         Sums that are NaN are computed and filled in, in place.
         """
@@ -237,7 +241,7 @@ class AsperitySum(Problem):
 
 
 def _wanted(name: str) -> str:
-    """Describe the allowed values of a quantity, or the part of a contact, that a model needs.
+    """Describe the allowed values of a quantity that a model needs, or name the part of a contact that it needs.
 
     A work of adhesion has to be above 0.
     """
@@ -273,14 +277,14 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the friction coefficient of these forces, under the result name for the published law."""
+    """Return the friction coefficient of the published law from its forces, under the name of that result."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 
 def with_surface_moments(subject: Subject, model: str) -> Subject:
     """Return the subject in the form that a model takes.
 
-    A theory of the whole surface takes asperity numbers that reproduce the spectral moments of the surface.
+    For a theory of the whole surface, it has asperity numbers that reproduce the spectral moments of the surface.
     """
     return subject.with_surface_moments() if takes_surface_moments(model) else subject
 
@@ -311,7 +315,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
 
 
 def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, threads: int) -> Problem:
-    """Return a new problem, see `make_problem`."""
+    """Return the problem of a contact under a model, newly made; see `make_problem`."""
     subject = with_surface_moments(subject, choice.model_key)
     own_heights = heights is None
     if heights is None:
@@ -341,7 +345,7 @@ def number_of_asperities(groups: Groups) -> np.ndarray | None:
 
 
 def problem_of(groups: Groups, choice: Choice, heights: Heights | None = None, subject: Subject | None = None) -> Problem:
-    """Return the problem of these groups, with one dimension, "contact".
+    """Return the problem of these groups, with the only dimension "contact".
 
     subject: the Contact or Indices of the user, or None.
     """

@@ -18,12 +18,12 @@ from stiction.solving.chosen import ResolvedLaws
 
 @dataclass(frozen=True)
 class Problem(ABC):
-    """Hold n contacts under one model.
+    """Hold n contacts under one model, and solve them.
 
-    groups: their dimensionless groups, flat. dims: named dimensions of the contacts with their sizes; n is the product.
-    coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only groups
-    are known. Results are normalised, by name. Theories without separations implement only `at_load`. threads: number
-    of threads of the sums, which does not change results.
+    groups: dimensionless groups of the contacts, in one dimension. dims: named dimensions of the contacts with their sizes; n
+    is the product. coords: coordinates of the dimensions. subject: the Contact or Indices, as the model takes it; None if only
+    groups are known. Results are normalised, by name. Theories without separations implement only `at_load`. threads: number of
+    threads of the sums, which does not change results.
     """
 
     chosen: ResolvedLaws
@@ -36,7 +36,7 @@ class Problem(ABC):
 
     @cached_property
     def description(self) -> dict[str, str]:
-        """Return the attributes of results that follow from the problem alone; `results.summary_of` fills them in once."""
+        """Return the attributes of results that depend only on the problem; `results.summary_of` fills them in once."""
         return {}
 
     @property
@@ -86,7 +86,7 @@ class Problem(ABC):
         """Return whether asperities attract each other."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
-        """Return the normalised loads (n, m) of a curve, or fewer loads if each solution is slow."""
+        """Return the normalised loads (n, m) of a curve, or only a few of them if each solution is slow."""
         return load
 
     def on_branch(self, branch: str) -> "Problem":

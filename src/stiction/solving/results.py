@@ -30,9 +30,10 @@ def labelled(
     dims: Mapping[str, int],
     coords: Mapping[str, Any],
 ) -> "xarray.Dataset":
-    """Return normalised arrays as a dataset, each multiplied by the unit of its scale, if it has one.
+    """Return normalised arrays as a dataset in the units of the contact.
 
-    tables: arrays by name, in the shape of dims or broadcasting to it.
+    tables: arrays by name, in the shape of dims or broadcasting to it. factors: unit of each scale, by which the arrays are
+    multiplied.
     """
     return as_dataset(as_variables(subject, tables, factors, dims), coords)
 
@@ -40,7 +41,7 @@ def labelled(
 def as_variables(
     subject: Subject, tables: Mapping[str, np.ndarray], factors: Mapping[str, Any], dims: Mapping[str, int]
 ) -> dict[str, tuple]:
-    """Return dimensions, values and attributes of each table."""
+    """Return (dimensions, values, attributes) of each table by name, in the units of the contact."""
     shape, variables = tuple(dims.values()), {}
     for name, table in tables.items():
         scale = aligned(factors.get(QUANTITIES[name].scale, 1.0), dims)
@@ -154,7 +155,7 @@ def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarr
 
 
 def _description(subject: Subject, problem: Problem) -> dict[str, str]:
-    """Return the attributes of results that follow from the problem alone."""
+    """Return the attributes of results that depend only on the problem: title, laws, sources."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
     laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}

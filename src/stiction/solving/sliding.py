@@ -175,9 +175,10 @@ def _checked(problem: Problem) -> AsperitySum:
 
 
 def _displacements(subject: Subject, given: Any, slides_at: np.ndarray) -> Any:
-    """Return the displacements with a dimension.
+    """Return the displacements as a labelled array.
 
-    By default they end beyond the sliding displacement of the last contact.
+    given: stated displacements; by default they end beyond the sliding displacement of the last contact. slides_at: sliding
+    displacements.
     """
     if given is None:
         farthest = float(np.nanmax(slides_at)) if np.isfinite(slides_at).any() else math.nan
@@ -203,9 +204,9 @@ class Sliding:
     residual: float
 
     def at(self, h: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-        """Return force and energy lost in a cycle, normalised (2, *shape).
+        """Return the tangential force, and the energy lost in a cycle, normalised (2, *shape).
 
-        Separations and displacements over sigma, of one shape in which the contacts' dimensions come first.
+        h, displacement: over sigma, of one shape in which the contacts' dimensions come first.
         """
         return self._summed(h, displacement, lambda tangential, moved: slipping_law(tangential, moved, self.residual))
 
@@ -235,7 +236,10 @@ class Sliding:
         return moved.forces(h, np.arange(h.size))
 
     def curve(self, static: dict[str, np.ndarray], displacement: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the force and the share that sticks at displacements of the full shape, and the energy lost in cycles."""
+        """Return tangential force, sticking share and energy lost in cycles, by name, at displacements of the full shape.
+
+        static: results without a tangential force. The energy is omitted unless asperities keep their strength.
+        """
         h, area = (
             np.broadcast_to(table.reshape(table.shape + (1,) * (displacement.ndim - table.ndim)), displacement.shape)
             for table in (static["mean_separation"], static["contact_area"])

@@ -43,7 +43,7 @@ _DEEPEST, _HIGHEST, _NODES = -8.0, 8.0, 4001
 
 
 def efficiency(spread, residual, constants=FITTED):
-    """Return the largest tangential force of a contact over the sum of strengths, by (1) and (2).
+    """Return the largest tangential force of a contact over the sum of the strengths of its spots, by (1) and (2).
 
     spread: standard deviation s of the spots' displacement over the slip D_c, >= 0. residual: fraction r of the strength that
     remains after slip, 0 to 1. Shapes broadcast. constants: b, m and w.

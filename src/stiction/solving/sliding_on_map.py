@@ -34,7 +34,7 @@ _KNOWN = "a length > 0: 0.3 to 3 nm for monolayers and oxides, 0.1 to 10 um for 
 
 @dataclass(frozen=True)
 class Move:
-    """Store how a map is displaced tangentially: the arguments of `slide` for maps."""
+    """Store the arguments of `slide` that describe how a map is displaced tangentially."""
 
     displacement: Any
     tangential_force: Any
@@ -109,7 +109,10 @@ def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]
 
 
 def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: str) -> MovingMap:
-    """Return the map with a remark on the neglected coupling of pressure and shear, of the dry contact without adhesion."""
+    """Return the map with a remark that the coupling of pressure and shear is neglected.
+
+    The remark states the effect of coupling on the dry contact without adhesion. why: reason for the neglect.
+    """
     remark = f"pressure and shear are not coupled, because {why}"
     if (loads > 0.0).all():
         dry = problem.without_attraction()
@@ -119,7 +122,7 @@ def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: s
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
-    """Return the displacements that are given, those at given forces, or those up to full sliding. Raises InputError."""
+    """Return the displacements to solve: those given, those at given forces, or those up to full sliding. Raises InputError."""
     from stiction.solvers.shear.path import full_shift
 
     if move.tangential_force is not None:
@@ -146,7 +149,10 @@ def _point_states(paths: "list[SlidingPath]") -> np.ndarray:
 
 
 def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
-    """Return the attributes that list unused inputs; names: inputs that sliding uses, which are not listed."""
+    """Return the attributes that list unused inputs of a problem.
+
+    names: inputs that sliding uses, which are not listed.
+    """
     return as_attributes(one for one in unused_inputs(problem) if one.input not in names)
 
 
@@ -261,7 +267,7 @@ def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakenin
 def _said(
     known: dict[str, Any], moving: MovingMap, residual: float, weakening: "Weakening | None", paths: "list[SlidingPath]"
 ) -> dict[str, Any]:
-    """Return the attributes of the result: residual strength, what is neglected, and loads that did not converge."""
+    """Return the attributes of the result: residual strength, what is neglected, and whether the force converged."""
     how = "a point that slips keeps all of its strength"
     if weakening is not None:
         how = f"a point that slips {weakening.slip:.3g} m keeps {weakening.residual:g} of its strength"

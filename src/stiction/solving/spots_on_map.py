@@ -63,9 +63,9 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _spread(operator: "ShearOperator", one: "MapContact") -> float:
-    """Return the standard deviation s of the spots' displacement over the strength tau_p [m/Pa].
+    """Return the standard deviation s of the spots' displacement over the strength tau_p [m/Pa], on one solved map.
 
-    The map is solved. Points bear the strength of the area without the excess of edge points.
+    All points in contact bear the same stress. It is reduced by the excess area of edge points.
     """
     assert one.pressure is not None
     spots = one.pressure > 0.0

@@ -37,10 +37,10 @@ _MOST_GROWN = 100.0  # how far growth is followed
 
 
 def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Return the state numbers of the contacts at these normalised results.
+    """Return the state numbers of contacts at these normalised results, e.g. the mean pressure over the hardness.
 
-    Results have the dimensions of the contacts first. Each number is an array (n, m): absent if a group is unknown, NaN
-    where the net load is not compressive.
+    Results have the dimensions of the contacts first. Each number is an array (n, m), by name: absent if a group is unknown,
+    NaN where the net load is not compressive.
     """
     groups = problem.groups
     n = len(groups)
@@ -93,9 +93,9 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
-    """Return the numbers of the map of a contact that do not depend on load.
+    """Return the numbers of a contact's map that do not depend on load, by name; {} without a map.
 
-    If the scans of both bodies cannot be combined to one map, they describe each scan. Empty without a map.
+    If the scans of both bodies cannot be combined to one map, the numbers are the smaller ones of both scans.
     """
     surface = subject.with_surface_moments().map
     maps = [surface] if surface is not None else [] if subject.measured is None else subject.measured.solvable.filled()
@@ -108,7 +108,10 @@ def of_the_map(subject: Subject) -> dict[str, float]:
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
-    """Return quantities of the attraction (n,), for theories of the whole surface; surface: the map they use, or None."""
+    """Return numbers (n,) of the attraction of surfaces, for theories of the whole surface.
+
+    surface: the map that they use, or None.
+    """
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 
@@ -127,7 +130,7 @@ def _by_asperity(
     hardness: np.ndarray,
     pull_of_menisci: np.ndarray | None,
 ) -> dict[str, np.ndarray]:
-    """Return the numbers that do not need the asperity density, except those of menisci.
+    """Return the state numbers that do not need the asperity density, except those of menisci.
 
     hardness: of the material that bears the load, over the hardness of the bodies.
     """
@@ -152,7 +155,7 @@ def _by_asperity(
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the factor by which junctions (n, m) grow until the interface gives way.
+    """Return the factor (n, m) by which junctions grow under shear until the interface fails.
 
     A_s/A = (p/H)/sqrt(1 - c^2), at least 1, with c the strength of the interface over the strength of the bodies (Tabor 1959).
     """
@@ -164,11 +167,11 @@ def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the mean pressure (n, m) of spots on hard films over two limits.
+    """Return the mean pressure (n, m) of spots on hard films, divided by two limits.
 
-    The pressure that the softer body carries through the film, and the pressure that punches it, at most H_b + 2 (t/a) tau_f
-    for a plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the film, also where the other
-    body is softer.
+    One limit is the pressure that the softer body carries through the film. The other is the pressure that punches the film, at
+    most H_b + 2 (t/a) tau_f for a plug of radius a (upper-bound theorem of plasticity), with tau_f the shear strength of the
+    film. The second limit also holds where the other body is softer.
     """
     if groups.n_H is None or groups.film_aspect is None or not np.any(groups.n_H > 1.0):
         return {}
@@ -184,10 +187,10 @@ def _below_film(groups: Groups, load: np.ndarray, area: np.ndarray, touching: np
 
 
 def _held_by_menisci(touching: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """Return the share of asperities (n, m) that, if they touched, would pull as much as all menisci together.
+    """Return the share of asperities (n, m) that would pull as much as all menisci together, if each of them touched.
 
     An asperity with a gap below the height of the menisci pulls in proportion to (height - gap)/height. touching: share of
-    asperities that would touch without liquid; height: of a meniscus, over sigma. Heights are Gaussian.
+    asperities that would touch without liquid. height: of a meniscus, over sigma. Heights are Gaussian.
     """
     from scipy.special import ndtr, ndtri  # which a dry contact does without
 
@@ -229,7 +232,7 @@ def _softest(groups: Groups) -> np.ndarray | float:
 def _bearing(problem: Problem, load: np.ndarray, results: Mapping[str, np.ndarray]) -> np.ndarray:
     """Return the hardness (n, m) of the material that bears the load, over the hardness of the bodies.
 
-    It is averaged over film and substrate by their loads, where a film law separates them; else, or where the substrate
+    If a film law separates film and substrate, it is averaged over both by their loads. Otherwise, or where the substrate
     confines the film, it is the larger one, which no mean pressure exceeds.
     """
     groups, film = problem.groups, problem.chosen.film

@@ -167,8 +167,8 @@ def _described(subject: Subject, name: str) -> dict[str, str]:
 class _Way:
     """Represent the unloading of n contacts.
 
-    pressed: the problem at loading. released(groups, distance, **own options of the asperity law): returns the segments
-    of asperities drawn apart by that distance. how: the assumption about the asperities, in words.
+    pressed: the problem at loading. released(groups, distance, **own options of the asperity law): function that returns the
+    segments of asperities drawn apart by that distance. how: the assumption about the asperities, in words.
     """
 
     pressed: AsperitySum
@@ -193,7 +193,10 @@ class _Way:
         return np.repeat(np.arange(laws), math.prod(shape) // laws).reshape(shape)
 
     def at(self, rows: np.ndarray, nearest: np.ndarray, distance: np.ndarray, only: str | None = None) -> dict[str, np.ndarray]:
-        """Return normalised results, or the one named `only`, of the contacts with these indices; arrays have one shape."""
+        """Return normalised results at unloading, or only the one named `only`, as arrays of one shape.
+
+        rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation since then.
+        """
         row, apart, h = (one.reshape(-1) for one in (rows, distance, nearest + distance))
 
         def summed(some: slice) -> dict[str, np.ndarray]:
@@ -225,7 +228,7 @@ def _one_of(subject: Subject, **either: Any) -> Any:
 
 
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
-    """Return the unloading under these laws. Raises InputError if these laws do not define unloading."""
+    """Return the unloading of a contact under these laws. Raises InputError if the laws do not define unloading."""
     if choice.options.get("branch") is not None:
         raise InputError("branch", choice.options["branch"], "no value, because unload() always follows the unloading branch")
     for name, key in choice.laws().items():
@@ -354,7 +357,7 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
 
 def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Return the distances (m,) at which almost nothing of the contact is left."""
+    """Return the distances (m,) at which almost none of the contact area is left."""
 
     def area(distance):
         return way.at(rows, nearest, distance, "contact_area")["contact_area"]

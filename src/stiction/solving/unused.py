@@ -25,9 +25,9 @@ _STRENGTH = ("shear_strength", "pressure_coefficient")
 
 @dataclass(frozen=True)
 class Unused:
-    """Name an input that changes no result.
+    """Store an input that changes no result.
 
-    laws: keys of laws that would use it, by keyword of `solve`; why: another reason, in words.
+    laws: keys of laws that would use it, by keyword of `solve`. why: another reason, in words.
     """
 
     input: str

@@ -12,7 +12,10 @@ YIELDED = ("load_share_yielded", "load_share_substrate_yielded")
 
 
 def require_states(problem: Problem, name: str) -> AsperitySum:
-    """Return the problem if its model distinguishes the states of asperities that this share needs; else raise InputError."""
+    """Return the problem if its model distinguishes the states of asperities that a share of yielded load needs.
+
+    name: the share. Raises InputError otherwise.
+    """
     if not isinstance(problem, AsperitySum):
         allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
         raise InputError(name, problem.record.key, allowed)
@@ -23,11 +26,11 @@ def require_states(problem: Problem, name: str) -> AsperitySum:
 
 
 def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
-    """Return the share (n, m) of the load on asperities that are not elastic.
+    """Return the share (n, m) of the load on asperities that are not elastic, at separations h (n, m) over sigma.
 
-    Loads are absolute values, summed at separations h (n, m) over sigma. name: selects yielding of all, or of the
-    substrate only; without a film the bodies are the substrate. Raises InputError for a model that does not distinguish
-    the states of its asperities, or does not separate film and substrate.
+    Absolute values of loads are summed. name: selects yielding of all, or of the substrate only; without a film the bodies are
+    the substrate. Raises InputError for a model that does not distinguish the states of its asperities, or does not separate
+    film and substrate.
     """
     sums, film = require_states(problem, name), problem.chosen.film
     regimes, of_all = sums.regimes, name == YIELDED[0]

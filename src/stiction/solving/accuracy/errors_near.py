@@ -57,11 +57,12 @@ class ErrorsNear(NamedTuple):
 
 
 class _Table(NamedTuple):
-    """Store a table of the set, for interpolation along ln of the pressure between the p pressures of the set.
+    """Store values of solved surfaces, for interpolation along ln of the pressure between the p solved pressures.
 
-    start, rise (h, p - 1, s): value of each surface at the lower end of each interval, and its change over the interval; a
-    value known at one end only is used for the whole interval. weight, fall (h, p - 1, s): the weight is 1 where both ends are
-    known; where one is, it falls from 1 there to 0 at the other end. Hardnesses ascend, as in `hard` (h,).
+    The arrays have the shape (h, p - 1, s) for h hardnesses and s surfaces. start, rise: value of each surface at the lower end
+    of each pressure interval, and its change over the interval; a value known at one end only is used for the whole interval.
+    weight, fall: the weight is 1 where both ends are known; where one is, it falls from 1 there to 0 at the other end. hard
+    (h,): the hardnesses, ascending.
     """
 
     hard: np.ndarray
@@ -72,7 +73,7 @@ class _Table(NamedTuple):
 
     @classmethod
     def of(cls, known: SolvedSet, values: np.ndarray) -> "_Table":
-        """Return the table of values (s, h, p), NaN where unknown."""
+        """Return the table of values (s, h, p) of solved surfaces, NaN where unknown."""
         hard = np.minimum(known["hardnesses"], ELASTIC)
         order = np.argsort(hard)
         values = np.ascontiguousarray(np.moveaxis(values[:, order], 0, -1))
@@ -83,7 +84,7 @@ class _Table(NamedTuple):
         return cls(hard[order], start, rise, 1.0 * at_left, 1.0 * at_right - at_left)
 
     def at(self, known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Interpolate at k pressures and hardnesses; return values (k, s) and weights (k, s)."""
+        """Return interpolated values (k, s) at k pressures and hardnesses, and their weights (k, s)."""
         upper, part = _interval(self.hard, np.minimum(hardness, ELASTIC))
         (low, of_low), (high, of_high) = (self._at_hardness(known, pressure, place) for place in (upper - 1, upper))
         values = np.where(of_low == 0.0, high, np.where(of_high == 0.0, low, low + part * (high - low)))
@@ -100,7 +101,10 @@ class _Table(NamedTuple):
 
 
 def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the upper end (k,) of the interval of an ascending grid that holds each place, and where in ln it lies (k, 1)."""
+    """Return the interval of an ascending grid that holds each of k places: its upper end (k,), and the position in it (k, 1).
+
+    The position runs from 0 to 1, linearly in the logarithm.
+    """
     upper = np.clip(np.searchsorted(grid, place), 1, len(grid) - 1)
     part = np.log(place / grid[upper - 1]) / np.log(grid[upper] / grid[upper - 1])
     return upper, np.clip(part, 0.0, 1.0)[:, None]
@@ -108,7 +112,7 @@ def _interval(grid: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 @cache
 def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
-    """Return the errors of a model, and the areas of the surfaces on which it has any result."""
+    """Return two tables: the errors of a model, and the solved areas of the surfaces on which it has any result."""
     errors = known.errors(column)
     assert errors is not None
     any_result = np.isfinite(errors).any(axis=(1, 2))
@@ -129,13 +133,19 @@ def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere:
 
 
 def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice], ErrorsNear]) -> ErrorsNear:
-    """Join the errors of blocks of points, so that the memory stays bounded."""
+    """Compute the errors of blocks of points and join them, so that the memory stays bounded.
+
+    surfaces: number of solved surfaces. errors_of: function that returns the errors of a slice of the points.
+    """
     parts = [errors_of(rows) for rows in blocks(place.pressure.size, _TABLES * surfaces)]
     return ErrorsNear(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
 def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
-    """Return the errors near each point from the errors of a model, and the areas of the surfaces on which it has any."""
+    """Return the errors of a model near each point, on surfaces without a film.
+
+    errors, areas: errors of the model, and solved areas of the surfaces on which it has any result.
+    """
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)
     of_pressure, inside, solved_hardness = pressure_difference(known, pressure, hardness)
@@ -162,7 +172,10 @@ def film_errors_near(known: SolvedSet, errors: np.ndarray, place: ContactFeature
 
 
 def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, like: np.ndarray) -> ErrorsNear:
-    """Return the errors near each point on a film from the errors of a model, (surfaces, films, loads)."""
+    """Return the errors of a model near each point, on surfaces with a film.
+
+    errors: array (surfaces, films, loads).
+    """
     positive = place.pressure > 0.0
     place = replace(place, pressure=np.where(positive, place.pressure, 1.0))
     loads = known["film_loads"]
@@ -180,10 +193,10 @@ def _film_errors(known: SolvedSet, errors: np.ndarray, place: ContactFeatures, l
 
 
 def quantiles(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return the quantiles (k, 5) at LEVELS of weighted values (k, s), each the mean of all within _WINDOW of its level.
+    """Return the quantiles (k, 5) at LEVELS of weighted values (k, s), each averaged over levels within _WINDOW of its own.
 
-    A quantile of few values leaps from one value to the next when a weight changes a little. This mean does not. Values of
-    weight 0 do not count; each row has a value of more weight.
+    Without this average, a quantile of few values leaps from one value to the next when a weight changes a little. Values of
+    weight 0 do not count; each row has a value with a positive weight.
     """
     order = np.argsort(values, axis=1)
     values, weights = (np.take_along_axis(table, order, axis=1) for table in (values, weights))
@@ -254,14 +267,14 @@ def _averaged(
 
 
 def no_words() -> str:
-    """Return no words: nothing near differs much."""
+    """Return an empty text, for a point whose nearest solved surface hardly differs."""
     return ""
 
 
 def _weights(squared: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, relative to the nearest one.
+    """Return the weights exp(-d^2/2) (k, s) of solved surfaces, divided by the weight of the nearest one.
 
-    squared: squared distances d^2. some: mask of the surfaces that count; the others have weight 0.
+    squared: squared distances d^2 (k, s). some: mask of the surfaces that count; the others have weight 0.
     """
     squared = np.where(some, squared, np.inf)
     least = squared.min(axis=1, keepdims=True)

@@ -26,7 +26,7 @@ _FLOWS = "unknown for films that flow plastically: no reference solution contain
 
 
 def film_errors(problem: Problem, results: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """Return the measured errors of the film law near these normalised results.
+    """Return the measured errors of the film law near these normalised results, as a list of rows.
 
     Results have the dimensions of the contacts first. Each row has law; against: the reference solution; error: lowest
     and highest relative error of the area at a given load; load_error: relative error of the load at a given approach;
@@ -105,12 +105,11 @@ def _outside(ranges: Mapping[str, tuple[float, float]], given: Mapping[str, np.n
 
 
 def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
-    """Return the errors of an area law on the solved maps with films near each contact.
+    """Return the errors of an area law on the solved maps with films near each contact; None for other models.
 
-    Source: truth/films.csv; one row for each point. None for other models, which are measured on surfaces without a
-    film. A film thinner or thicker than the solved ones takes the errors at the end of the solved range: there the law
-    approaches the law of the bare body, or of the film alone. A modulus outside the solved range increases the
-    distance.
+    Other models are measured on surfaces without a film. Source: truth/films.csv; one row for each point. A film thinner or
+    thicker than the solved ones takes the errors at the end of the solved range: there the law approaches the law of the bare
+    body, or of the film alone. A modulus outside the solved range increases the distance.
     """
     groups = problem.groups.resolved()
     if not problem.record.on_film or groups.roughness_parameter is None or groups.film_aspect is None:
@@ -133,7 +132,7 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
 
 
 def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the elastic area fraction, and the pressure over the flow pressure, at k points.
+    """Return the area fraction without plastic flow, and the pressure over the flow pressure, at k points.
 
     The area law of a film computes the area as a power mean of the two.
     """
@@ -147,7 +146,7 @@ def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    """Return the mean contact radius over the thickness of one film (n, m); None if the model counts no asperities."""
+    """Return the mean contact radius over the thickness of one film (n, m); None if the model has no single asperities."""
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
         return None
@@ -172,7 +171,7 @@ def _ends(values: np.ndarray) -> list[float]:
 
 
 def as_attributes(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the measured errors as attributes of a result, in JSON, so that a netCDF file keeps them."""
+    """Return the measured errors of the film law as attributes of a result, in JSON text, which a netCDF file can store."""
     return {"measured_film_error": json.dumps(film_errors(problem, results))}
 
 

@@ -58,15 +58,15 @@ _SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
 class MeasuredErrors:
     """Hold the measured errors of a model's contact area at k points.
 
-    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far they are;
-    NaN where nothing was measured. relative: root mean square of A/solved A - 1 over them. area: mean of the logarithm
-    over surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error of mu
-    due to the area, for laws of the interface. distance: of the nearest surface, pressure and hardness. surfaces:
-    number of surfaces that count. trust: 1 for a near surface, 0 where nothing was measured, continuous between.
-    sample: standard error of ln of the area because the map is one window of a larger surface, for models that solve
-    the map. column: model and asperity method. why_not: why no error is known at some points, "" if all are known.
-    nearest: a function of each point that returns how the nearest surface differs, "" if it hardly does. kind_known:
-    whether the map or the user gives the kind of surface; kind: the stated kind, for a contact without a map.
+    levels: quantiles (k, 5) at errors_near.LEVELS of ln(A/solved A) over the nearest surfaces, however far they are; NaN where
+    nothing was measured. relative: root mean square of A/solved A - 1 over these surfaces. area: mean of ln(A/solved A) over
+    surfaces of the stated kind, or over Gaussian surfaces if neither map nor kind is known. friction: error of mu due to the
+    area, for laws of the interface. distance: of the nearest surface, pressure and hardness. surfaces: number of surfaces that
+    count. trust: 1 for a near surface, 0 where nothing was measured, continuous between. sample: standard error of ln of the
+    area because the map is one window of a larger surface, for models that solve the map. column: model and asperity method.
+    why_not: why no error is known at some points, "" if all are known. nearest: a function of each point that returns how the
+    nearest surface differs, "" if it hardly does. kind_known: whether the map or the user gives the kind of surface. kind: the
+    stated kind, for a contact without a map.
     """
 
     column: str
@@ -153,7 +153,10 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the column of the benchmark set for a model, "model|asperity method"; "" if the set has none."""
+    """Return the column of the benchmark set that holds the errors of a model, "model|asperity method".
+
+    It is "" if the model was not measured.
+    """
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -169,9 +172,10 @@ def column_of(problem: Problem) -> str:
 
 
 def measured_errors(problem: Problem, results: Mapping[str, np.ndarray], most_points: float = _MOST_POINTS) -> MeasuredErrors:
-    """Return the measured errors at the points of these normalised results.
+    """Return the measured errors of a model at the points of these normalised results.
 
-    Results have the dimensions of the contacts first. The errors are flat over contacts and points.
+    Results have the dimensions of the contacts first. The errors have one dimension, over all contacts and points. most_points:
+    number of points above which no errors are looked up.
     """
     load, area = (np.asarray(results[name]).reshape(len(problem.groups), -1) for name in ("load", "contact_area"))
     column = column_of(problem)
@@ -220,9 +224,9 @@ def _share(problem: Problem, area: np.ndarray) -> np.ndarray:
 
 
 def _own_error(surface: "HeightMap", share: np.ndarray, every_point: bool = False) -> np.ndarray:
-    """Return the standard deviation of ln of an area solved on a map.
+    """Return the standard deviation (k,) of ln of an area solved on a map.
 
-    It depends on the number of points in contact, or on the formula used in place of the solution. share: A/A0 (k,);
+    It depends on the number of points in contact, or on the formula used in place of the solution. share: A/A0 (k,).
     every_point: whether all points of the map are solved, or only a sample.
     """
     area = _map_area(surface)
@@ -243,7 +247,7 @@ def _widened(middle: np.ndarray, levels: np.ndarray, more: np.ndarray) -> np.nda
 
 
 def _sample_error(surface: "HeightMap", place: ContactFeatures, most_points: float) -> np.ndarray:
-    """Return the standard error of ln of the area of one window; 0 for a periodic map."""
+    """Return the standard error (k,) of ln of the area because the map is only one window; 0 for a periodic map."""
     if place.pressure.size > most_points:
         return np.full(place.pressure.size, np.nan)
     area, found = _map_area(surface), np.empty(place.pressure.size)
@@ -302,7 +306,7 @@ def _map_area(surface: "HeightMap") -> "MapArea":
 
 
 def _none_but_own(found: ErrorsNear) -> ErrorsNear:
-    """Return errors of zero at distance zero, for a solution whose only errors are its own."""
+    """Return errors of zero at distance zero, for a solution of the map, whose own error is added later."""
     nothing = np.zeros_like(found.distance)
     each = {name: nothing for name in ("relative", "middle", "distance")}
     return found._replace(**each, levels=np.zeros_like(found.levels), coverage=nothing + 1.0)
@@ -333,7 +337,10 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return how well dry surfaces without adhesion represent the contact, 1 to 0, and the reason if they do not."""
+    """Return how well solved surfaces, which are dry and do not adhere, represent the contact: 1 to 0, and the reason.
+
+    The reason is "" if they represent it well.
+    """
     state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
@@ -371,9 +378,9 @@ def _on_film(known: SolvedSet, column: str, place: ContactFeatures, problem: Pro
 
 
 def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.ndarray) -> np.ndarray:
-    """Return ln of the ratio of mu to mu with the solved area, for laws mu = tau_0 A/P + beta.
+    """Return the error (k,) of ln mu that follows from the error of the area, for laws mu = tau_0 A/P + beta.
 
-    error: ln(A/solved A). The result is NaN for other friction laws.
+    error: ln(A/solved A) (k,). The result is NaN for other friction laws.
     """
     tangential = problem.chosen.tangential
     if tangential is None or not tangential.interfacial or "friction_force" not in results:
@@ -394,5 +401,5 @@ def _of_friction(problem: Problem, results: Mapping[str, np.ndarray], error: np.
 
 
 def as_attributes(found: MeasuredErrors) -> dict[str, str]:
-    """Return the measured errors as attributes of a result: in words, and as JSON."""
+    """Return the measured errors of a model as attributes of a result: in words, and as JSON."""
     return {"measured_error": json.dumps(found.as_data()), "measured_error_in_words": found.words}

@@ -95,7 +95,7 @@ class ContactFeatures:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return the features of the map itself, from its slopes and not from its asperities."""
+    """Return pressure, hardness, Nayak's alpha and shape of a contact from the slopes of its map, not from its asperities."""
     from stiction.solvers.boundary_elements.map_area import map_area  # loads what only contacts of scans need
     from stiction.surfaces.asperity_set import skewness
 
@@ -134,7 +134,10 @@ class Difference:
 
 
 def _difference(name: str, ours: float | np.ndarray, theirs: np.ndarray, squared: np.ndarray) -> Difference:
-    """Return how points differ from the solved surfaces in one feature; theirs, squared: (s,) if alike for all."""
+    """Return the difference of points from the solved surfaces in one feature.
+
+    theirs, squared: (k, s), or (s,) if they are the same for all points.
+    """
     return Difference(np.array([name]), np.atleast_1d(ours), np.atleast_2d(theirs), np.atleast_2d(squared))
 
 
@@ -216,9 +219,10 @@ def film_differences(known: SolvedSet, place: ContactFeatures) -> list[Differenc
 def pressure_difference(
     known: SolvedSet, pressure: np.ndarray, hardness: np.ndarray
 ) -> tuple[Difference, np.ndarray, np.ndarray]:
-    """Return how far pressures (k,) lie outside those of the solved set, and where the set is read: pressure and hardness.
+    """Return how far pressures (k,) lie outside the solved ones, with the pressure and hardness at which errors are read.
 
-    All are over E* h'. Below the least hardness of the set all spots flow, so only pressure over hardness matters there.
+    All are divided by E* h'. Below the smallest hardness of the set all spots flow, so only pressure over hardness matters
+    there.
     """
     low, high = float(known["loads"][0]), float(known["loads"][-1])
     softest = float(known["hardnesses"][1:].min())

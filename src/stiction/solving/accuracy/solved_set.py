@@ -44,9 +44,9 @@ def decoded(codes: np.ndarray) -> np.ndarray:
 class SolvedSet:
     """Hold the benchmark set of solved surfaces.
 
-    content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures,
-    both over E* h'. Films on some surfaces are listed by plane-strain modulus over the substrate modulus, and by
-    thickness over the shortest wavelength.
+    content: arrays by name, as in the file, for s surfaces, h hardnesses (the first is infinite) and p mean pressures.
+    Pressures and hardnesses are divided by E* h'. Films on some surfaces are listed by plane-strain modulus over the substrate
+    modulus, and by thickness over the shortest wavelength.
     """
 
     content: dict[str, np.ndarray]
