@@ -75,8 +75,8 @@ def _sample(way, w_top, nodes):
 def _sums(h, place, weights, count):
     """Return the load of one law at the separation h, its first and second derivative by h, and its size.
 
-    The size is the sum of the absolute terms of the load. place, weights: displacements and weights (each an array) of the
-    integration nodes. count: number of nodes.
+    The size is the sum of the absolute terms of the load. place, weights: displacements of the integration nodes and their
+    weights (one array each). count: number of nodes.
     """
     total = first = second = size = 0.0
     for node in range(8 * (count // 8)):
@@ -293,9 +293,9 @@ class Starts:
 
 
 class Approach:
-    """Find separations at loads, from nodes placed once for n laws; heights are Gaussian.
+    """Find the separations at which n laws carry given loads; heights are Gaussian, and nodes are placed once.
 
-    regimes: of the n laws. The loads on the grid of separations do not depend on the loads that are asked for; those of a
+    regimes: of the n laws. The loads on the grid of separations do not depend on the requested loads; those of a
     few laws are kept.
     """
 

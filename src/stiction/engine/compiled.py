@@ -60,10 +60,10 @@ def _inlined(function: Any, options: dict[str, Any]) -> Any:
 
 
 class Kernel:
-    """Represent a loop over many inputs that plain Python runs at first, and compiled code as soon as compiling pays.
+    """Run a loop over many inputs in plain Python at first, and compiled as soon as this saves time.
 
-    allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the last argument, the
-    work of one call.
+    allowance: work that plain Python may do, None if the kernel is always compiled. size: function of the last argument that
+    returns the work of one call.
 
     If plain Python raises an arithmetic error where compiled code would not (a division by zero that the formula handles
     later), the compiled kernel repeats the whole call. A kernel with an allowance must therefore overwrite its output arrays,
@@ -107,7 +107,7 @@ def kernel(function: Callable) -> Any:
 
 
 def engine_kernel(function: Callable) -> Any:
-    """Return a kernel that Python runs at first; it is compiled when all engine kernels together have done enough work.
+    """Return a kernel that is compiled when all engine kernels together have done enough work in plain Python.
 
     The amount of work is `tiers.ENGINE`.
     """
@@ -115,7 +115,7 @@ def engine_kernel(function: Callable) -> Any:
 
 
 def lazy_kernel(worth: int) -> Callable:
-    """Return a decorator that makes a kernel which Python runs at first, and which is compiled after enough work.
+    """Return a decorator for kernels that are compiled when they have done enough work in plain Python.
 
     worth: number of elements of the last argument, summed over all calls, after which the kernel is compiled.
     """

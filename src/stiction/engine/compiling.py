@@ -32,7 +32,10 @@ def telling(tell: Tell) -> Iterator[None]:
 
 
 def report(finished: int, name: str) -> None:
-    """Tell all listeners that the kernel of this name starts compiling (0) or has been compiled (1)."""
+    """Tell all listeners that the kernel of this name starts compiling or has been compiled.
+
+    finished: 0 if it starts, 1 if it has been compiled.
+    """
     for listener in tuple(_listeners):
         listener.done += finished
         listener.tell(listener.done, name)

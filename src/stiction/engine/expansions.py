@@ -22,9 +22,9 @@ _MANY, _EACH = 1000, 10
 
 
 def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return where series are needed for pairs (m,) of a separation and a law; None where single sums take less time.
+    """Return the places of Taylor series for pairs (m,) of a separation and a law; None where single sums take less time.
 
-    Returns the separations (s,) and the laws (s,) of the series, and the number of the series of each pair (m,).
+    Returns the separations (s,) and the laws (s,) of the series, and the index of the series of each pair (m,).
     """
     if h.size < _MANY or not np.abs(h).max() <= _FARTHEST:
         return None
@@ -44,9 +44,9 @@ def series_for(h: np.ndarray, law: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 
 @engine_kernel
 def expand(h, shape, evaluated, out):
-    """Fill out (s, TERMS, 5) with the coefficients of the series of each owner about its separation h (s,).
+    """Fill out (s, TERMS, 5) with the coefficients of s Taylor series, each about its separation h (s,).
 
-    Arguments: as of `nodes.adding`.
+    h, shape, evaluated: as for the kernel of `nodes.adding`.
     """
     owner, counts, weights, states = evaluated
     out[:] = 0.0
@@ -68,7 +68,10 @@ def expand(h, shape, evaluated, out):
 
 @engine_kernel
 def read_series(d, number, coefficients, out):
-    """Fill out (m, 5) with the sums at the distance d[i] from the separation of the series number[i]."""
+    """Fill out (m, 5) with the values of Taylor series at the distances d (m,) from their separations.
+
+    number (m,): index of the series. coefficients: of all series, from `expand`.
+    """
     for i in range(d.size):
         series, x = coefficients[number[i]], d[i]
         touching = load = area = slip_limited = yield_limited = 0.0

@@ -290,7 +290,7 @@ def put_ends(coordinates, place, ends):
 def adding(density: Callable) -> Any:
     """Return the kernel that sums the values of laws at integration nodes, weighted by a height density.
 
-    Each sum (`owner`) has one separation.
+    Each sum, an owner of nodes, has one separation.
     """
 
     @engine_kernel

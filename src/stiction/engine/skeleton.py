@@ -63,7 +63,10 @@ def skeleton(h_bytes: bytes, w_low: float, w_high: float, heights: Heights) -> t
 
 
 def _spike_sums(h: np.ndarray, spikes: np.ndarray, heights: Heights) -> tuple[np.ndarray, np.ndarray]:
-    """Return the density at h + w for each spike w, divided by its maximum at each h, (H, spikes), and that maximum (H,)."""
+    """Return the height density at h + w for each spike w, divided by its maximum at each h, and this maximum.
+
+    The shapes are (H, spikes) and (H,). A spike is a single displacement at which all asperities would be summed.
+    """
     z = np.add.outer(h, spikes)
     density = np.empty(z.size)
     _densities(heights.density)(z.ravel(), heights.shape, density)

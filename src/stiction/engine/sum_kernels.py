@@ -28,7 +28,7 @@ LONGEST = 56
 
 @formula
 def map_segment(low, high, origins, two_sided):
-    """Return `linear` and `square` of the map u = low + linear t + square t^2 from t in [0, 1] to [low, high].
+    """Return the coefficients `linear` and `square` of the map u = low + linear t + square t^2 from t in [0, 1] to [low, high].
 
     The map is linear, unless a square-root branch point of the integrand lies at or slightly below `low` (if two_sided, also
     at or slightly above `high`). Then t is linear in the square root of the distance to that point. origins: the branch

@@ -97,7 +97,7 @@ def scattered(
 
 
 class Scattered:
-    """Sum regimes at pairs of a law and a separation; what does not depend on the separations is prepared once."""
+    """Sum regimes at pairs of a law and a separation; calculations that do not depend on the separations are done once."""
 
     def __init__(self, regimes: Sequence[Regime], heights: Heights):
         self._regimes, self._heights = regimes, heights
