@@ -27,7 +27,7 @@ BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "m
 
 
 def entry_at(content: Any, path: Address) -> Any:
-    """Return the entry at an address in nested tables and records, or None."""
+    """Return the entry at an address in nested tables and records; None if there is none."""
     for key in path:
         content = content.get(key) if isinstance(content, Mapping) else getattr(content, "part", lambda _: None)(key)
     return content
@@ -43,7 +43,7 @@ def _numbers_of(record: type[Input]) -> list[str]:
 
 
 def _known(content: Mapping) -> list[str]:
-    """Return the dotted names of all numbers that this case can have."""
+    """Return the dotted names of all numbers that the contact of a case can have."""
     if subject_table(content) == "indices":
         return _numbers_of(Indices)
     absent = [part for part in ("coating", "liquid") if entry_at(content, ("contact", part)) is None]
@@ -66,9 +66,10 @@ def address_of(name: str, content: Mapping, where: str) -> Address:
 
 
 def leaves_of(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
-    """Yield the dotted name and the entry of every leaf of nested tables.
+    """Yield every leaf of nested tables: its dotted name and its entry.
 
-    is_leaf: function that returns whether a table counts as one entry. Raises InputError if `table` is no table.
+    is_leaf: function that returns whether a table counts as one entry. where: name of the table, for errors. Raises InputError
+    if `table` is no table.
     """
     if not isinstance(table, Mapping):
         raise InputError(where, table, "a table with names of numbers of the case, e.g. hardness = ...")
@@ -81,9 +82,10 @@ def leaves_of(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
 
 
 def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
-    """Return a copy of tables or a record with these entries at their addresses.
+    """Return a copy of tables or of a record, with other entries at some addresses.
 
-    A preset name becomes a table that starts from the preset. Records are validated again. Raises InputError.
+    numbers: entry by address. A preset name becomes a table that starts from the preset. Records are validated again. Raises
+    InputError.
     """
     changes: dict[str, Any] = {}
     for key in dict.fromkeys(path[0] for path in numbers):
@@ -112,9 +114,9 @@ def with_roughness(content: Mapping, roughness: Any) -> Any:
 
 
 def as_numbers(content: Mapping) -> Mapping:
-    """Return the tables with scans replaced by roughness parameters, so that a study can vary these.
+    """Return the tables of a case with scans replaced by roughness parameters, so that a study can vary these.
 
-    The parameters are those of the asperity method that represents the scan.
+    The parameters are those that the chosen asperity method finds in the scans.
     """
     rough = roughness_in(content)
     return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

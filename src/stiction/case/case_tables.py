@@ -25,7 +25,7 @@ _OF_SOLVE = ("contact", "heights", "threads")  # other keywords of `solve`
 
 
 class _Solve(Input):
-    """The table [solve]: mean separations or loads to solve, the model and its options."""
+    """Define the table [solve]: mean separations or loads to solve, the model and its options."""
 
     separation: Points = Field(None, description="mean separations: in sigma, or lengths with a unit")
     load: Points = Field(None, description="loads: forces with a unit, or plain numbers for [indices]")
@@ -69,7 +69,7 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """The tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty] and those of studies."""
+    """Define the tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty] and those of studies."""
 
     title: str = Field("", description="text: what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(

@@ -24,7 +24,7 @@ _LEAST_SHARE = 1e-12
 
 @dataclass(frozen=True)
 class _Values:
-    """The empirical distribution of samples (n,), all equally likely.
+    """Represent the empirical distribution of samples (n,), all equally likely.
 
     Quantiles follow the order of the samples. Unsorted columns of one file, read at the same quantile level, therefore give
     values of the same row.
@@ -42,7 +42,7 @@ class _Values:
 
 @dataclass(frozen=True)
 class _Normal:
-    """A normal distribution, or a log-normal one if `log` is true.
+    """Represent a normal distribution, or a log-normal one if `log` is true.
 
     mean, deviation: mean and standard deviation of the number, or of its natural logarithm.
     """
@@ -67,7 +67,7 @@ class _Normal:
 
 @dataclass(frozen=True)
 class _Even:
-    """A uniform distribution from `low` to `high`, or a log-uniform one if `log` is true."""
+    """Represent a uniform distribution from `low` to `high`, or a log-uniform one if `log` is true."""
 
     low: float
     high: float
@@ -89,10 +89,10 @@ _LAWS: dict[str, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class Distribution:
-    """The probability distribution of one uncertain input, in SI units.
+    """Describe the probability distribution of one uncertain input, in SI units.
 
-    quantity: name of the quantity; nominal: value used where the input counts as exact; kind, parameters: type of the
-    distribution and its parameters; words: text that describes it to users. Values outside the bounds of the quantity are
+    quantity: name of the quantity. nominal: value used where the input counts as exact. kind, parameters: type of the
+    distribution and its parameters. words: text that describes it to users. Values outside the bounds of the quantity are
     cut off.
     """
 
@@ -122,7 +122,7 @@ class Distribution:
         return low + 1.0 - high
 
     def ppf(self, share: Any) -> np.ndarray:
-        """Return the quantiles (n,) at quantile levels (n,) from 0 to 1."""
+        """Return the quantiles (n,) of the input at quantile levels (n,) from 0 to 1."""
         low, high = self._ends
         inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)

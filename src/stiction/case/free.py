@@ -15,7 +15,7 @@ from stiction.quantities.units import show
 
 
 class Interval(Input):
-    """The table of a free parameter: its lower and upper limit.
+    """Define the table of a free parameter: its lower and upper limit.
 
     spacing: "log" searches uniformly in the logarithm and is the default if both limits are positive.
     """
@@ -28,10 +28,10 @@ class Interval(Input):
 
 @dataclass(frozen=True)
 class Free:
-    """A parameter of a case that a fit or a design varies from `low` to `high`, in SI units.
+    """Describe a parameter of a case that a fit or a design varies from `low` to `high`, in SI units.
 
-    path: address in the case; log: whether positions in the interval are uniform in the logarithm; each_sample: whether
-    every sample of a fit has its own value; sample: the sample that this value belongs to, None for all.
+    path: address in the case. log: whether positions in the interval are uniform in the logarithm. each_sample: whether
+    every sample of a fit has its own value. sample: the sample that this value belongs to, None for all.
     """
 
     path: Address
@@ -51,7 +51,7 @@ class Free:
         return self.path[-1]
 
     def at(self, share: Any) -> np.ndarray:
-        """Return the values at positions from 0 (`low`) to 1 (`high`) of the interval, of any shape.
+        """Return the values at positions in the interval, from 0 (`low`) to 1 (`high`), of any shape.
 
         Positions are uniform in the number, or in its logarithm if `log` is true. Positions 0 and 1 give the limits exactly.
         """

@@ -35,10 +35,10 @@ _FORM = 'a CSV table whose first line names the columns, e.g. "load [mN],frictio
 
 @dataclass(frozen=True)
 class Measurements:
-    """n measured values in SI units, with their loads, standard errors and samples.
+    """Store n measured values in SI units, with their loads, standard errors and samples.
 
-    Each field has n entries. load: in N, NaN if the quantity needs no load; error: standard error, NaN if not stated;
-    known: numbers of the contact in the same row, by address; line: line number in the file.
+    Each field has n entries. load: in N, NaN if the quantity needs no load. error: standard error, NaN if not stated.
+    known: numbers of the contact in the same row, by address. line: line number in the file.
     """
 
     quantity: tuple[str, ...]
@@ -70,9 +70,9 @@ class Measurements:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of the file.
+    """Describe a column of a CSV file.
 
-    kind: "known" (a number of the contact), "value", "error", "load", "sample" or "note"; path: address of a known number.
+    kind: "known" (a number of the contact), "value", "error", "load", "sample" or "note". path: address of a known number.
     """
 
     kind: str
@@ -162,9 +162,10 @@ def _column(head: str, content: Mapping) -> _Column:
 
 
 def _unit(quantity: str, unit: str, head: str, normalised: bool) -> str:
-    """Return the unit in the name of a column.
+    """Return the unit that the name of a column states.
 
-    normalised: whether the column has no unit. Raises InputError if a unit is missing or not allowed.
+    normalised: whether values are dimensionless, so that no unit is allowed. Raises InputError if a unit is missing or not
+    allowed.
     """
     wanted = "" if normalised else QUANTITIES[quantity].unit
     if bool(unit) != bool(wanted) and not (wanted == "" and unit == "1"):

@@ -78,9 +78,9 @@ def _material(name: str, numbers: Any) -> Material:
 
 
 def _with_own_material(body: Any, own: Mapping[str, Material], where: str) -> Any:
-    """Return a body with the user-defined material that it names, plus the changes stated for this body.
+    """Return a body with the user-defined material that it names, and with the changes stated for this body.
 
-    A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name; where: address of
+    A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name. where: address of
     the body. Raises InputError for an unknown name.
     """
     name = body.get("preset") if isinstance(body, Mapping) else body

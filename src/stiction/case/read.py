@@ -49,7 +49,7 @@ _LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not
 
 @dataclass(frozen=True)
 class Case:
-    """A contact with the points to solve, the models and the uncertain inputs, as read from a case file.
+    """Store a contact with the points to solve, the models and the uncertain inputs, as read from a case file.
 
     subject: a Contact, or dimensionless Indices; swept numbers are arrays with named dimensions. separation, load: the
     points to solve; one is an array (n,), the other is None. They are in m and N for a Contact; for Indices they are h =
@@ -74,7 +74,7 @@ class Case:
         return {"contact" if isinstance(self.subject, Contact) else "indices": self.subject}
 
     def at(self, numbers: Mapping[Address, Any]) -> "Case":
-        """Return the case with these entries, by address: SI numbers, labelled arrays or names.
+        """Return the case with other entries at some addresses: SI numbers, labelled arrays or names.
 
         Raises InputError.
         """
@@ -91,7 +91,7 @@ class Case:
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
-        """Return the uncertain numbers by sample dimension; numbers of one dimension are sampled together."""
+        """Return the uncertain numbers as lists, by sample dimension; numbers of one dimension are sampled together."""
         by_dimension: dict[str, list[Uncertain]] = {}
         for number in self.uncertain:
             by_dimension.setdefault(number.dimension, []).append(number)
@@ -129,13 +129,16 @@ class Case:
 
     @property
     def by_method(self) -> dict[str, Contact]:
-        """Return the contact for each asperity method that was applied to its scans, by method; {} without scans."""
+        """Return the contact with the roughness that each asperity method finds in its scans, by method; {} without scans."""
         if self.measured is None or not isinstance(self.subject, Contact):
             return {}
         return self.measured.contacts(self.subject)
 
     def at_load(self, load: Any) -> "Case":
-        """Return the case with this load, in SI units or with a unit, as its only point. Raises InputError."""
+        """Return the case with this load as its only point. Raises InputError.
+
+        load: in SI units, or text with a unit.
+        """
         try:
             value = float(self.subject.read(load, "load"))
         except InputError as error:

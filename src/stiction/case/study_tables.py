@@ -13,7 +13,7 @@ from stiction.quantities.inputs import Input
 
 @cache
 def study_tables() -> dict[str, tuple[type[Input], str]]:
-    """Return the data model and the description of every study's table by name.
+    """Return the data model and the description of the table that each study reads, by name of the table.
 
     A study that reads a table has a module `table.py` with `TABLE = (data model, description)`. The folder of the study
     names the table. Modules are found by their path, because `case` must not import `studies`.
@@ -30,7 +30,7 @@ def study_tables() -> dict[str, tuple[type[Input], str]]:
 def study_table(content: Mapping[str, Any], name: str, wanted: str) -> Any:
     """Return the checked table of a study.
 
-    name: name of the table; wanted: what it must contain, for errors. Raises InputError.
+    name: name of the table. wanted: what it must contain, for errors. Raises InputError.
     """
     table = content.get(name)
     if not isinstance(table, Mapping):

@@ -43,7 +43,7 @@ Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | 
 
 
 class Range(Input):
-    """Evenly spaced points from `start` to `stop`; spacing = "log" spaces their logarithms evenly."""
+    """Define evenly spaced points from `start` to `stop`; spacing = "log" spaces their logarithms evenly."""
 
     start: Point = Field(description="the first point")
     stop: Point = Field(description="the last point")
@@ -68,7 +68,7 @@ Along = Annotated[
 
 
 class _Ends(Range):
-    """A swept number as a range. A case that is sampled within the range needs no count."""
+    """Define a swept number as a range; a case that is sampled within the range needs no count."""
 
     count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
         None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
@@ -77,7 +77,7 @@ class _Ends(Range):
 
 
 class _Values(Input):
-    """A swept number as a list of values, with the name of its dimension."""
+    """Define a swept number as a list of values, with the name of its dimension."""
 
     values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list with at least one value")
     along: Along = None
@@ -97,11 +97,11 @@ Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[flo
 
 @dataclass(frozen=True)
 class SweptNumber:
-    """A swept number of a contact.
+    """Describe a swept number of a contact: an array parameter of a case.
 
-    path: its address, e.g. ("contact", "coating", "thickness"); dimension: dimension along which it varies; name: name of
+    path: its address, e.g. ("contact", "coating", "thickness"). dimension: dimension along which it varies. name: name of
     its coordinate. values: values (n,) in SI units, or the two ends of a range. count, spacing: number and spacing of the
-    points of a range; count None: as many as the study samples.
+    points of a range; a count of None means as many as the study samples.
     """
 
     path: Address
@@ -141,14 +141,14 @@ class SweptNumber:
         return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Return values at positions (n,), 0 up to but not including 1, of the range or the list."""
+        """Return the values at positions (n,) in the range or the list, from 0 up to but not including 1."""
         start, stop = self.values[0], self.values[-1]
         if not self.is_range:
             return self.values[(share * len(self.values)).astype(int)]
         return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
 
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
-        """Return values (n,) of this number as a labelled array.
+        """Return given values (n,) of this number as a labelled array.
 
         dimension: dimension of the array, by default that of the swept number.
         """
@@ -228,7 +228,7 @@ def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.nda
 def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
     """Return an entry of a case file as a number in SI units.
 
-    name: quantity, which decides whether a unit is needed; where: address for errors; given: larger entry that contains
+    name: quantity, which decides whether a unit is needed. where: address for errors. given: larger entry that contains
     this one, shown in errors. Raises InputError.
     """
     quantity = QUANTITIES[name]
@@ -243,7 +243,7 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
 
 
 def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
-    """Return the lower and the upper end of a table in SI units.
+    """Return the values `low` and `high` of a table in SI units.
 
     Raises InputError if `low` is not below `high`, or not positive with logarithmic spacing.
     """

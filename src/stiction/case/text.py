@@ -25,7 +25,7 @@ def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str
 
 
 def show_exactly(value: float, name: str) -> Any:
-    """Return an SI number as a case file states it: text with unit, or a plain number; ten digits.
+    """Return an SI number with ten digits, as a case file states it: text with a unit, or a plain number.
 
     name: name of the quantity.
     """
@@ -74,7 +74,7 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
 
 
 def _plain(value: Any, name: str) -> Any:
-    """Return a copy of the value that TOML can hold.
+    """Return a copy of a value in a form that TOML can store.
 
     A distribution object of Python, for which TOML has no form, becomes its nominal value. name: quantity of the value.
     """

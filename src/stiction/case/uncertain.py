@@ -44,7 +44,7 @@ def _power_of_two(value: Any) -> Any:
 
 
 class Uncertainty(Input):
-    """The table [uncertainty]: how uncertain numbers are sampled.
+    """Define the table [uncertainty]: how uncertain numbers are sampled.
 
     count, seed: number of samples and seed of the scrambled Sobol sequence. coverage: coverage probability of the
     prediction interval. ranges: whether material presets vary within their stated ranges.
@@ -61,7 +61,7 @@ class Uncertainty(Input):
 
 
 class _Between(Input):
-    """An uncertain number with a uniform or log-uniform distribution between two limits."""
+    """Define an uncertain number with a uniform or log-uniform distribution between two limits."""
 
     low: Point = Field(description="the low end")
     high: Point = Field(description="the high end")
@@ -72,7 +72,7 @@ class _Between(Input):
 
 
 class _Factor(Input):
-    """An uncertain number with a log-normal distribution: its median and geometric standard deviation."""
+    """Define an uncertain number with a log-normal distribution: its median and geometric standard deviation."""
 
     median: Point = Field(description="the median, with its unit")
     factor: float = Field(
@@ -85,7 +85,7 @@ class _Factor(Input):
 
 
 class _Samples(Input):
-    """An uncertain number whose distribution is given by samples in a file."""
+    """Define an uncertain number whose distribution is given by samples in a file."""
 
     samples: str = Field(description="path of a file with one number per line, or with named columns")
     unit: str | None = Field(None, description="the unit of the numbers in the file")
@@ -99,7 +99,7 @@ FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFac
 
 @dataclass(frozen=True)
 class Uncertain(SweptNumber):
-    """An uncertain number of a contact: its address and its distribution.
+    """Describe an uncertain number of a contact: its address and its distribution.
 
     Numbers of the same `dimension` are sampled together. `values` holds the nominal value only. `at` returns the quantiles
     (n,) at quantile levels (n,).
@@ -236,7 +236,7 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """Return the cells of each line of a file, without comments and empty lines."""
+    """Return the cells of each line of a text file, as lists, without comments and empty lines."""
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
     rows = [re.split(r"[,;\t]\s*|\s+", line) for line in lines if line]
@@ -300,7 +300,7 @@ def _material_of(body: Any) -> Material | None:
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
-    """Return the numbers with unique names: the short name, or the dotted name if two numbers share the short one."""
+    """Return uncertain numbers with unique names: the short name, or the dotted name if two numbers share the short one."""
     short = [number.path[-1] for number in numbers]
     renamed = []
     for number in numbers:

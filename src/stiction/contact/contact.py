@@ -255,7 +255,7 @@ class Contact(Subject):
 
     @property
     def softer_counterbody(self) -> tuple[Material, Material] | None:
-        """Return the film and its counterbody if the counterbody is softer, at any point of a sweep; else None."""
+        """Return the film and its counterbody if the counterbody is softer at any point of a sweep; otherwise None."""
         if self.coating is None or self.coating.bodies == "both":
             return None
         film, other = (at_radius(body, self._radius) for body in (self.coating.material, self._against_film(self.coating)))
@@ -296,7 +296,10 @@ class Contact(Subject):
         return to_si(value, name)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """Read text with a unit, or a mean separation over sigma as a plain number."""
+        """Return one point of a case file in SI units: text with a unit, or a mean separation over sigma as a plain number.
+
+        name: "load" or "mean_separation". where: its place in the file, for errors.
+        """
         if not isinstance(entry, str):
             if name == "mean_separation":
                 return plain_number(entry, where) * self.roughness.asperity_height_deviation
@@ -336,10 +339,11 @@ class Contact(Subject):
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
     def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
-        """Return tau_0 [Pa], not capped by the bodies, and the pressure coefficient of the interface; None if unknown.
+        """Return the strength tau_0 [Pa] and the pressure coefficient of the interface; None where unknown.
 
-        level: quantile levels of the state of the interface, between 0 and 1; stated numbers have one value. A strength over
-        hardness or shear modulus is relative to the softer touching body. Raises InputError for other levels.
+        The bodies do not limit this strength. level: quantile levels of the state of the interface, between 0 and 1; stated
+        numbers have one value. A strength over hardness or shear modulus is relative to the softer touching body. Raises
+        InputError for other levels.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
@@ -347,13 +351,13 @@ class Contact(Subject):
 
     @property
     def interface_strength(self):
-        """Return tau_0 of the interface [Pa], capped at the shear strength of the weaker surface; None if not stated."""
+        """Return tau_0 of the interface [Pa], at most the shear strength of the weaker surface; None if it is not stated."""
         stated = self.interface_at()[0] is not None
         return self.indices().interface_strength * self._bare.hardness if stated else None
 
     @property
     def kelvin_radius(self):
-        """Return the radius of the menisci [m], see Liquid; None without a liquid."""
+        """Return the Kelvin radius of the menisci [m], see Liquid; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
@@ -383,7 +387,10 @@ class Contact(Subject):
 
     @property
     def size_effect(self):
-        """Return the largest (hardness at asperities/hardness of large imprints)^2 - 1 of the bodies; None without it."""
+        """Return the largest size effect of the bodies on hardness; None if no body has one.
+
+        It is (hardness at asperities/hardness of large imprints)^2 - 1.
+        """
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 
@@ -396,5 +403,5 @@ class Contact(Subject):
         return self.roughness.asperity_radius
 
     def _against_film(self, coating: Coating) -> Material:
-        """Return the material that the film touches: the film of the other body, or the bare body."""
+        """Return the material that the film touches: the film of the other body, or the other body if it is bare."""
         return {"both": coating.material, "first": self.second, "second": self.first}[coating.bodies]

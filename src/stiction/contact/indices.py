@@ -42,9 +42,9 @@ def stiffness_group(nu):
 
 
 def check_film(theta, lam, n_E, n_H, n_g=1.0) -> None:
-    """Raise InputError unless theta and lambda of the film as a half-space are within their bounds.
+    """Raise InputError unless the adhesion indices theta and lambda of the film material are within their bounds.
 
-    All arguments may be arrays.
+    They are those of a half-space of film material. All arguments may be arrays.
     """
     with np.errstate(over="ignore"):
         alone = {"theta": (theta * n_E / n_g, n_E), "lam": (lam * (n_H * n_H / (n_E * n_g)) ** 2, n_H)}
@@ -254,7 +254,10 @@ class Indices(Subject):
         return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
 
     def knows(self, group: str) -> bool:
-        """Return whether a group that a law needs is known. Without adhesion theta and lambda are unknown."""
+        """Return whether a group that a law needs is known.
+
+        Without adhesion, theta and lambda are unknown.
+        """
         return group in _FOLLOWS or getattr(self, group) is not None
 
     def indices(self) -> "Indices":
@@ -264,7 +267,7 @@ class Indices(Subject):
         return Scales()
 
     def resolved(self) -> Self:
-        """Return the groups with defaults for unknown ones: K_beta and, with a film, those of film and bodies."""
+        """Return the groups with defaults in place of unknown ones: K_beta and, with a film, those of film and bodies."""
         K_beta = stiffness_group(self.nu) if self.K_beta is None else self.K_beta
         if not self.has_film:
             return self._unchecked(K_beta=K_beta)
@@ -365,10 +368,7 @@ class Groups(Indices):
 
     @classmethod
     def of(cls, indices: Indices) -> tuple["Groups", dict[str, int]]:
-        """Flatten indices over all combinations of their named dimensions.
-
-        Returns the groups, and the sizes of the dimensions.
-        """
+        """Return the groups of all combinations of array parameters, and the sizes of their named dimensions."""
         whole = indices.resolved()
         values = {name: getattr(whole, name) for name in cls.model_fields} | {"shear_strength": whole.interface_strength}
         if not whole.has_film:

@@ -106,7 +106,7 @@ class Interface(Input):
         return not self.pairs or (weight is not None and (weight > 0.0 or coated or not self.of_film))
 
     def notes(self) -> list[str]:
-        """Return where the numbers come from, and where the state must not be used."""
+        """Return texts on the sources of the numbers, and on uses that must be avoided."""
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
@@ -136,7 +136,7 @@ class Interface(Input):
         return lognormal_quantile(level, median, *self.range[name])
 
     def weight_of(self, first: Material, second: Material) -> float | None:
-        """Return the prior weight for two bodies, None where the state is not allowed."""
+        """Return the prior weight of this state for two bodies; None if the bodies do not allow the state."""
         if self.only_with and not {first.name, second.name} & set(self.only_with):
             return None
         ruling, other = sorted((class_of(first), class_of(second)), key=MATERIAL_CLASSES.index)
@@ -278,7 +278,7 @@ def _states() -> dict[str, Interface]:
 
 
 def _as_interface(value: Any) -> Any:
-    """Return the state of this name; records and tables are returned unchanged for validation."""
+    """Return the state of this name; other values are returned unchanged, to be validated."""
     if isinstance(value, Interface | dict | None):
         return value
     with field_named(""):

@@ -93,7 +93,7 @@ class Material(Input):
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
     def notes(self) -> list[str]:
-        """Return where the numbers come from, and their ranges."""
+        """Return texts on the sources of the numbers, and their ranges."""
         ends = [f"range of {field}: {range_in_words(*pair, field)}" for field, pair in self.range.items()]
         if not self.source:
             return ends
@@ -223,13 +223,13 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
 
 
 def symbols_of(name: str) -> tuple[str, ...]:
-    """Return the chemical symbols, formulas and designations that this preset has and no other, in its order."""
+    """Return the chemical symbols, formulas and designations of a preset that no other preset has, in its order."""
     every = [symbol for preset in _presets().values() for symbol in preset.symbols]
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
 def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return source and range of a changed record: those of unchanged numbers, and those that the changes state."""
+    """Return source and range of a record after changes: those of unchanged numbers, and those that the changes state."""
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}
     given = changes.get("range", {})
@@ -263,7 +263,7 @@ def class_of(body: Material) -> str:
 
 
 class _Preset(NamedTuple):
-    """Hold a preset as its file states it: numbers, sources, ranges, symbols and class."""
+    """Store a preset as its file states it: numbers, sources, ranges, symbols and class."""
 
     numbers: dict[str, Any]
     source: dict[str, str]

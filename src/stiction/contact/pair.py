@@ -64,7 +64,7 @@ def compliance_of(body: Material):
 
 
 def first_is_softer(first: Material, second: Material) -> Any:
-    """Return whether the first body decides the strength of the contact, elementwise.
+    """Return whether the first body, rather than the second, decides the strength of the contact, elementwise.
 
     The softer body decides. Of two equally hard bodies the one with the lower yield stress decides. If these are equal
     too, the lower Poisson's ratio decides, because such a body yields at a lower pressure (Chang, Etsion & Bogy 1987).
@@ -88,7 +88,10 @@ def more_compliant(first: Material, second: Material) -> Any:
 
 
 def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
-    """Compare pairs of keys in order; return whether the first body precedes at the first pair that differs."""
+    """Return whether the first body precedes the second at the first pair of keys that differs.
+
+    keys: pairs (key of the first body, key of the second body), compared in this order; the smaller key precedes.
+    """
     (one, other), *rest = keys
     equal = one == other
     if not rest or not np.any(equal):

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class Scales:
     """Hold the factors that convert dimensionless results of a contact to SI units.
 
-    load [N], contact_area [m^2]: per asperity; separation [m]; asperities: their number on the nominal area;
-    nominal_area [m^2], None if unknown. The load of the whole contact is the dimensionless load times `load` times
+    load [N], contact_area [m^2]: per asperity. separation [m]. asperities: number of asperities on the nominal area.
+    nominal_area [m^2]: None if unknown. The load of the whole contact is the dimensionless load times `load` times
     `asperities`.
     """
 
@@ -63,11 +63,14 @@ class Subject(Input):
 
     @cached_property
     def prepared(self) -> list[Any]:
-        """Return the problems that `solving.problem.make_problem` prepared for this contact and keeps, with what was asked."""
+        """Return the problems that `solving.problem.make_problem` keeps for this contact, each with the request that it answers."""
         return []
 
     def require_single(self, allowed: str) -> None:
-        """Raise InputError if a number of the contact is an array; allowed: the text of what is allowed."""
+        """Raise InputError if a number of the contact is an array.
+
+        allowed: the text of what is allowed, for the error.
+        """
         for name, array in self.arrays():
             raise InputError(name, values_in_words(array, name), allowed)
 
@@ -76,7 +79,7 @@ class Subject(Input):
         return self.listed()
 
     def optional_inputs(self) -> dict[str, str]:
-        """Return the stated optional inputs: dotted name -> the group that the input determines.
+        """Return the stated optional inputs: for each dotted name, the group that the input determines.
 
         The group is "" if no law needs the input.
         """
@@ -139,7 +142,7 @@ class Subject(Input):
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
     def known(self, name: str) -> Any:
-        """Return the property or dimensionless group of this name; None if unknown."""
+        """Return the property or dimensionless group `name` of the contact; None if unknown."""
         value = getattr(self, name, None)
         return value() if callable(value) else value
 
@@ -156,7 +159,10 @@ class Subject(Input):
 
     @abstractmethod
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """Read one point of a case file, in which every number has its unit; where: its place in the file."""
+        """Return one point of a case file, in which every number has its unit.
+
+        where: its place in the file, for errors.
+        """
 
     @abstractmethod
     def show(self, value: float, name: str, digits: int = 6) -> str:

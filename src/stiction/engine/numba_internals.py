@@ -49,7 +49,7 @@ class _KernelCache(NullCache):
         return str(cache_folder("kernels"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compiled kernel for inputs of the types `sig`; None if it is not in the cache, and Numba has to compile it.
+        """Return the compiled kernel for inputs of the types `sig`; None if it is not in the cache.
 
         The digest is computed here, at the first call: only then are all functions defined to which the kernel refers.
         """
