@@ -69,7 +69,7 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """Define the tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty] and those of studies."""
+    """Define the tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty], those of studies."""
 
     title: str = Field("", description="text: what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(

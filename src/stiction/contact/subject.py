@@ -63,7 +63,7 @@ class Subject(Input):
 
     @cached_property
     def prepared(self) -> list[Any]:
-        """Return the problems that `solving.problem.make_problem` keeps for this contact, each with the request that it answers."""
+        """Return the problems that `solving.problem.make_problem` keeps for this contact, each with its request."""
         return []
 
     def require_single(self, allowed: str) -> None:
