@@ -1,4 +1,4 @@
-"""Handling of Ctrl-C while the program imports its libraries."""
+"""Handle Ctrl-C while the program imports its libraries."""
 
 import os
 import signal

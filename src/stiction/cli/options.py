@@ -1,4 +1,4 @@
-"""Options that several commands share, and the completion of their values in the shell."""
+"""Define options that several commands share, and complete their values in the shell."""
 
 from collections.abc import Callable
 from importlib import import_module
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """A command that also accepts the options of models and laws, e.g. --variant published."""
+    """Represent a command that also accepts the options of models and laws, such as --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}

@@ -1,4 +1,4 @@
-"""Printing for terminals and pipes with any encoding, and errors of writing as one line."""
+"""Print to terminals and pipes with any encoding, and report write errors in one line."""
 
 import codecs
 import errno

@@ -1,4 +1,4 @@
-"""The typer application to which all commands belong, with its exit codes, progress lines and printing of results."""
+"""Define the typer application to which all commands belong, its exit codes and its progress lines."""
 
 import re
 import sys
@@ -31,7 +31,7 @@ _LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the t
 
 
 class _Commands(TyperGroup):
-    """The group of commands. It prints bad input and wrong usage as one line, without a traceback.
+    """Group the commands, and print bad input and wrong usage as one line, without a traceback.
 
     Exit codes: 2 for bad input and wrong usage, 130 for an interruption.
     """
@@ -227,7 +227,7 @@ def bar(text: str):
 
 @dataclass(frozen=True)
 class _Line:
-    """A progress line on the terminal, with a text that can be replaced."""
+    """Show a progress line on the terminal, with a text that can be replaced."""
 
     progress: Any
     task: Any

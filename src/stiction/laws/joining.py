@@ -24,10 +24,10 @@ _FARTHEST = 1e100
 
 @dataclass(frozen=True)
 class Weights:
-    """Store weights of an asperity's response; arrays (n,) or numbers.
+    """Store weights of an asperity's response: arrays (n,) or numbers.
 
-    shift: displacement at which the response starts. unit: factor from the forces of this body to the unit of the whole
-    contact. load, area, friction: weights of its load, contact area and tangential resistance, usually 1 or 0.
+    shift: displacement at which the response starts. unit: factor from the forces of this body to the unit of force of the
+    whole contact. load, area, friction: weights of load, contact area and tangential resistance, usually 1 or 0.
     """
 
     shift: np.ndarray | float = 0.0
@@ -167,7 +167,7 @@ Part = TypeVar("Part", NormalSegment, Regime)
 def within(part: Part, low: np.ndarray | float, high: np.ndarray | float) -> Part:
     """Return the part of a segment or regime between the coordinates low and high (n,).
 
-    The part is empty if high < low or if both are outside.
+    The part is empty if high < low, or if both limits are outside the segment on the same side.
     """
     low = np.maximum(np.reshape(low, (-1, 1)), part.edges[:, :1])
     high = np.minimum(np.reshape(high, (-1, 1)), part.edges[:, -1:])

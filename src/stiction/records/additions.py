@@ -1,4 +1,4 @@
-"""The kinds of laws that can be added to a model, such as menisci: every folder of `laws` with a file kind.py."""
+"""Find the kinds of laws that can be added to a model, such as menisci: every folder of `laws` with a file kind.py."""
 
 from functools import cache
 from importlib import import_module

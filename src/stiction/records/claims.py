@@ -1,4 +1,4 @@
-"""What a record states besides its formulas: grade, validity ranges, limiting cases, discontinuities and parameters."""
+"""Define what a record states besides its formulas: grade, validity ranges, limiting cases, discontinuities and parameters."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -41,7 +41,7 @@ KINDS_OF_WARNING = {
 
 @dataclass(frozen=True)
 class Validity:
-    """A range of one quantity in which a model is valid; outside it a validity warning is given.
+    """Describe a range of one quantity in which a model is valid; outside it a validity warning is given.
 
     quantity: key in `quantities`; low, high: ends of the range; why: which assumption fails outside; kind: a key of
     KINDS_OF_WARNING.
@@ -60,12 +60,12 @@ class Validity:
 
 @dataclass(frozen=True)
 class Limit:
-    """A limiting case: for these values of groups, the model agrees with `parent`, a model of the same kind.
+    """Describe a limiting case, in which the model agrees with `parent`, a model of the same kind.
 
     A test checks every limit in the registry.
 
-    groups: values of the dimensionless groups. quantities: results that must agree. within: relative difference allowed.
-    options: options of the model for which the limit holds.
+    groups: values of the dimensionless groups in this limit. quantities: results that must agree. within: relative difference
+    allowed. options: options of the model for which the limit holds.
     """
 
     parent: str
@@ -85,7 +85,7 @@ FILM_LIMITS = {
 
 @dataclass(frozen=True)
 class Departure:
-    """The relative error of a published film law in a limit that every film should satisfy.
+    """State the relative error of a published film law in a limit that every film should satisfy.
 
     limit: a key of FILM_LIMITS. quantity: the result with the error. least, most: smallest and largest error for soft and
     hard films at plasticity indices of 0.5 and more; infinite if unbounded. A test checks these numbers. It also checks
@@ -104,7 +104,7 @@ class Departure:
 
 @dataclass(frozen=True)
 class Jump:
-    """A discontinuity of a published law between two of its segments.
+    """Describe a discontinuity of a published law between two of its segments.
 
     segment: index of the segment that begins at the jump, 1 for the second. load, area: factors by which load and area
     change. where: the place in words. groups: values of the groups for which the factors hold, if they depend on them. A
@@ -120,7 +120,7 @@ class Jump:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of an asperity method that the user may set: a number, a length or one of several values.
+    """Describe a parameter of an asperity method that the user may set: a number, a length or one of several values.
 
     meaning: what the value means, and the default if `default` is None. values: all allowed values; if empty, finite
     numbers above `lower` (or equal to it if `lower_included`). unit: "m" for a length, which may also be text with its

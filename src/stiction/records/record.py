@@ -1,4 +1,4 @@
-"""The record that describes a model, and how records are found.
+"""Define the record that describes a model or law, and find records by kind and key.
 
 A record is found in the file named after its key in the folder of its kind, or through an entry point of another package.
 """
@@ -23,7 +23,7 @@ from stiction.records.sources import Source
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """The description of one model or law. Each kind of record adds its formulas.
+    """Describe one model or law. Each kind of record adds its formulas.
 
     - kind: name of the kind and of its folder; room: package with that folder
     - keyword: argument of `solve` that selects a record of this kind, "" if none does

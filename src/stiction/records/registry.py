@@ -1,4 +1,4 @@
-"""The registry of models: the kinds of records, and functions that list and combine them.
+"""Define the kinds of records of models and laws, list all records, and check which of them can be combined.
 
 A model is a module with a RECORD in the folder of its kind. To add one, write that module (or, in another package, an entry
 point in the group "stiction"), a file of reference numbers for the tests, and a bibliography entry. Tables, command line,
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class AsperityLaw(Record):
-    """The relation between displacement, normal load and contact area of one asperity.
+    """Describe the relation between displacement, normal load and contact area of one asperity.
 
     - segments(groups, **own_options): list of NormalSegment, in the order in which an approaching asperity meets them
     - released(groups, distance, **own_options): the same for unloading, after the surfaces were pressed together and drawn
@@ -47,7 +47,7 @@ JUNCTIONS, NO_JUNCTIONS = "plastic_junctions", "none"
 
 @dataclass(frozen=True, kw_only=True)
 class TangentialLaw(Record):
-    """The tangential force at which one loaded asperity slips.
+    """Describe the tangential force at which one loaded asperity slips.
 
     - tangential_resistance(segment, groups, **own_options): TangentialResistance, or None if the segment has no resistance
     - wants: traits that the asperity law must have, with the reason for each
@@ -85,7 +85,7 @@ class TangentialLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class FilmLaw(Record):
-    """How a film and its substrate carry the load of an asperity together.
+    """Describe how a film and its substrate carry the load of an asperity together.
 
     - regimes(groups, law, **own_options): list of Regime; `law` is a joining.Law, the asperity of either body
     - wants: traits that the asperity law must have, with the reason for each
@@ -128,7 +128,7 @@ class FilmLaw(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class RoughSurface(Record):
-    """A model of the contact of a whole rough surface. It has one of four forms.
+    """Describe a model of the contact of a whole rough surface. It has one of four forms.
 
     1. A sum of an asperity law over the heights:
        - asperity, tangential: keys of the default laws; tangential "none" computes contact only
@@ -175,7 +175,7 @@ class RoughSurface(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Composite(Record):
-    """A property of film and substrate together, as a function of depth. The formulas take scalars.
+    """Describe a property of film and substrate together, as a function of depth. The formulas take scalars.
 
     - property "modulus": value(E_film/E_substrate, thickness/contact radius, Poisson's ratios of film and substrate)
       returns the composite modulus over the modulus of the substrate
@@ -198,7 +198,7 @@ OF_AREA = "none, or a tangential law whose force is interface strength times con
 
 @dataclass(frozen=True, kw_only=True)
 class Addition(Record):
-    """A law that a contact can have in addition to those of its model, e.g. of menisci.
+    """Describe a law that a contact can have in addition to those of its model, such as a law of menisci.
 
     A folder of `laws` holds one kind of them. The docstring of its `__init__.py` names the kind; its kind.py defines KIND,
     a subclass of this class.
@@ -246,7 +246,7 @@ class Addition(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion(Record):
-    """A number that separates two kinds of behaviour of a rough contact, e.g. elastic and plastic.
+    """Describe a number that separates two kinds of behaviour of a rough contact, such as elastic and plastic.
 
     ratio(groups): array (n,), for asperities with the spectral moments of the surface. below, above: what holds for the
     contact if the ratio is below or above 1. on_map: whether `ratio` also takes a HeightMap that represents both faces.
@@ -261,7 +261,7 @@ class Criterion(Record):
 
 @dataclass(frozen=True, kw_only=True)
 class AsperityMethod(Record):
-    """A method that finds the asperities of a measured surface, with their heights and curvatures.
+    """Describe a method that finds the asperities of a measured surface, with their heights and curvatures.
 
     - find(surface, **parameters): surfaces.asperity_set.Asperities of a levelled HeightMap; lengths are in m
     - parameters: name -> Parameter, with which values are checked before the call

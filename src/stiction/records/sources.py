@@ -1,4 +1,4 @@
-"""Sources of equations and numbers, and the bibliography of the package."""
+"""Describe sources of equations and numbers, and read the bibliography of the package."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ from stiction.quantities.errors import InputError, nearest
 
 @dataclass(frozen=True)
 class Source:
-    """The source of one equation, number or idea.
+    """Describe the source of one equation, number or idea.
 
     key: entry of sources.bib. where: place in the source, such as "eq. (2)", "table 1" or "p. 12"; "" for the whole work.
     note: what was corrected (an erratum) or reconstructed; "" if it is used as printed.

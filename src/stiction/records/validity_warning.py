@@ -1,4 +1,4 @@
-"""The warning that a result lies outside the validity range of a model."""
+"""Define the warning that a result lies outside the validity range of a model."""
 
 import math
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ from stiction.records.claims import KINDS_OF_WARNING, range_in_words
 
 @dataclass(frozen=True)
 class ValidityWarning:
-    """A reason why a result may be wrong: one of its quantities is outside a validity range.
+    """Describe a reason why a result may be wrong: one of its quantities is outside a validity range.
 
     why: text. quantity: key of the quantity outside its range; "" for a general warning, which has only `why`. least, most:
     smallest and largest of the values outside the range. outside, points: number of points outside and in total; points is 0

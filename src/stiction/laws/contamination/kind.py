@@ -39,7 +39,7 @@ class Contamination(Addition, TangentialLaw):
         """Return the standard deviation of mu that follows from the scatter of junction strength.
 
         summed(law): sum of the resistance of `law` over all heights, per asperity. asperities: number of asperities. The
-        variances of all asperities add up.
+        variances of the friction forces of all asperities add up.
         """
         assert asperities is not None  # the law needs what decides it
         return {"friction_coefficient_scatter": quotient(np.sqrt(summed(self) / asperities), results["load"])}

@@ -61,9 +61,9 @@ LARGEST_DENSITY = float(density_of_bandwidth(n_point.LARGEST_BANDWIDTH))
 
 
 def correlation_of(density: np.ndarray) -> np.ndarray:
-    """Return the correlation (n,) of neighbouring points of the sampled profile of surfaces with density = N R sigma (n,).
+    """Return the correlation (n,) of neighbouring points of the sampled profiles of surfaces with density = N R sigma (n,).
 
-    Raises InputError if no such profile exists or is tabulated.
+    Raises InputError if no such profile exists, or if its correlation is not tabulated.
     """
     bad = ~((density >= LEAST_DENSITY) & (density <= LARGEST_DENSITY))
     if bad.any():

@@ -179,10 +179,10 @@ def area_of_waves(
 
 
 def _interpolated(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> Callable:
-    """Return a function that interpolates the logarithm of another, positive one between low and high (n, 1).
+    """Return a function that approximates a positive function between the limits low and high (n, 1).
 
-    It does so by Chebyshev polynomials for each row, and clips arguments (n, H). Returns the given function if these are not
-    accurate to round-off.
+    It interpolates the logarithm of the function by Chebyshev polynomials, one for each row, and clips its argument (n, H) to
+    the limits. Returns `function` itself if the polynomials are not accurate to round-off.
     """
     middle, half = 0.5 * (high + low), np.maximum(0.5 * (high - low), 1.0)
     angles = (np.arange(_POINTS) + 0.5) * math.pi / _POINTS

@@ -152,10 +152,9 @@ def beyond_zero(which, left, at_left, u, at_u, right, at_right, law):
 
 @formula
 def comes_near(before, current, following, small):
-    """Return whether a function sampled at three places turns close to zero.
+    """Return whether a function, sampled at three places with the same sign, has an extremum close to zero.
 
-    All samples have the same sign. The middle one must be below `small`, or the parabola through all must come much closer to
-    zero.
+    The middle sample must be below `small`, or the parabola through all three must come much closer to zero than the samples.
     """
     rise, bend = following - before, following - 2.0 * current + before
     turns = (current - before) * (following - current) < 0.0 and bend * current > 0.0 and before * current > 0.0
