@@ -185,6 +185,22 @@ def test_unlike_bodies_change_the_contact_under_shear():
         slide(contact(first=SOFT, second=HARD), tangential_force="0.02 mN")
 
 
+@pytest.mark.parametrize("coated", [None, "first", "second"])
+def test_the_order_of_unlike_bodies_does_not_matter(coated):
+    """The body that pressure displaces more, here the soft one or its film, slides along x, whichever is the first."""
+
+    def forces(bodies, coated):
+        film = st.Material(youngs_modulus="2 GPa", poissons_ratio=0.1, hardness="1000 GPa")
+        coating = {} if coated is None else {"coating": st.Coating(material=film, thickness="0.2 um", bodies=coated)}
+        pair = contact(**dict(zip(("first", "second"), bodies, strict=True)), roughness=period(32), **coating)
+        return slide(pair, load="200 uN", displacement=["0.5 nm", "1 nm"])["tangential_force"].values
+
+    other = {None: None, "first": "second", "second": "first"}[coated]
+    one, two = forces((SOFT, HARD), coated), forces((HARD, SOFT), other)
+    assert one[0] > 0.0
+    np.testing.assert_allclose(one, two, rtol=1e-9)
+
+
 def test_a_window_of_unlike_bodies_is_solved_as_a_period_of_its_mirror_images():
     window = replace(period(32), periodic=False)
     heights = contact(roughness=window).measured.solvable.one().heights  # the window is levelled before it is solved

@@ -106,7 +106,8 @@ def slide(
     Notes
     -----
     Partial slip of an asperity after Mindlin (1949). All asperities are displaced together; plastic ones stick like elastic
-    ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled; for like
+    ones. On a map displacements are relative to its mean plane. Pressure and shear of unlike bodies are coupled. The body with
+    the larger (1 - 2 nu)/G then slides towards higher columns, whichever is the first; mirror the map to reverse this. For like
     bodies traction across the direction of sliding is left out. The option mode_mixity lets shear lower the adhesion of a map;
     no law of it is recommended. The fraction of the shear energy that opens the edge is `peeling` of the contact.
 

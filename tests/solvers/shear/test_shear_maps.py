@@ -347,6 +347,29 @@ def test_another_algorithm_finds_the_same_peak():
     np.testing.assert_allclose(path.array("force"), expected, atol=1e-3 * expected.max())
 
 
+@pytest.mark.parametrize(
+    ("nu", "weakening", "directions", "early", "largest"),
+    [
+        (0.3, Weakening(0.3, 0.2, "exponential"), 1, 0.66942, 0.74263),
+        (0.0, Weakening(0.15, 0.0, "exponential"), 1, 0.54418, 0.54418),
+        (0.5, Weakening(0.3, 0.3), 2, 0.72986, 0.74792),
+    ],
+)
+def test_an_uneven_disc_weakens_as_another_solver_finds(nu, weakening, directions, early, largest):
+    """Forces over the sum of strengths by a solver of slips, point by point, with the inverse of its own dense matrix.
+
+    In two directions by tractions point by point, with strengths that are frozen until all have converged.
+    """
+    x, y = grid(24, 2.2)
+    strength = np.where(np.hypot(x, y) < 1.0, 1.0 + 0.5 * x, 0.0)
+    shifts = np.linspace(0.0, 2.5, 51)[1:16]
+    path = slide_map(free(against_rigid(nu), 24, 2.2), strength, shifts, pixel=1.0, weakening=weakening, directions=directions)
+    force = path.array("force") / strength.sum()
+    assert force[9] == pytest.approx(early, rel=1e-3)
+    assert force.max() == pytest.approx(largest, rel=1e-3)
+    assert (np.diff(path.array("loss")) >= 0.0).all()
+
+
 def test_a_soft_spring_leaps_past_what_a_rigid_shift_meets():
     """Where the force falls by more than the stiffness of the spring, its drive would have to go back."""
     x, y = grid(48, 2.2)

@@ -76,19 +76,38 @@ def bodies_of(contact: Contact) -> Bodies:
 
 
 def shear_compliance_of(contact: Contact) -> ShearCompliance:
-    """Return the elastic compliance under shear of a contact, for the solver; every input must be a single number."""
+    """Return the elastic compliance under shear of a contact, for the solver; every input must be a single number.
+
+    The order of the bodies of the contact does not matter: the solver moves the body along x that pressure displaces more.
+    """
+    upper, lower = sorted(_elastic_bodies(contact), key=_displaced_by_pressure, reverse=True)
+    return ShearCompliance((upper, lower))
+
+
+def _displaced_by_pressure(body: Film | HalfSpace) -> tuple[float, float]:
+    """Return (1 - 2 nu)/G [1/Pa] of the surface material and of the substrate; pressure displaces a face tangentially by it."""
+
+    def share(modulus: float, poisson: float) -> float:
+        return 2.0 * (1.0 + poisson) * (1.0 - 2.0 * poisson) / modulus
+
+    below = (body.substrate_modulus, body.substrate_poisson) if isinstance(body, Film) else (body.modulus, body.poisson)
+    return share(body.modulus, body.poisson), share(*below)
+
+
+def _elastic_bodies(contact: Contact) -> tuple[Film | HalfSpace, Film | HalfSpace]:
+    """Return the two elastic bodies of a contact, with their films."""
     coating = contact.coating
     bare = {
         name: HalfSpace(float(body.youngs_modulus), float(body.poissons_ratio))
         for name, body in (("first", contact.first), ("second", contact.second))
     }
     if coating is None:
-        return ShearCompliance((bare["first"], bare["second"]))
+        return bare["first"], bare["second"]
     if coating.bodies == "both":
         films = [_film(coating.material, 0.5 * coating.thickness, body) for body in (contact.first, contact.second)]
-        return ShearCompliance((films[0], films[1]))
+        return films[0], films[1]
     other = "second" if coating.bodies == "first" else "first"
-    return ShearCompliance((_film(coating.material, coating.thickness, getattr(contact, coating.bodies)), bare[other]))
+    return _film(coating.material, coating.thickness, getattr(contact, coating.bodies)), bare[other]
 
 
 def _film(material: Material, thickness: float, substrate: Material) -> Film:

@@ -41,7 +41,7 @@ class Sheared:
 
 
 def size_of(vectors: np.ndarray) -> np.ndarray:
-    """Return the magnitude (rows, columns) of a vector field (components, rows, columns)."""
+    """Return the magnitude (...) of a vector field (components, ...)."""
     return np.abs(vectors[0]) if len(vectors) == 1 else np.hypot(*vectors)
 
 
@@ -62,14 +62,14 @@ def shear(
     traction [Pa]. Both are (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
     Without convergence the last state is returned with `converged` False.
     """
-    total = float(strength.sum())
-    touching = strength > 0.0
-    traction = within(start, strength)
-    gradient = np.where(touching, operator(traction) - shift, 0.0)
-    search = _Search(operator, strength, touching)
+    touching = _Touching(operator, strength)
+    traction, shift = within(touching.read(start), touching.strength), touching.read(shift)
+    total = float(touching.strength.sum())
+    gradient = touching.displacement(traction) - shift
+    search = _Search(touching)
     residual, steps = math.inf, 0
     for steps in range(most + 1):
-        wanted = within(traction - gradient / operator.of_point, strength)
+        wanted = within(traction - gradient / operator.of_point, touching.strength)
         residual = float(size_of(traction - wanted).sum()) / total if total > 0.0 else 0.0
         if residual <= tolerance or steps == most:
             break
@@ -77,31 +77,60 @@ def shear(
         if moved is None:
             break  # no step lowers the energy: rounding
         traction, gradient = moved
-    return Sheared(traction, -gradient, residual, steps, residual <= tolerance)
+    return Sheared(touching.map(traction), touching.map(-gradient), residual, steps, residual <= tolerance)
+
+
+class _Touching:
+    """Represent the points with a strength; fields on them are (components, points), which saves most of a map.
+
+    strength: (points,) [Pa].
+    """
+
+    def __init__(self, operator: ShearOperator, strength: np.ndarray):
+        self._operator, self._shape = operator, strength.shape
+        self._at = np.flatnonzero(strength > 0.0)
+        self.of_point, self.strength = operator.of_point, strength.ravel()[self._at]
+
+    def read(self, field: np.ndarray) -> np.ndarray:
+        """Return the values of a field (components, rows, columns) at the points."""
+        return field.reshape(len(field), -1)[:, self._at]
+
+    def map(self, values: np.ndarray) -> np.ndarray:
+        """Return a field (components, rows, columns) with these values at the points, and 0 elsewhere."""
+        field = np.zeros((len(values), math.prod(self._shape)))
+        field[:, self._at] = values
+        return field.reshape(-1, *self._shape)
+
+    def displacement(self, traction: np.ndarray) -> np.ndarray:
+        """Return the displacement [m] caused by the traction [Pa], both (components, points)."""
+        return self.read(self._operator(self.map(traction)))
+
+    def inverse(self, displacement: np.ndarray) -> np.ndarray:
+        """Return the traction [Pa] that causes this displacement [m] on a map that sticks everywhere (preconditioner)."""
+        return self.read(self._operator.inverse(self.map(displacement)))
 
 
 class _Search:
-    """Take minimisation steps and store the previous search direction."""
+    """Take minimisation steps and store the previous search direction; fields are (components, points)."""
 
-    def __init__(self, operator: ShearOperator, strength: np.ndarray, touching: np.ndarray):
-        self.operator, self.strength, self.touching = operator, strength, touching
+    def __init__(self, points: _Touching):
+        self.points, self.strength, self.of_point = points, points.strength, points.of_point
         self._last: tuple[np.ndarray, np.ndarray, float] | None = None
 
     def conjugate(self, traction, gradient):
         """Step along a conjugate direction; return traction and gradient, or None if the energy rises."""
         outward = -np.sum(gradient * traction, axis=0)
-        bound = self.touching & (size_of(traction) >= self.strength * _AT) & (outward > 0.0)
-        free = np.where(self.touching & ~bound, gradient, 0.0)
-        prepared = np.where(bound, 0.0, self.operator.inverse(free))
-        prepared *= self.touching
+        bound = (size_of(traction) >= self.strength * _AT) & (outward > 0.0)
+        free = np.where(bound, 0.0, gradient)
+        prepared = np.where(bound, 0.0, self.points.inverse(free))
         stiffness = np.zeros(())
         if len(traction) == 2:  # a point at its strength may turn; the longer its slip, the less
             stiffness = np.divide(outward, self.strength**2, out=np.zeros_like(outward), where=bound)
             turning = np.where(bound, _across(gradient, traction), 0.0)
             free += turning
-            prepared += turning / (self.operator.of_point + stiffness)
+            prepared += turning / (self.of_point + stiffness)
         direction = self._conjugated(-prepared, free, bound, traction)
-        bent_by = self.operator(direction)
+        bent_by = self.points.displacement(direction)
         bent = float(np.sum(direction * bent_by) + np.sum(stiffness * direction * direction))
         if not bent > 0.0:
             self._last = None
@@ -110,7 +139,7 @@ class _Search:
         trial = traction + step * direction
         moved = within(trial, self.strength)
         if np.array_equal(moved, trial):
-            return moved, gradient + np.where(self.touching, step * bent_by, 0.0)
+            return moved, gradient + step * bent_by
         found = self._lower(traction, gradient, moved)
         if found is None:
             self._last = None  # begin anew, along the gradient
@@ -118,7 +147,7 @@ class _Search:
 
     def projected(self, traction, gradient):
         """Step along the projected gradient, halving until the energy falls enough; return None if it never does."""
-        length = 1.0 / self.operator.of_point
+        length = 1.0 / self.of_point
         for _ in range(60):
             moved = within(traction - length * gradient, self.strength)
             change = moved - traction
@@ -132,7 +161,7 @@ class _Search:
     def _lower(self, traction, gradient, moved, enough: float = 0.0):
         """Return the new traction and its gradient if the energy fell by more than `enough`, otherwise None."""
         change = moved - traction
-        turned = np.where(self.touching, self.operator(change), 0.0)
+        turned = self.points.displacement(change)
         energy = float(np.sum(change * gradient) + 0.5 * np.sum(change * turned))
         return (moved, gradient + turned) if energy < -enough else None
 
@@ -152,7 +181,7 @@ class _Search:
 
 
 def _across(vectors: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Return the component of each vector (2, rows, columns) perpendicular to `along`."""
+    """Return the component of each vector (2, points) perpendicular to `along`."""
     square = np.sum(along * along, axis=0)
     share = np.divide(np.sum(vectors * along, axis=0), square, out=np.zeros_like(square), where=square > 0.0)
     return vectors - share * along

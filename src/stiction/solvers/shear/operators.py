@@ -148,7 +148,12 @@ def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
     if len(field) == 1:
         waves *= xx
     else:
-        waves = np.stack([xx * waves[0] + xy * waves[1], xy * waves[0] + yy * waves[1]])
+        x, y = waves
+        mixed = xy * x
+        x *= xx
+        x += xy * y
+        y *= yy
+        y += mixed
     return irfft2(waves, s=grid, workers=workers, overwrite_x=True)
 
 
