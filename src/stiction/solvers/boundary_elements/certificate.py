@@ -23,6 +23,7 @@ import numpy as np
 
 from stiction.solvers.boundary_elements.minimise import Found, Problem, blocks, dot, missed_gap
 
+_ROUNDED = 1.0 + 1e-6  # above what single precision loses of a bound that is an equality in full contact
 _MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, or to none, may be on the wrong side
 
 
@@ -82,7 +83,7 @@ def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
     if problem.displacement.inverts:
         scale = float(np.abs(missed).max()) or 1.0
         missed = (missed / scale).astype(np.float32)
-        return scale**2 * dot(missed, problem.displacement.inverse(missed))
+        return _ROUNDED * scale**2 * dot(missed, problem.displacement.inverse(missed))
     gap, mean = found.gap, problem.mean
     carried = sum(dot(gap[rows], found.pressure[rows]) for rows in blocks(gap.shape))
     if math.isinf(problem.hardness):
