@@ -174,8 +174,9 @@ def main(folder: Path) -> None:
     for number, one in enumerate(todo, start=1):
         solved, path = folder / f"{one.name}.json", folder / f"{one.name}.models"
         record = json.loads(solved.read_text())
-        answer = json.loads(path.read_text()) if path.exists() else said(one, record)
-        if path.exists() and not with_new_theories(one, record, answer):
+        kept = path.exists() and path.stat().st_mtime > solved.stat().st_mtime  # of this solution, not of one before
+        answer = json.loads(path.read_text()) if kept else said(one, record)
+        if kept and not with_new_theories(one, record, answer):
             continue
         part = path.with_suffix(".part2")
         part.write_text(json.dumps(answer))

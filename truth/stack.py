@@ -44,10 +44,12 @@ def densities(known: SolvedSet, errors: np.ndarray, seen: str) -> np.ndarray:
     for at in np.ndindex(*errors.shape[1:]):
         values = errors[(slice(None), *at)]
         there = np.isfinite(values)
-        for surface in np.flatnonzero(there):
-            weights = near[surface, there]
-            if weights.sum() > 1e-6:
-                found[(surface, *at)] = _robust(values[surface], quantiles(values[None, there], weights[None])[0])
+        weights = near[:, there]
+        surfaces = np.flatnonzero(there & (weights.sum(axis=1) > 1e-6))
+        if not surfaces.size:
+            continue
+        levels = quantiles(np.broadcast_to(values[there], (len(surfaces), there.sum())), weights[surfaces])
+        found[(surfaces, *at)] = [_robust(value, row) for value, row in zip(values[surfaces], levels, strict=True)]
     return found
 
 
