@@ -42,24 +42,26 @@ def test_indices_are_within_their_intervals(function, exact):
     held = []
     for seed in range(40):
         found = sobol_indices(function(points_of_indices(first.size, 1024, seed)))
-        held += [(found.first_low <= first) & (first <= found.first_high)]
-        held += [(found.total_low <= total) & (total <= found.total_high)]
-        np.testing.assert_allclose(found.first, first, atol=0.15)
-        np.testing.assert_allclose(found.total, total, atol=0.15)
+        held += [(found["first_order_low"] <= first) & (first <= found["first_order_high"])]
+        held += [(found["total_order_low"] <= total) & (total <= found["total_order_high"])]
+        np.testing.assert_allclose(found["first_order"], first, atol=0.15)
+        np.testing.assert_allclose(found["total_order"], total, atol=0.15)
     assert 0.92 <= np.mean(held) <= 0.995
 
 
 def test_intervals_narrow_with_more_points():
     wide, narrow = (sobol_indices(ishigami(points_of_indices(3, count, 1))) for count in (256, 16384))
-    assert np.all(narrow.total_high - narrow.total_low < 0.3 * (wide.total_high - wide.total_low))
-    np.testing.assert_allclose(narrow.total, exact_ishigami()[1], atol=0.003)
+    assert np.all(
+        narrow["total_order_high"] - narrow["total_order_low"] < 0.3 * (wide["total_order_high"] - wide["total_order_low"])
+    )
+    np.testing.assert_allclose(narrow["total_order"], exact_ishigami()[1], atol=0.003)
 
 
 def test_what_does_not_matter_has_no_index_and_a_constant_none_at_all():
     points = points_of_indices(3, 256, 0)
     found = sobol_indices(points[..., 0] * 2.0 + 1.0)
-    np.testing.assert_allclose(found.total, [1.0, 0.0, 0.0], atol=0.02)
-    assert not sobol_indices(np.full((8, 5, 32), 3.0)).total.any()
+    np.testing.assert_allclose(found["total_order"], [1.0, 0.0, 0.0], atol=0.02)
+    assert not sobol_indices(np.full((8, 5, 32), 3.0))["total_order"].any()
 
 
 def test_unknown_values_are_left_out_and_too_many_are_said():
@@ -67,10 +69,10 @@ def test_unknown_values_are_left_out_and_too_many_are_said():
     values = ishigami(points)
     values[:, 0, ::7] = np.nan
     found = sobol_indices(values)
-    assert found.points == 2048
-    np.testing.assert_allclose(found.total, exact_ishigami()[1], atol=0.05)
+    assert found["points"] == 2048
+    np.testing.assert_allclose(found["total_order"], exact_ishigami()[1], atol=0.05)
     values[:, 0, ::2] = np.nan
-    assert np.isnan(sobol_indices(values).total).all()
+    assert np.isnan(sobol_indices(values)["total_order"]).all()
 
 
 def test_two_points_of_each_part_are_the_fewest_for_an_interval():
@@ -78,10 +80,10 @@ def test_two_points_of_each_part_are_the_fewest_for_an_interval():
     two = points_of_indices(2, 2 * PARTS, 0) @ weights
     assert two.shape == (PARTS, 4, 2)
     found = sobol_indices(two)
-    assert found.points == 2 * PARTS and np.isfinite([found.first_low, found.total_high]).all()
-    assert found.total[0] > found.total[1]
+    assert found["points"] == 2 * PARTS and np.isfinite([found["first_order_low"], found["total_order_high"]]).all()
+    assert found["total_order"][0] > found["total_order"][1]
     two[0, 0, 0] = np.nan
-    assert np.isnan(sobol_indices(two).total).all() and sobol_indices(two).points == 0
+    assert np.isnan(sobol_indices(two)["total_order"]).all() and sobol_indices(two)["points"] == 0
 
 
 def test_trajectories_take_one_step_at_a_time():
@@ -97,17 +99,17 @@ def test_effects_of_a_line_are_its_slopes():
     slopes = np.array([3.0, -2.0, 0.0, 0.5])
     points = trajectories(4, 20, 0)
     found = effects(points, points @ slopes + 1.0)
-    np.testing.assert_allclose(found.mean, slopes, atol=1e-12)
-    np.testing.assert_allclose(found.size, np.abs(slopes), atol=1e-12)
-    np.testing.assert_allclose(found.deviation, 0.0, atol=1e-12)
+    np.testing.assert_allclose(found["mean"], slopes, atol=1e-12)
+    np.testing.assert_allclose(found["effect"], np.abs(slopes), atol=1e-12)
+    np.testing.assert_allclose(found["effect_deviation"], 0.0, atol=1e-12)
 
 
 def test_effects_of_a_square_are_those_of_its_four_levels():
     """(x + 2/3)^2 - x^2 over 2/3 is 2 x + 2/3: of x = 0 and 1/3, as likely, 2/3 and 4/3."""
     points = trajectories(1, 4000, 1)
     found = effects(points, points[..., 0] ** 2)
-    assert found.size[0] == pytest.approx(1.0, abs=4.0 / 3.0 / np.sqrt(4000.0)) and found.mean[0] == found.size[0]
-    assert found.deviation[0] == pytest.approx(1.0 / 3.0, rel=1e-3)
+    assert found["effect"][0] == pytest.approx(1.0, abs=4.0 / 3.0 / np.sqrt(4000.0)) and found["mean"][0] == found["effect"][0]
+    assert found["effect_deviation"][0] == pytest.approx(1.0 / 3.0, rel=1e-3)
 
 
 def test_screening_finds_the_inputs_of_morris():
@@ -126,25 +128,25 @@ def test_screening_finds_the_inputs_of_morris():
 
     points = trajectories(20, 40, 5)
     found = effects(points, function(points))
-    assert set(np.argsort(found.size)[10:]) == set(range(10))
-    assert found.deviation[7:10].max() < 0.5 * found.deviation[:7].min()
-    np.testing.assert_allclose(found.size[7:10], 40.0, rtol=0.2)  # 2 beta
+    assert set(np.argsort(found["effect"])[10:]) == set(range(10))
+    assert found["effect_deviation"][7:10].max() < 0.5 * found["effect_deviation"][:7].min()
+    np.testing.assert_allclose(found["effect"][7:10], 40.0, rtol=0.2)  # 2 beta
 
 
 def test_effects_that_are_not_known_are_left_out():
     points = trajectories(2, 40, 0)
     values = points @ np.array([2.0, 1.0])
     values[:5, 1] = np.nan
-    np.testing.assert_allclose(effects(points, values).size, [2.0, 1.0])
+    np.testing.assert_allclose(effects(points, values)["effect"], [2.0, 1.0])
     values[:, 1] = np.nan
-    assert np.isnan(effects(points, values).size).all()
+    assert np.isnan(effects(points, values)["effect"]).all()
 
 
 def test_one_input_alone_has_all_of_the_variance():
     u = points_of_indices(1, 1024, 0)
     found = sobol_indices(np.exp(u[..., 0]))
-    assert found.first.shape == found.total.shape == (1,)
-    np.testing.assert_allclose([found.first[0], found.total[0]], 1.0, atol=0.02)
+    assert found["first_order"].shape == found["total_order"].shape == (1,)
+    np.testing.assert_allclose([found["first_order"][0], found["total_order"][0]], 1.0, atol=0.02)
 
 
 def test_effects_of_few_are_not_told():
@@ -152,10 +154,10 @@ def test_effects_of_few_are_not_told():
     points = trajectories(2, 40, 0)
     values = points @ np.array([2.0, 1.0])
     values[:19, 1] = np.nan
-    np.testing.assert_allclose(effects(points, values).size, [2.0, 1.0])
+    np.testing.assert_allclose(effects(points, values)["effect"], [2.0, 1.0])
     values[:21, 1] = np.nan
     found = effects(points, values)
-    assert all(np.isnan(one).all() for one in (found.size, found.size_error, found.mean, found.deviation))
+    assert all(np.isnan(one).all() for one in (found["effect"], found["effect_error"], found["mean"], found["effect_deviation"]))
 
 
 def test_the_error_of_an_effect_is_the_scatter_of_its_mean():
@@ -167,8 +169,8 @@ def test_the_error_of_an_effect_is_the_scatter_of_its_mean():
     slopes = np.array(
         [np.diff(v)[m == 0][0] / np.diff(p[:, 0])[m == 0][0] for p, v, m in zip(points, values, moved, strict=True)]
     )
-    assert found.size[0] == pytest.approx(slopes.mean(), rel=1e-12)
-    assert found.size_error[0] == pytest.approx(slopes.std(ddof=1) / np.sqrt(40), rel=1e-12)
+    assert found["effect"][0] == pytest.approx(slopes.mean(), rel=1e-12)
+    assert found["effect_error"][0] == pytest.approx(slopes.std(ddof=1) / np.sqrt(40), rel=1e-12)
 
 
 def test_intervals_are_those_of_as_many_parts_as_there_are():

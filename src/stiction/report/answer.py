@@ -47,6 +47,12 @@ def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
     return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
 
 
+def ends_of_mu(data: "xarray.Dataset") -> list[float]:
+    """Return mu and the two ends of its interval at the working load of a prediction: [mu, low, high]."""
+    point = at_working_load(data)
+    return [float(point[f"{_MU}{end}"]) for end in ("", "_low", "_high")]
+
+
 def confidence(mu: float, low: float, high: float) -> str:
     """Return the confidence in a predicted friction coefficient: "high", "fair" or "low".
 
@@ -197,13 +203,10 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
-    warnings, level = attrs["warnings"], f"{attrs['level']:.0%}"
-    sure = confidence(*(float(point[f"{_MU}{end}"]) for end in ("", "_low", "_high")))
+    warnings, sure = attrs["warnings"], confidence(*ends_of_mu(data))
+    at = f"at {working_load_in_words(data)}; confidence: {sure}"
     rows = [
-        (
-            f"mu = {number(float(point[_MU]))}",
-            f"{level} interval {span(point, _MU)}, at {working_load_in_words(data)}; confidence: {sure}",
-        ),
+        (f"mu = {number(float(point[_MU]))}", f"{attrs['level']:.0%} interval {span(point, _MU)}, {at}"),
         ("friction force", f"{force} ({span(point, _FORCE, _FORCE)}); real contact {area}"),
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),

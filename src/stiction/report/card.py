@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from stiction.quantities import html
 from stiction.report.answer import (
     answer_lines,
-    at_working_load,
     confidence,
     confidence_in_words,
+    ends_of_mu,
     number,
     part_name,
     working_load_in_words,
@@ -107,8 +107,8 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
 
     data: the prediction. named: result of the model that the user named, in words; "" if none was named.
     """
-    point, attrs = at_working_load(data), data.attrs
-    mu, low, high = (float(point[f"friction_coefficient{end}"]) for end in ("", "_low", "_high"))
+    attrs = data.attrs
+    mu, low, high = ends_of_mu(data)
     largest = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])
     told = largest[:1] + [(name, share) for name, share in largest[1:2] if share > _NOTICED]
     decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in told)

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
+from stiction.report.answer import ends_of_mu
 from stiction.report.pictures import BLUE, GREEN, GREY, MU_LABEL, ORANGE, RED, canvas, finish, label, say
 from stiction.report.views.comparison import Group, groups_of
 
@@ -39,7 +40,7 @@ def models_figure(
     named = {group.names[0]: colour for group, colour in zip(groups, _COLOURS, strict=False)}
     ends = [end for group in groups for end in (group.low, group.high)]
     if prediction is not None:
-        low, mu, high = (float(prediction[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+        mu, low, high = ends_of_mu(prediction)
         text = f"prediction, {prediction.attrs['level']:.0%} interval"
         axes.axhspan(low, high, color=RED, alpha=0.1, linewidth=0.0)
         axes.errorbar(

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.answer import at_working_load, headline, part_name
+from stiction.report.answer import at_working_load, ends_of_mu, headline, part_name
 from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, label, scale_friction
 
 if TYPE_CHECKING:
@@ -65,8 +65,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the interval of mu, and the interval that each of its three largest sources would cause alone."""
-    point = at_working_load(data)
-    low, mu, high = (float(point[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
+    mu, low, high = ends_of_mu(data)
     shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
     names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
     for row, share in enumerate([1.0, *(share for _, share in shares)]):
@@ -83,9 +82,8 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
     data: result with several loads. prediction: its working load is marked.
     """
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
-    point = at_working_load(prediction)
-    low, mu, high = (float(point[f"{_MU}{end}"]) for end in ("_low", "", "_high"))
-    text, load = "prediction at the working load", float(point["load"])
+    mu, low, high = ends_of_mu(prediction)
+    text, load = "prediction at the working load", float(at_working_load(prediction)["load"])
     axes.errorbar([load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=4, label=text)
     axes.autoscale(axis="y")
     drawn = np.concatenate([line.get_ydata() for line in axes.lines])

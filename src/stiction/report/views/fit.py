@@ -77,10 +77,6 @@ def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
     return keys, rows_of(data, keys)
 
 
-def prediction_names(data: "xarray.Dataset") -> list[str]:
-    return [str(name) for name in data.data_vars if str(name).startswith("predicted_") and np.size(data[name])]
-
-
 _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
@@ -107,7 +103,7 @@ def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> 
     }
     if folder is not None:
         files["fitted.toml"] = lambda path: path.write_text(fit.case_text(folder), encoding="utf-8")
-    if names := prediction_names(data):
+    if names := [str(name) for name in data.data_vars if str(name).startswith("predicted_") and np.size(data[name])]:
         files["predictions.csv"] = lambda path: write_csv(data[names].drop_vars(_OTHERS, errors="ignore"), path)
     pictures = {
         "fit.png": picture("measured and fitted", "fit_pictures.fit_figure", data, title),

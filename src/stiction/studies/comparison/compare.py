@@ -109,8 +109,8 @@ def _compared(contact: Subject, load: Any, separations: Any, progress: Steps) ->
     target = None if load is None else _compressive_load(contact, load, "load")
     groups, _ = Groups.of(contact.indices())
     plain = problem_of(groups.substrate(), Choice("greenwood_williamson_1966", beside={"meniscus": "none"}))  # which never pull
-    situation = _Comparison(contact, h, plain.loads_on_grid(h) * contact.scales().factors()["N"], target)
-    answers = [_solve_candidate(situation, candidate) for candidate in progress(candidates(contact))]
+    loads = plain.loads_on_grid(h) * contact.scales().factors()["N"]
+    answers = [_solve_candidate(contact, candidate, h, loads, target) for candidate in progress(candidates(contact))]
     return _dataset(contact, answers, target)
 
 
@@ -141,20 +141,6 @@ def _separations(given: Iterable[float]) -> np.ndarray:
     if h.ndim != 1 or not h.size or not (np.abs(h) <= FARTHEST).all():
         raise InputError("separations", given, allowed)
     return h
-
-
-@dataclass(frozen=True)
-class _Comparison:
-    """Store the points at which all models are evaluated, in the units of the contact.
-
-    h: separations over the height deviation sigma that each model uses, (points,). loads: for theories without separations, (1,
-    points). target: working load, or None.
-    """
-
-    contact: Subject
-    h: np.ndarray
-    loads: np.ndarray
-    target: float | None
 
 
 # What the friction of a model rests on, by whether it is the strength of the interface.
@@ -211,12 +197,16 @@ class _Answer:
         return f"{'cannot be right' if worst else 'does not fit'}: {', '.join(texts[:2])}{more}{dry}"
 
 
-def _solve_candidate(situation: _Comparison, candidate: Candidate) -> _Answer:
-    """Return the results of one model, or the reason why it has none."""
+def _solve_candidate(contact: Subject, candidate: Candidate, h: np.ndarray, loads: np.ndarray, target: float | None) -> _Answer:
+    """Return the results of one model, or the reason why it has none.
+
+    h: separations over the height deviation sigma that each model uses, (points,). loads: for theories without separations, (1,
+    points), in the unit of the contact. target: working load, or None.
+    """
     answer = _Answer(candidate)
     try:
-        problem = make_problem(situation.contact, candidate.choice)
-        curve = _curve(problem, situation)
+        problem = make_problem(contact, candidate.choice)
+        curve = _curve(problem, h, loads)
     except Exception as error:
         refused = error if isinstance(error, InputError) else plug_in_error(error)
         if refused is None:
@@ -227,9 +217,9 @@ def _solve_candidate(situation: _Comparison, candidate: Candidate) -> _Answer:
     if not problem.friction:
         answer.why_not = "it computes contact only; state an interfacial_shear_strength for friction"
     rows = {name: table[None, :] for name, table in curve.items()}
-    at_load = None if situation.target is None else _at_working_load(problem, situation.target, answer)
+    at_load = None if target is None else _at_working_load(problem, target, answer)
     answer.attributes = _of_laws(problem)
-    if at_load or situation.target is None:  # of a load that is not carried there is no validity warning
+    if at_load or target is None:  # of a load that is not carried there is no validity warning
         answer.outside = answer.outside + warnings_of_results(problem, at_load or rows)
         answer.attributes |= film_errors.as_attributes(problem, at_load or rows)
     answer.dry = leaves_out_liquid(problem)
@@ -270,12 +260,12 @@ def _in_units(problem: Problem, results: dict[str, np.ndarray]) -> dict[str, np.
     return {name: table * factors.get(QUANTITIES[name].scale, 1.0) for name, table in results.items()}
 
 
-def _curve(problem: Problem, situation: _Comparison) -> dict[str, np.ndarray]:
+def _curve(problem: Problem, h: np.ndarray, loads: np.ndarray) -> dict[str, np.ndarray]:
     """Return normalised results (points,) along the separations, or along the loads for theories without separations."""
     if problem.needs_load:
-        loads = problem.few_of(situation.loads / problem.subject.scales().factors()["N"])
-        return {name: table[0] for name, table in problem.at_load(loads).items()}
-    return {"mean_separation": situation.h} | {name: table[0] for name, table in problem.on_grid(situation.h).items()}
+        few = problem.few_of(loads / problem.subject.scales().factors()["N"])
+        return {name: table[0] for name, table in problem.at_load(few).items()}
+    return {"mean_separation": h} | {name: table[0] for name, table in problem.on_grid(h).items()}
 
 
 def _at_working_load(problem: Problem, target: float, answer: _Answer) -> dict[str, np.ndarray] | None:

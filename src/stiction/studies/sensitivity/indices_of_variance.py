@@ -4,8 +4,6 @@ Sobol indices come from SciPy. The effects are written here: SALib's are the sam
 contact makes all of them NaN, and SALib brings Matplotlib and multiprocess, which nothing else here needs without pictures.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from stiction.studies.uncertainty.drawing import scrambled
@@ -14,22 +12,6 @@ from stiction.studies.uncertainty.drawing import scrambled
 PARTS = 8
 _T = 2.364624  # Student's t of 7 degrees of freedom at 97.5 %
 _LEVELS = 4
-
-
-@dataclass(frozen=True)
-class Indices:
-    """Hold first-order and total Sobol indices of k inputs, each with its 95 % interval, (k,).
-
-    NaN if too few values are known. points: number of sample points used.
-    """
-
-    first: np.ndarray
-    first_low: np.ndarray
-    first_high: np.ndarray
-    total: np.ndarray
-    total_low: np.ndarray
-    total_high: np.ndarray
-    points: int
 
 
 def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
@@ -46,8 +28,11 @@ def points_of_indices(columns: int, count: int, seed: int) -> np.ndarray:
     return np.concatenate([first[:, None], second[:, None], mixed], axis=1)
 
 
-def sobol_indices(values: np.ndarray) -> Indices:
+def sobol_indices(values: np.ndarray) -> dict[str, np.ndarray]:
     """Return Sobol indices from values (parts, k + 2, n) of a function at the points of `points_of_indices`.
+
+    The arrays (k,) are first_order and total_order, each with the ends of its 95 % interval, _low and _high; NaN if too few
+    values are known. points: number of sample points used.
 
     Source: Saltelli et al. 2010, table 2: (b) for the first-order and (f), Jansen 1999, for the total index. The interval is
     Student's t interval over the parts, each scrambled on its own. Points with NaN are excluded, and then so many others that
@@ -58,13 +43,14 @@ def sobol_indices(values: np.ndarray) -> Indices:
     rest = [one[:, good] for one, good in zip(values, known, strict=True)]
     whole = np.concatenate(rest, axis=1)
     if min(one.shape[1] for one in rest) < 2 or not known.mean() >= 0.5:
-        nothing = np.full(columns, np.nan)
-        return Indices(nothing, nothing, nothing, nothing, nothing, nothing, 0)
-    estimate, points = _estimated(whole)
-    each = np.array([_estimated(one)[0] for one in rest])
-    wide = _T * each.std(axis=0, ddof=1) / np.sqrt(len(each))
-    (first, total), (low, lowest), (high, highest) = estimate, estimate - wide, estimate + wide
-    return Indices(first, low, high, total, lowest, highest, points)
+        estimate, points, wide = np.full((2, columns), np.nan), 0, np.nan
+    else:
+        estimate, points = _estimated(whole)
+        each = np.array([_estimated(one)[0] for one in rest])
+        wide = _T * each.std(axis=0, ddof=1) / np.sqrt(len(each))
+    ends = {"": estimate, "_low": estimate - wide, "_high": estimate + wide}
+    found = {f"{name}_order{end}": rows[at] for at, name in enumerate(("first", "total")) for end, rows in ends.items()}
+    return found | {"points": np.array(points)}
 
 
 def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
@@ -84,20 +70,6 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
     return np.array([found.first_order[:inputs], found.total_order[:inputs]]), count
 
 
-@dataclass(frozen=True)
-class Effects:
-    """Hold statistics of the elementary effects of k inputs, each (k,).
-
-    size: mean of the absolute effects. size_error: standard error of `size`. mean, deviation: mean and standard deviation of
-    the effects.
-    """
-
-    size: np.ndarray
-    size_error: np.ndarray
-    mean: np.ndarray
-    deviation: np.ndarray
-
-
 def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
     """Return `count` trajectories of Morris, (count, columns + 1, columns), in the unit cube.
 
@@ -113,7 +85,7 @@ def trajectories(columns: int, count: int, seed: int) -> np.ndarray:
     return base[:, None] + step * np.where(up[:, None], moved, ~moved)
 
 
-def effects(points: np.ndarray, values: np.ndarray) -> Effects:
+def effects(points: np.ndarray, values: np.ndarray) -> dict[str, np.ndarray]:
     """Return the elementary effects from values (count, k + 1) of a function at points of `trajectories`.
 
     An effect is the change of the value by a step, divided by the step. Source: Morris 1991, eq. 1; the mean of absolute
@@ -128,4 +100,5 @@ def effects(points: np.ndarray, values: np.ndarray) -> Effects:
     enough = np.isfinite(each).sum(axis=0) >= max(2, len(each) // 2)
     known = DataFrame(np.where(enough & np.isfinite(each), each, np.nan))  # which leaves out what is not known
     sizes = known.abs()
-    return Effects(*(one.to_numpy() for one in (sizes.mean(), sizes.sem(), known.mean(), known.std())))
+    columns = {"effect": sizes.mean(), "effect_error": sizes.sem(), "mean": known.mean(), "effect_deviation": known.std()}
+    return {name: values_of.to_numpy() for name, values_of in columns.items()}

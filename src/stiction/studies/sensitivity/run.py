@@ -228,17 +228,17 @@ def _drawn(case: Case, variation: _Variation, shares: np.ndarray, progress: Any)
     return draw(case, shares[:, : len(variation.numbers)], variation.variants, rows, OUTPUTS, progress)
 
 
-# How the names of indices and effects end -> field, and meaning.
+# How the names of indices and effects end -> meaning.
 _MEANINGS = {
-    "first_order": ("first", "first Sobol index of the logarithm"),
-    "first_order_low": ("first_low", "low end of its 95 % interval, first Sobol index of the logarithm"),
-    "first_order_high": ("first_high", "high end of its 95 % interval, first Sobol index of the logarithm"),
-    "total_order": ("total", "total Sobol index of the logarithm"),
-    "total_order_low": ("total_low", "low end of its 95 % interval, total Sobol index of the logarithm"),
-    "total_order_high": ("total_high", "high end of its 95 % interval, total Sobol index of the logarithm"),
-    "effect": ("size", "mean absolute Morris effect on the logarithm, over the range of the input"),
-    "effect_error": ("size_error", "standard error of the mean absolute Morris effect"),
-    "effect_deviation": ("deviation", "standard deviation of the Morris effects: large if the effect depends on other inputs"),
+    "first_order": "first Sobol index of the logarithm",
+    "first_order_low": "low end of its 95 % interval, first Sobol index of the logarithm",
+    "first_order_high": "high end of its 95 % interval, first Sobol index of the logarithm",
+    "total_order": "total Sobol index of the logarithm",
+    "total_order_low": "low end of its 95 % interval, total Sobol index of the logarithm",
+    "total_order_high": "high end of its 95 % interval, total Sobol index of the logarithm",
+    "effect": "mean absolute Morris effect on the logarithm, over the range of the input",
+    "effect_error": "standard error of the mean absolute Morris effect",
+    "effect_deviation": "standard deviation of the Morris effects: large if the effect depends on other inputs",
 }
 
 
@@ -254,8 +254,8 @@ def _of_result(
     logs = [_log(one.tables[name]).reshape(*grid.shape[:-1], -1) for one, grid in ((drawn, points), (screened, paths))]
     indices = [sobol_indices(logs[0][..., at]) for at in range(logs[0].shape[-1])]
     screens = [effects(paths, logs[1][..., at]) for at in range(logs[1].shape[-1])]
-    for end, (field, text) in _MEANINGS.items():
-        rows = [getattr(one, field) for one in (indices if "order" in end else screens)]
+    for end, text in _MEANINGS.items():
+        rows = [one[end] for one in (indices if "order" in end else screens)]
         yield end, (np.stack(rows, axis=-1).reshape(-1, *shape), {"units": "1", "long_name": text})
 
 
