@@ -14,6 +14,7 @@ von Mises stress at the two places, with the two constants that the authors roun
 - `brizmer_kligerman_etsion_2007.csv`: `friction` at `load`
 - `bowden_tabor_1943.csv`: `friction` at `area`, `load`
 - `briscoe_tabor_1978.csv`: the same
+- `hurtado_kim_1999.csv`: the same; the strength from a straight line through two points in decades
 - `tabor_1959.csv`: the same; the shear force is raised, by bisection, until the interface of the area that has grown gives way
 - `junction_growth.csv`: the same, growth ending at the force of full stick
 - `mindlin_1949.csv`: the same bodies before they slide: `stiffness`, `displacement` under `force`
@@ -201,6 +202,22 @@ def interface(alphas):
                     yield [*pair.groups, mpf(share), *([mpf(alpha)] if alpha else []), *contact]
 
 
+def dislocations():
+    """log10(tau/G) on the straight line through (log10 28, log10 1/43) and (log10 8e4, log10 1/1290), constant outside."""
+    ends = [(mp.log10(28), -mp.log10(43)), (mp.log10(80000), -mp.log10(1290))]
+    slope = (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0])
+    for pair in map(Pair, BODIES):
+        G = pair.E / (2 * (1 + pair.nu))
+        for burgers in ("0.25e-9", "0.4e-9"):
+            for radius, P in (("3e-9", "1e-9"), ("7e-9", "1e-9"), ("2e-7", "-1e-6"), ("1.9e-5", "1e-3"), ("1e-4", "1e-3")):
+                a, b = mpf(radius), mpf(burgers)
+                place = min(max(mp.log10(a / b), ends[0][0]), ends[1][0])
+                T = G * mpf(10) ** (ends[0][1] + slope * (place - ends[0][0])) * mp.pi * a**2
+                size = mp.sqrt(pair.R * pair.sigma)
+                contact = [a**2 / size**2, mpf(P) / pair.force, T / pair.force]
+                yield [*pair.groups, mp.sqrt(pair.sigma / pair.R), size / b, *contact]
+
+
 def gives_way(strength, area_under, most):
     """Bisection for the shear force T that an interface of this strength bears on the area that T makes, `most` at the most."""
     low, high = mpf(0), most
@@ -271,6 +288,7 @@ TABLES = {
         [*GROUPS, "shear_strength", "pressure_coefficient", "area", "load", "friction"],
         lambda: interface(["0.05", "0.5"]),
     ),
+    "hurtado_kim_1999": ([*GROUPS, "sharpness", "size_over_burgers", "area", "load", "friction"], dislocations),
     "tabor_1959": ([*GROUPS, "shear_strength", "area", "load", "friction"], growth),
     "junction_growth": ([*GROUPS, "shear_strength", "area", "load", "friction"], growth_to_full_stick),
     "mindlin_1949": (["nu", "K_beta", "area", "load", "mu", "force", "stiffness", "displacement"], presliding),

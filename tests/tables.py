@@ -110,6 +110,7 @@ def random_others(rng: np.random.Generator, n: int) -> dict[str, np.ndarray]:
         "pressure_coefficient": decades(-3, -0.5),
         "peeling": decades(-2, 0),
         "hardening": decades(-4, -0.3),
+        "size_over_burgers": decades(1, 6),
     }
 
 

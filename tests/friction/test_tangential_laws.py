@@ -10,12 +10,13 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
+import stiction as st
 from stiction.contact.indices import hardness_group, stiffness_group
 from stiction.laws.asperity import jkr, roy_chowdhury_ghosh_1994
 from stiction.laws.film import printed as to_the_letter
 from stiction.laws.joining import Law, states
 from stiction.laws.tangential import chang_etsion_bogy_1988 as ceb
-from stiction.laws.tangential import soft_coating_2015
+from stiction.laws.tangential import hurtado_kim_1999, soft_coating_2015
 from stiction.laws.tangential.savkoor_briggs_1977 import slip_resistance, slip_resistance_printed
 from stiction.laws.tangential.shared.edge_yield import yield_resistance
 from tables import column, groups_of, read
@@ -201,3 +202,26 @@ def test_chang_etsion_bogy_branches_meet_once(nu):
     assert ceb.on_axis(at, nu, K_H) == pytest.approx(ceb.at_edge(at, nu, K_H), rel=1e-12)
     for w in np.linspace(0.01, 0.9999, 300):
         assert (ceb.on_axis(w, nu, K_H) > ceb.at_edge(w, nu, K_H)) == (w < at)
+
+
+def test_strength_by_size_has_the_printed_plateaus_and_line():
+    """tau/G is 1/43 up to 28 b, 1/1290 from 8e4 b on, and on a straight line in decades between."""
+    strength = hurtado_kim_1999.strength_over_modulus
+    assert strength(1.0) == strength(28.0) == pytest.approx(1 / 43, rel=1e-14)
+    assert strength(8e4) == strength(1e9) == pytest.approx(1 / 1290, rel=1e-13)
+    middle = np.sqrt(28.0 * 8e4)
+    assert strength(middle) == pytest.approx(np.sqrt(1 / 43 / 1290), rel=1e-13)
+    assert [round(1e3 * strength(size), 4) for size in (100.0, 1000.0, 10000.0)] == [13.497, 5.0445, 1.8854]
+
+
+@pytest.mark.parametrize(("burgers", "share"), [("1 mm", 1 / 43), ("1e-18 m", 1 / 1290)])
+def test_strength_by_size_is_constant_for_very_small_and_very_large_contacts(burgers, share):
+    """A contact far below or above both sizes has Bowden and Tabor's friction with a share of the shear modulus."""
+    body = st.Material(youngs_modulus="100 GPa", poissons_ratio=0.25, hardness="20 GPa")  # its own strength is no limit
+    rough = st.Roughness(asperity_height_deviation="20 nm", asperity_radius="5 um", asperity_density="1e10 1/m^2")
+    contact = st.Contact(first=body, second=body, roughness=rough, nominal_area="1 mm^2", burgers_vector=burgers)
+    how = {"load": ["1 mN", "1 N"], "model": "greenwood_williamson_1966", "asperity": "hertz"}
+    sized = st.solve(contact, **how, tangential="hurtado_kim_1999")
+    stated = contact.replace(burgers_vector=None, interfacial_shear_strength=share * 40e9)  # G = E/(2 (1 + nu)) = 40 GPa
+    constant = st.solve(stated, **how, tangential="bowden_tabor_1943")
+    assert_allclose(sized.friction_coefficient, constant.friction_coefficient, rtol=1e-12)

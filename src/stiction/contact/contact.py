@@ -51,8 +51,8 @@ class Contact(Subject):
         Shear strength of the interface on the real contact area, and its increase with pressure.
     interface : str, dict or Interface, optional
         State of the interface in place of these two numbers; `stiction interfaces` lists the states. Results take its medians.
-    peeling, strength_variation : float, optional
-        Mode-mixity share of an adhesive asperity, by default 1; coefficient of variation of the strength of junctions.
+    peeling, strength_variation, burgers_vector : float, the last [m] or str with a unit, optional
+        Mode-mixity share of an adhesive asperity (1); variation of junction strength; Burgers vector for `hurtado_kim_1999`.
     weakening_slip, residual_strength : float [m] and float, str with a unit, or array, optional
         Slip over which the strength of the interface falls, and the fraction of it that stays; the slip needs the fraction.
     liquid, hold_time, reference_time, ageing_rate : optional
@@ -87,6 +87,7 @@ class Contact(Subject):
     interfacial_shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
     interface: OptionalState = _STATE
+    burgers_vector: OptionalNumber = None
     peeling: OptionalNumber = None
     liquid: Liquid | None = None
     strength_variation: OptionalNumber = None
@@ -156,8 +157,7 @@ class Contact(Subject):
 
     def _groups(self) -> dict[str, Any]:
         bare = self._bare
-        sigma, radius = self._sigma, self._radius
-        strength, coefficient = self.interface_at()
+        sigma, radius, (strength, coefficient) = self._sigma, self._radius, self.interface_at()
         groups = self._adhesion(bare) | {
             "nu": bare.nu,
             "hardness_to_yield": bare.k if self.hardness_to_yield is None else self.hardness_to_yield,
@@ -165,6 +165,8 @@ class Contact(Subject):
             "sharpness": (sigma / radius) ** 0.5,
             "roughness_parameter": self.roughness.asperity_density * radius * sigma,
             "nominal_width": self.nominal_area**0.5 / sigma,
+            "size_over_burgers": None if self.burgers_vector is None else (radius * sigma) ** 0.5 / self.burgers_vector,
+            "shear_strength": None if strength is None else strength / bare.hardness,
             "pressure_coefficient": coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
@@ -175,8 +177,6 @@ class Contact(Subject):
         if self.liquid is not None:
             groups["meniscus_index"] = bare.K * sigma**1.5 / (self.liquid.work * radius**0.5)
             groups["meniscus_height"] = self.liquid.height / sigma
-        if strength is not None:
-            groups["shear_strength"] = strength / bare.hardness
         return groups if self.coating is None else groups | self._film_groups(self.coating, bare)
 
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
@@ -193,7 +193,7 @@ class Contact(Subject):
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
         film = Pair(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
         film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
-        # With both coated either may be called the coated one: the more compliant, so that their order does not matter.
+        # With both coated, the more compliant counts as the coated one, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
         first = True if coating.bodies != "both" else more_compliant(coated, counter)
         share = choose(first, compliance_of(coated), compliance_of(counter)) * (0.75 * bare.K)  # rounded, it may exceed 1
@@ -224,10 +224,10 @@ class Contact(Subject):
         return self.roughness.height_distribution, self.roughness.height_parameters
 
     def optional_inputs(self) -> dict[str, str]:
-        own = ("pressure_coefficient", "peeling", "hardness_to_yield", "ageing_rate", "strength_variation", "weakening_slip",
-               "residual_strength")  # fmt: skip
+        own = ("pressure_coefficient", "peeling", "hardness_to_yield", "ageing_rate", "strength_variation", "weakening_slip")
         names = {"work_of_adhesion": "adhesion", "interfacial_shear_strength": "shear_strength"}
-        names |= {name: name for name in own} | dict.fromkeys(("hold_time", "reference_time"), "waiting")
+        names |= {name: name for name in (*own, "residual_strength")}
+        names |= {"burgers_vector": "size_over_burgers", "hold_time": "waiting", "reference_time": "waiting"}
         found = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
         for body in ("first", "second"):
@@ -289,7 +289,7 @@ class Contact(Subject):
 
     def given_as(self, group: str) -> str:
         names = {"shear_strength": "interfacial_shear_strength", "hardening": "tangent_modulus", "waiting": "hold_time"}
-        names |= dict.fromkeys(("meniscus_index", "meniscus_height"), "liquid")
+        names |= {"size_over_burgers": "burgers_vector", "meniscus_index": "liquid", "meniscus_height": "liquid"}
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
     def read(self, value: Any, name: str) -> Any:

@@ -72,7 +72,7 @@ class Indices(Subject):
         infinite by default: the film is then a half-space to every asperity. One body is coated, and the other rigid, unless
         films and coated_share say otherwise; with two films bodies are alike unless coated_share differs. By default layer_n_H
         is n_H, layer_nu film_nu, coated_nu and counter_nu nu; film_friction_constant follows from strength and hardness.
-    nominal_width, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : float or array, optional
+    nominal_width, size_over_burgers, shear_strength, pressure_coefficient, peeling, hardening, strength_variation : optional
         Groups that some laws use.
     waiting, ageing_rate, meniscus_index, meniscus_height : float or array, optional
         Time at rest over the reference time, and ageing rate, both or none; groups of menisci, both or none.
@@ -117,6 +117,7 @@ class Indices(Subject):
     sharpness: OptionalNumber = None
     roughness_parameter: OptionalNumber = None
     nominal_width: OptionalNumber = None
+    size_over_burgers: OptionalNumber = None
     shear_strength: OptionalNumber = None
     pressure_coefficient: OptionalNumber = None
     peeling: OptionalNumber = None

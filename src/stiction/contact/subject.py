@@ -85,7 +85,7 @@ class Subject(Input):
         """
         names = (
             "shear_strength", "pressure_coefficient", "peeling", "hardening", "hardness_to_yield", "waiting", "ageing_rate",
-            "strength_variation",
+            "strength_variation", "size_over_burgers",
             "meniscus_index", "meniscus_height",
         )  # fmt: skip
         return {name: name for name in names if name in self.model_fields_set and getattr(self, name) is not None}

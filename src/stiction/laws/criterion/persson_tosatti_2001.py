@@ -12,20 +12,20 @@ $$
 
 with the power spectrum $C(q)$, the rms height $h_\mathrm{rms}$, the root mean square gradient $h'$ and the contact modulus
 $E^*$. `stiction compare` prints $r$. Full contact lasts without load if $r<1$. For a surface given by $\sigma$, $R$ and $N$,
-$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, the spectrum of their map
-gives $U$, up to 15 % too low on periodic maps, because their rms height is taken after levelling. A rough ball in
-full contact sticks like a smooth one with the work of adhesion $\gamma_\mathrm{eff}$.
+$U$ is an upper bound, and $\gamma_\mathrm{eff}$ a lower bound; for scans, $U$ is the sum
+over the waves of their map, with a window unless the map is periodic. A rough ball in full contact sticks like a smooth one
+with the work of adhesion $\gamma_\mathrm{eff}$.
 
 *Check*: $E^*=2$ MPa, $\gamma=50$ mJ/m^2, waves of one wavelength with $h_\mathrm{rms}=0.1$ um, $h'=0.1$: $U/\gamma=0.1$,
 $r=0.1/1.005=0.0995$, $\gamma_\mathrm{eff}=50\cdot1.005\cdot0.9005=45.25$ mJ/m^2. *Limit*: $r\to0$ for soft or smooth bodies.
 """
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stiction.contact.indices import Groups
+from stiction.laws.rough_surface.shared.maps import unit_of_map
 from stiction.records.registry import Criterion
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import Moments, slope_over_sharpness
@@ -34,18 +34,27 @@ if TYPE_CHECKING:
     from stiction.surfaces.heightmap import HeightMap
 
 
-def energy_over_bound(surface: "HeightMap") -> float:
-    """Return the elastic energy of flattening a map over its bound, sum q C over the root of (sum C) (sum q^2 C)."""
+def wavevector_sum(surface: "HeightMap") -> float:
+    """Return the integral of q C(q) d^2q of a map [m], the sum of |q| times the mean square height over all its waves.
+
+    A map that is not periodic needs a window, which weights its middle. Its sum is therefore multiplied by rms height times
+    rms gradient of the map, over those of the windowed map; both gradients are by differences of neighbouring points. On
+    generated surfaces the mean error is then below 5 %, and the scatter 2 to 8 % instead of 9 to 26 %.
+    """
     from stiction.surfaces.spectrum import power_spectrum  # which loads scipy.signal
 
     spectrum = power_spectrum(surface, "none" if surface.periodic else "hann")
-    moments = np.zeros(3)
-    along_y, along_x = spectrum.wavevectors
-    for row, density in zip(along_y, spectrum.density, strict=True):
-        q = np.hypot(row, along_x)
-        power = spectrum.waves * density
-        moments += power.sum(), (q * power).sum(), (q * q * power).sum()
-    return float(moments[1] / math.sqrt(moments[0] * moments[2]))
+    (pitch_y, pitch_x), (along_y, along_x) = surface.pitch, spectrum.wavevectors
+    by_difference = (2.0 / pitch_x * np.sin(along_x * pitch_x / 2.0)) ** 2
+    sums = np.zeros(3)
+    for q, density in zip(along_y, spectrum.waves * spectrum.density / spectrum.extent, strict=True):
+        square = by_difference + (2.0 / pitch_y * np.sin(q * pitch_y / 2.0)) ** 2
+        sums += (np.hypot(q, along_x) * density).sum(), density.sum(), (square * density).sum()
+    if surface.periodic:
+        return float(sums[0])
+    gradients = [np.diff(surface.heights, axis=axis) / pitch for axis, pitch in enumerate(surface.pitch)]
+    gradient = sum(float(np.mean(slope * slope)) for slope in gradients)
+    return float(sums[0] * np.sqrt(np.var(surface.heights) * gradient / (sums[1] * sums[2])))
 
 
 def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:
@@ -53,9 +62,11 @@ def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) ->
 
     By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
     """
+    if surface is not None:
+        modulus_over_adhesion = 0.75 * groups.theta / (groups.sharpness**2 * unit_of_map(surface, groups))
+        return modulus_over_adhesion * wavevector_sum(surface) / 4.0
     moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
-    bound = 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
-    return bound if surface is None else bound * energy_over_bound(surface)
+    return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0
 
 
 def energy_ratio(groups: Groups, surface: "HeightMap | None" = None) -> np.ndarray:

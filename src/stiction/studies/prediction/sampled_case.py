@@ -26,6 +26,7 @@ _INTERFACE = (
     "interface",
     "interfacial_shear_strength",
     "pressure_coefficient",
+    "burgers_vector",
     "peeling",
     "strength_variation",
     "weakening_slip",

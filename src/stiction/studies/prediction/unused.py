@@ -13,6 +13,7 @@ from stiction.studies.prediction.strength import Strength
 # What decides friction and is known to laws alone: dotted name -> a model that uses it, by the options of the command.
 _DECIDE = {
     "coating.friction_constant": "--model greenwood_williamson_1966 --film ravindran_ramasamy_laddha_1980",
+    "burgers_vector": "--model greenwood_williamson_1966 --tangential hurtado_kim_1999",
     "peeling": "--model soft_coating_2015",
 }
 
