@@ -9,6 +9,7 @@ from scipy.optimize import brentq
 from scipy.stats import norm
 
 import stiction as st
+from refusals import refusal
 from stiction.contact.indices import Groups
 from stiction.engine.heights import discrete, gaussian
 from stiction.engine.summation import scattered
@@ -110,3 +111,19 @@ def test_sliding_and_unloading_take_listed_heights():
     given = contact(work_of_adhesion="50 mJ/m^2")
     back = st.unload(given, max_load="10 mN", separation_increase=["0 um", "5 um"], model=PLAIN, asperity="jkr")["load"].values
     assert back[0] == pytest.approx(0.01, rel=1e-9) and back[1] < back[0]
+
+
+def test_heights_that_differ_by_rounding_are_refused():
+    with refusal("height_distribution.samples", "heights that differ by more than rounding"):
+        discrete([1e-6, 1e-6 * (1.0 + 2e-16)])
+    alike = 5e-6 + 1e-14 * np.arange(4.0)
+    with refusal("load", "nearly equal listed heights"):
+        st.solve(contact(alike), load=1.0, model=PLAIN, tangential="bowden_tabor_1943")
+
+
+def test_listed_heights_are_not_scaled_in_silence():
+    """A list in another unit of length is meant as it is; one with another deviation is scaled, which a warning says."""
+    samples = {"height_distribution": "discrete", "height_parameters": {"samples": HEIGHTS * 1e6}}
+    assert contact().roughness.notes() == contact().roughness.replace(**samples).notes() == []
+    (note,) = contact().roughness.replace(asperity_height_deviation="48 nm").notes()
+    assert note.startswith("input warning: listed heights are scaled from a deviation of 1.416e-05")

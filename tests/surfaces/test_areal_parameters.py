@@ -13,7 +13,7 @@ import pytest
 
 import stiction as st
 from conftest import SCANS
-from stiction.surfaces.areal_parameters import areal_parameters
+from stiction.surfaces.areal_parameters import areal_parameters, profile_parameters
 from stiction.surfaces.prepare import level
 from stiction.surfaces.read import read_scan
 from stiction.surfaces.statistics import statistics
@@ -103,3 +103,17 @@ def test_the_command(tmp_path):
     assert {"Sp", "Sdr", "Sal", "Str", "Sk", "Smr2"} <= set(told["iso_25178_2"])
     shown = subprocess.run([*run, "--details"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
     assert "ISO 25178-2" in shown and "Spk = " in shown
+
+
+def test_a_profile_has_the_names_of_its_standard():
+    """A sine of amplitude a: Pa = 2 a/pi, Pq = a/sqrt(2), Pt = 2 a, skewness 0, kurtosis 1.5."""
+    x = np.arange(4000) / 4000
+    profile = st.HeightMap(1e-6 * np.sin(2 * math.pi * 10 * x)[None], size=(1e-6, 1e-3))
+    found = profile_parameters(profile, statistics(profile))
+    slope = 1e-6 * 2 * math.pi * 10 / 1e-3 / math.sqrt(2)
+    expected = {"Pa": 2e-6 / math.pi, "Pq": 1e-6 / math.sqrt(2), "Pt": 2e-6, "Psk": 0.0, "Pku": 1.5, "Pdq": slope}
+    assert found == pytest.approx(expected, rel=1e-4, abs=1e-9)
+    filtered = st.prepared(profile, form=0, longest="0.5 mm")
+    assert list(profile_parameters(filtered, statistics(filtered))) == ["Ra", "Rq", "Rt", "Rsk", "Rku", "Rdq"]
+    fine = st.prepared(profile, form=0, shortest="5 um")
+    assert "Pq" in profile_parameters(fine, statistics(fine))

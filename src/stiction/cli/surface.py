@@ -33,6 +33,7 @@ def surface(
     ),
     hardness: float | None = option("Hardness of --contact, over E* h'; by default the contact is elastic."),
     periodic: bool = option("Treat the scan as one period of an endless surface; no form is removed.", False, "--periodic"),
+    save_map: Path | None = option("Write the prepared map to this file: .gwy (Gwyddion), .x3p or .sdf."),
     details: bool = option("Also print moments, and every method of finding asperities.", False, "--details"),
     out: Out = None,
     json: Json = False,
@@ -62,6 +63,10 @@ def surface(
         scan = replace(scan, periodic=periodic)
         made_ready = prepared_period(scan, spikes, fill, shortest, longest) if periodic else None
         scan = made_ready or prepared(scan, form, spikes, fill, shortest, longest)
+    if save_map is not None:
+        from stiction.surfaces.writing import write_map
+
+        write_map(scan, save_map)
     analysis = analyse(scan, progress=bar("Analysing"), tip_radius=tip_radius)
     solved = resolution = None
     if pressures:

@@ -25,6 +25,7 @@ NEGLIGIBLE = 36.0
 
 _INV_SQRT_2PI = 0.3989422804014327
 _NO_DENSITY = 745.0  # exp of less than minus this is 0
+_ALIKE = 1e-12  # deviation over height, below which listed heights differ by rounding alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +181,9 @@ def discrete(samples: np.ndarray) -> Heights:
             "height_distribution.samples", InWords(f"{samples.size} samples"), "2 or more finite heights, not all equal"
         )
     z = (samples - samples.mean()) / samples.std()
+    if samples.std() <= _ALIKE * np.abs(samples).max():
+        why = InWords(f"{samples.size} heights of {samples.mean():.4g} with the deviation {samples.std():.2g}")
+        raise InputError("height_distribution.samples", why, "heights that differ by more than rounding")
     shape = np.array([z[0], z[-1] - z[0], 0.0, 0.0])  # a polygon without density between the lowest and the highest
     return Heights("discrete", empirical_density, empirical_window, shape, tops=np.unique(z), listed=z)
 

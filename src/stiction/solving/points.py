@@ -170,6 +170,8 @@ def in_words(points: Points) -> Iterator[None]:
             bound = f"at least {text(error.low)}" if error.low else "more than 0"
         elif error.high >= 0.0:
             bound = f"at most {text(error.high)}"
+            if points.problem.needs_load is False and points.problem.heights.listed.size:
+                bound += f", which presses the nearly equal listed heights {FARTHEST:g} times their deviation,"
         else:
             bound = f"at most {text(error.high)} (separations up to {FARTHEST:g} sigma were tried)"
         raise InputError("load", text(target), f"{bound} under this model, for this contact") from None

@@ -1,4 +1,4 @@
-"""Compute the ISO 25178-2 areal parameters that `statistics` does not: heights, area, autocorrelation, material ratio.
+"""Compute the ISO 25178-2 areal parameters that `statistics` does not, and give those of profiles their ISO 21920-2 names.
 
 The height d of a point is measured from the mean of the map. Level and filter the map first. Missing points are excluded.
 
@@ -22,6 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from stiction.surfaces.heightmap import HeightMap
+from stiction.surfaces.statistics import Statistics
 
 _LEVELS, _WINDOW = 10_001, 4_000  # quantiles of the curve, and steps within 40 % of it
 _FALLEN = 0.2
@@ -54,6 +55,17 @@ def areal_parameters(surface: HeightMap) -> ArealParameters:
     aspect = None if shortest is None or longest is None else shortest / longest
     heights = float(np.nanmax(depth)), -float(np.nanmin(depth))
     return ArealParameters(*heights, _developed(depth, surface.pitch), shortest, aspect, *_material_ratio(depth))
+
+
+def profile_parameters(surface: HeightMap, found: Statistics) -> dict[str, float]:
+    """Return the parameters of a profile over its whole length by their names of ISO 21920-2, lengths in m.
+
+    The names begin with R if a filter removed long wavelengths, else with P, those of the primary profile.
+    """
+    steps = [step for step in surface.history if step.startswith("filtered to wavelengths")]
+    letter = "R" if any(" to all:" not in step for step in steps) else "P"
+    values = {"a": found.Sa, "q": found.Sq, "t": found.Sz, "sk": found.Ssk, "ku": found.Sku, "dq": found.slope_x}
+    return {letter + name: value for name, value in values.items()}
 
 
 def _developed(heights: np.ndarray, pitch: tuple[float, float]) -> float:

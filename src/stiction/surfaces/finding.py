@@ -42,6 +42,11 @@ def method_of_moments() -> str:
     return next(key for key, one in methods().items() if one.of_moments)
 
 
+def length_unit(surface: HeightMap, roughness_parameter: Any) -> Any:
+    """Return sqrt(R sigma) [m] of contacts with this map, from their N R sigma and the asperity density N by moments."""
+    return np.sqrt(roughness_parameter / asperities(surface, method_of_moments()).density)
+
+
 def asperities(surface: HeightMap, method: str = "mccool", **options: "QuantityLike | None") -> Asperities:
     """Find the asperities of a surface by one method.
 

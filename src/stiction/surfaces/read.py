@@ -120,7 +120,7 @@ def _read(path: Path, channel) -> RawScan:
         if (raw := reader.read(path, channel)) is not None:
             return raw
     known = [f"with {one.holds}" if one.endings else one.holds for one in asked]
-    if len(asked) == 1:
+    if not any(one.endings for one in asked):
         known.insert(0, ", ".join(ending for one in readers() for ending in one.endings))
     raise InputError("scan", str(path), f"an undamaged file of a known format: {', or '.join(known)}")
 

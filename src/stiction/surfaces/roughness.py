@@ -46,6 +46,10 @@ def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -
         raise InputError("kurtosis", kurtosis, f"at least {1.0 + skewness**2:.3g}, 1 + skewness^2")
 
 
+# Metres in the units in which heights may be listed, and how far their deviation may differ from the stated one.
+_UNITS, _SAME = np.array([1.0, 1e-3, 1e-6, 1e-9, 1e-10]), 0.01
+
+
 class Roughness(Input):
     """The equivalent rough surface: asperities of one radius, with distributed heights.
 
@@ -164,7 +168,18 @@ class Roughness(Input):
         return found
 
     def notes(self) -> list[str]:
-        return [] if self._finished is None else self._finished.notes()
+        return [*([] if self._finished is None else self._finished.notes()), *self._scaled_heights()]
+
+    def _scaled_heights(self) -> list[str]:
+        """Return a warning if listed heights, in a unit of length, do not have the stated deviation."""
+        samples = self.height_parameters.get("samples") if self.height_distribution == "discrete" else None
+        deviation = 0.0 if samples is None else float(np.std(np.asarray(samples, dtype=float)))
+        if not deviation > 0.0:
+            return []
+        scaled = np.ravel(self.asperity_height_deviation)[:, None] / deviation / _UNITS
+        if (np.abs(scaled - 1.0) < _SAME).any(axis=1).all():
+            return []
+        return [f"input warning: listed heights are scaled from a deviation of {deviation:.4g} to asperity_height_deviation"]
 
     def of_surface(self) -> "Roughness | None":
         """Return the asperities that have the spectral moments of the surface; None if they are not stated.

@@ -25,7 +25,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stiction.contact.indices import Groups
-from stiction.laws.rough_surface.shared.maps import unit_of_map
 from stiction.records.registry import Criterion
 from stiction.records.sources import Source
 from stiction.surfaces.theory.moments import Moments, slope_over_sharpness
@@ -63,7 +62,10 @@ def elastic_over_adhesion(groups: Groups, surface: "HeightMap | None" = None) ->
     By the definition of theta, E* sigma/gamma = (3/4) theta sqrt(R/sigma).
     """
     if surface is not None:
-        modulus_over_adhesion = 0.75 * groups.theta / (groups.sharpness**2 * unit_of_map(surface, groups))
+        from stiction.surfaces.finding import length_unit  # slow to import
+
+        unit = length_unit(surface, groups.roughness_parameter)
+        modulus_over_adhesion = 0.75 * groups.theta / (groups.sharpness**2 * unit)
         return modulus_over_adhesion * wavevector_sum(surface) / 4.0
     moments = Moments.from_groups(groups.roughness_parameter, 1.0)  # the gradient over sqrt(sigma/R), which drops out
     return 0.75 * groups.theta * np.sqrt(moments.m0) * moments.rms_slope / 4.0

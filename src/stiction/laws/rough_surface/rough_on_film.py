@@ -46,7 +46,7 @@ from stiction.contact.indices import Groups
 from stiction.engine.blocks import blocks
 from stiction.laws.film.shared.layered_rows import coefficients
 from stiction.laws.rough_surface.persson_2001_elastoplastic import hardness_over_slope
-from stiction.laws.rough_surface.shared.maps import RESOLVED, unit_of_map
+from stiction.laws.rough_surface.shared.maps import RESOLVED
 from stiction.records.registry import RoughSurface, Validity
 from stiction.records.sources import Source
 from stiction.solvers.layered.below import pressure_carried_below
@@ -267,7 +267,14 @@ def waves_of_map(surface: "HeightMap", groups: Groups) -> Waves:
 
     spectrum = radial_average(power_spectrum(surface, "none" if surface.periodic else "hann"))
     power = spectrum.wavevector**2 * spectrum.density * spectrum.waves
-    return Waves(spectrum.wavevector * _single(unit_of_map(surface, groups)), power / power.sum())
+    return Waves(spectrum.wavevector * _unit(surface, groups), power / power.sum())
+
+
+def _unit(surface: "HeightMap", groups: Groups) -> float:
+    """Return sqrt(R sigma) in metres, from the moments of the map and the groups of one contact."""
+    from stiction.surfaces.finding import length_unit  # slow to import
+
+    return float(length_unit(surface, _single(groups.roughness_parameter)))
 
 
 def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
@@ -277,7 +284,7 @@ def compliance_of(groups: Groups, surface: "HeightMap") -> "Compliance":
     """
     from stiction.solvers.boundary_elements.compliance import Compliance, Film  # slow to import
 
-    share, thickness = _single(groups.coated_share), _single(_thickness(groups)) * _single(unit_of_map(surface, groups))
+    share, thickness = _single(groups.coated_share), _single(_thickness(groups)) * _unit(surface, groups)
     film, nu = _single(groups.film_modulus), _single(groups.layer_nu)
 
     def on(body: float, body_nu: float) -> Film:

@@ -16,10 +16,10 @@ from stiction.report.table import Column, Table, facts, notes, numbers, short, s
 from stiction.report.view import Picture, View, picture
 from stiction.studies.scans.analysis import Analysis, spectrum_rows, summary
 from stiction.studies.scans.map_contact import summary_of_contact
-from stiction.surfaces.areal_parameters import areal_parameters
+from stiction.surfaces.areal_parameters import areal_parameters, profile_parameters
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spikes import SUSPICIOUS
-from stiction.surfaces.statistics import ProfileMoments
+from stiction.surfaces.statistics import ProfileMoments, Statistics
 
 if TYPE_CHECKING:
     import xarray
@@ -54,7 +54,7 @@ def surface_summary(analysis: Analysis) -> Table:
             ("done", "\n".join(surface.history)),
             ("heights", ", ".join(f"{name} = {length}" for name, length in lengths.items())),
             ("", f"skewness Ssk = {round(measured.Ssk, 4) + 0.0:g}, kurtosis Sku = {measured.Sku:.4g} (3 of a Gaussian)"),
-            *([] if along else _areal_rows(surface)),
+            *([_profile_row(surface, measured)] if along else _areal_rows(surface)),
             ("rms slope", ", ".join(slopes)),
             ("rms curvature", ", ".join(curvatures)),
             ("reliable", reliable),
@@ -62,6 +62,13 @@ def surface_summary(analysis: Analysis) -> Table:
             ("", _moments(analysis.by_spectrum)),
         ]
     )  # fmt: skip
+
+
+def _profile_row(surface: HeightMap, measured: Statistics) -> tuple[str, str]:
+    """Return the row with the parameters of a profile by their names of ISO 21920-2."""
+    values = profile_parameters(surface, measured).items()
+    texts = {name: shown(value, "scan_size") if name[1:] in ("a", "q", "t") else short(value) for name, value in values}
+    return "ISO 21920-2", ", ".join(f"{name} = {text}" for name, text in texts.items())
 
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:

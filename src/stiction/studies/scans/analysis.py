@@ -9,7 +9,7 @@ import numpy as np
 from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Steps
 from stiction.solving.accuracy.solved_near import kind_of_map
-from stiction.surfaces.areal_parameters import areal_parameters
+from stiction.surfaces.areal_parameters import areal_parameters, profile_parameters
 from stiction.surfaces.finding import Asperities, asperities, methods
 from stiction.surfaces.height_model import HeightModel, height_model
 from stiction.surfaces.heightmap import HeightMap, metres
@@ -123,6 +123,9 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "units": {"lengths": "m", "N": "1/m^2", "m0": "m^2", "m2": "1", "m4": "1/m^2", "curvatures": "1/m"},
         "statistics": asdict(analysis.statistics),
         "iso_25178_2": None if surface.is_profile else asdict(areal_parameters(surface)),
+        "iso_21920_2": profile_parameters(surface, analysis.statistics) if surface.is_profile else None,
+        "pitch": {"x": surface.pitch[1], "y": None if surface.is_profile else surface.pitch[0]},
+        "history": list(surface.history),
         "spectrum_of": analysis.of_spectrum or "the heights as prepared",
         "reliable_band": _band(analysis.spectrum),
         "moments": {
