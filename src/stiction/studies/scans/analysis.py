@@ -125,7 +125,6 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         "iso_25178_2": None if surface.is_profile else asdict(areal_parameters(surface)),
         "iso_21920_2": profile_parameters(surface, analysis.statistics) if surface.is_profile else None,
         "pitch": {"x": surface.pitch[1], "y": None if surface.is_profile else surface.pitch[0]},
-        "history": list(surface.history),
         "spectrum_of": analysis.of_spectrum or "the heights as prepared",
         "reliable_band": _band(analysis.spectrum),
         "moments": {
