@@ -206,6 +206,14 @@ def test_a_folder_of_another_user_is_not_private(tmp_path, monkeypatch):
     assert not is_private(tmp_path)
 
 
+@pytest.mark.skipif(os.name != "posix", reason="folders have modes on POSIX systems")
+@pytest.mark.parametrize(("mode", "private"), [(0o700, True), (0o755, True), (0o720, False), (0o702, False), (0o777, False)])
+def test_a_folder_that_others_can_write_to_is_not_private(tmp_path, mode, private):
+    tmp_path.chmod(mode)
+    assert is_private(tmp_path) == private
+    tmp_path.chmod(0o700)
+
+
 def test_old_files_are_deleted_when_a_new_one_is_kept(tmp_path):
     """Those that nobody used for a quarter of a year, and the least recently used beyond the limit."""
     now = time.time()

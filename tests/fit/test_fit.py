@@ -433,6 +433,15 @@ def test_files_of_values_are_named_from_where_the_case_goes(tmp_path):
     assert moved == {"contact": {"nominal_area": {"samples": "../areas.txt", "unit": "mm^2"}}, "fit": {"samples": "no file"}}
 
 
+def test_files_in_nested_tables_are_named_from_where_the_case_goes(tmp_path):
+    def content(folder):
+        first = {"preset": "silver", "hardness": {"samples": f"{folder}hard.txt", "unit": "GPa"}}
+        rough = {"first": {"file": f"{folder}scan.npy", "size": "10 um"}, "form": 1}
+        return {"contact": {"first": first, "second": "gold", "roughness": rough}}
+
+    assert tomllib.loads(case_text(content(""), [], tmp_path, tmp_path / "out")) == content("../")
+
+
 @pytest.mark.parametrize(
     ("table", "said"),
     [

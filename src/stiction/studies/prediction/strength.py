@@ -36,7 +36,7 @@ class Strength:
             self.stated = sampled.column(contact.interfacial_shear_strength)
         if contact.pressure_coefficient is not None:
             self.coefficient = sampled.column(contact.pressure_coefficient)
-        self.varied = _varied(sampled) if self.stated is None and contact.interface is not None else {}
+        self.varied = _varied(contact.interface, sampled) if self.stated is None and contact.interface is not None else {}
         self.metallic = sampled.metallic
         self.takes_states = contact.pressure_coefficient is None
         self.aged = sampled.column(1.0)
@@ -119,8 +119,7 @@ def _capped(tau: np.ndarray, shear: np.ndarray, level: np.ndarray, metallic: np.
     return np.minimum(tau, np.where(metallic, shear, shear * (1.0 - (1.0 - _TRESCA) * beyond * (1.0 - level))))
 
 
-def _varied(sampled: SampledCase) -> dict[str, np.ndarray]:
-    state = sampled.drawn.interface
+def _varied(state: Interface, sampled: SampledCase) -> dict[str, np.ndarray]:
     numbers = {name: getattr(state, name) for name in (state.strength, "pressure_coefficient")}
     return {name: sampled.column(value) for name, value in numbers.items() if hasattr(value, "dims")}
 
