@@ -188,7 +188,7 @@ def _summing_in_stages(regime: Regime, heights: Heights, add: Callable) -> Calla
     return fill
 
 
-_PARTS = 1024  # parts of segments at a time: bounds the memory
+_PARTS = 4096  # parts of segments at a time, of which most separations use a quarter: bounds the memory
 # Less than this many pairs of a law and a separation are cheaper one by one than the matrix.
 _MANY = 4000
 _BLOCK = 128  # laws at a time: their nodes stay in the processor's cache

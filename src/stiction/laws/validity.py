@@ -35,7 +35,7 @@ def ranges_left(
 
     NaN counts as inside.
     """
-    for rule in dict.fromkeys(rules):
+    for rule in rules:
         value = results[rule.quantity] if rule.quantity in results else subject.known(rule.quantity)
         if value is None:
             continue

@@ -145,18 +145,23 @@ def axis(name: str, values: "QuantityLike | None" = None, dimension: str | None 
     if not isinstance(name, str) or name not in QUANTITIES:
         first = 'first the name of a quantity, then its values, e.g. axis("load", ["1 N", "2 N"])'
         raise InputError("axis", name, f"{first}: {nearest(name, QUANTITIES)}")
-    quantity = QUANTITIES[name]
-    if values is None:
-        raise InputError(name, None, f"its values along the axis, {quantity.wanted}")
-    numbers = np.atleast_1d(np.asarray(to_si(values, name)))
-    if numbers.ndim != 1:
-        raise InputError(name, InWords(f"array of shape {numbers.shape}"), "a list of values, or an array with one dimension")
+    quantity, numbers = QUANTITIES[name], values_along(name, values)
     dimension = dimension or name
     if not isinstance(dimension, str):
         raise InputError("dimension", dimension, "a name, as text")
     attributes = {name: text for name, text in quantity.attributes.items() if name != "symbol"}
     along = {dimension: coordinate(dimension, numbers, attributes)}
     return xarray.DataArray(variable((dimension,), numbers, attributes), coords=along, name=name)
+
+
+def values_along(name: str, values: "QuantityLike | None") -> np.ndarray:
+    """Return the values (n,) of a quantity in SI units; raise an InputError for more than one dimension, as `axis` does."""
+    if values is None:
+        raise InputError(name, None, f"its values along the axis, {QUANTITIES[name].wanted}")
+    numbers = np.atleast_1d(np.asarray(to_si(values, name)))
+    if numbers.ndim != 1:
+        raise InputError(name, InWords(f"array of shape {numbers.shape}"), "a list of values, or an array with one dimension")
+    return numbers
 
 
 def from_series(series, name: str):

@@ -123,7 +123,7 @@ RULES: tuple[tuple[Validity, Callable[[Problem], bool]], ...] = (
 
 def warnings_of_results(problem: Problem, results: Mapping[str, np.ndarray]) -> list[ValidityWarning]:
     """Return every validity warning about these normalised results, from the records in use and from RULES."""
-    return without_repeats(warnings_about(problem.subject, _rules_for(problem), _known(problem, results)))
+    return without_repeats(warnings_about(problem.subject, rules_of(problem), _known(problem, results)))
 
 
 def warnings_of_rounding(carried: np.ndarray, asked: np.ndarray) -> list[ValidityWarning]:
@@ -151,7 +151,7 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
     curve: normalised results (1, m) by name.
     """
     found = np.full(curve["load"].shape, WITHIN)
-    for rule, _, outside in ranges_left(problem.subject, _rules_for(problem), _known(problem, curve)):
+    for rule, _, outside in ranges_left(problem.subject, rules_of(problem), _known(problem, curve)):
         found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
     return found[0]
 
@@ -161,7 +161,9 @@ def rules_of(problem: Problem) -> list[Validity]:
 
     The list does not depend on the values of the contacts.
     """
-    return list(dict.fromkeys(_rules_for(problem)))
+    if "rules" not in problem.shared:
+        problem.shared["rules"] = list(dict.fromkeys(_rules_for(problem)))
+    return problem.shared["rules"]
 
 
 def excludes(rule: Validity) -> bool:
@@ -178,7 +180,7 @@ def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.n
     known, contacts = _known(problem, results), len(problem.groups)
     found = []
     for rule in rules_of(problem):
-        value = known[rule.quantity] if rule.quantity in known else problem.subject.known(rule.quantity)
+        value = known[rule.quantity]
         if value is None:
             found.append(np.zeros((contacts, 1), dtype=bool))
             continue
@@ -191,8 +193,17 @@ def rules_left(problem: Problem, results: Mapping[str, np.ndarray]) -> list[np.n
 
 
 def _known(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    """Return the quantities that rules limit; None if unknown."""
+    if "groups" not in problem.shared:
+        problem.shared["groups"], problem.shared["of_contact"] = _of_groups(problem), {}
     # touching_asperities is per asperity among the results, and a number of them where that can be known
-    return _of_groups(problem) | dict(results) | {"touching_asperities": None} | state_of(problem, results)
+    known = problem.shared["groups"] | dict(results) | {"touching_asperities": None} | state_of(problem, results)
+    of_contact = problem.shared["of_contact"]
+    for name in {rule.quantity for rule in rules_of(problem)} - known.keys():
+        if name not in of_contact:
+            of_contact[name] = problem.subject.known(name)
+        known[name] = of_contact[name]
+    return known
 
 
 def _of_groups(problem: Problem) -> dict[str, Any]:

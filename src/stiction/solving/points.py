@@ -17,7 +17,7 @@ from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, variable
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, is_series
-from stiction.quantities.units import axis, from_series
+from stiction.quantities.units import from_series, values_along
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
 from stiction.solving.problem import Problem, with_requested_load
 
@@ -91,26 +91,27 @@ def normalised(value: Any, unit: Any, dims: Mapping[str, int]) -> np.ndarray:
 def requested_points(subject: Subject, name: str, value: Any) -> Any:
     """Validate the requested separations or loads; return a number, or an array with named dimensions.
 
-    A plain sequence gets a dimension with the name of its quantity.
+    A plain sequence gets a dimension with the name of its quantity, and becomes a Variable: it labels its own points.
     """
-    import xarray
-
     if isinstance(subject, Contact):
         if is_series(value):
             return from_series(value, name)
         value = as_sequence(value)
         row = isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0
         if row and not hasattr(value, "dims"):
-            return axis(name, value)
+            return variable((name,), values_along(name, value))
     read = subject.read(value, name)
-    if not isinstance(read, np.ndarray):
-        return read
-    return xarray.DataArray(variable((name,), read), coords={name: coordinate(name, read)})
+    return variable((name,), read) if isinstance(read, np.ndarray) else read
 
 
 def coordinates_of(*values: Any) -> dict[str, Any]:
-    """Return the coordinates of labelled arrays; load and mean_separation are included only if they are dimensions."""
-    named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "dims"))
+    """Return the coordinates of arrays with named dimensions; load and mean_separation only if they are dimensions.
+
+    A Variable of one dimension labels the points of that dimension.
+    """
+    named = coordinates((str(value.name or ""), value) for value in values if hasattr(value, "coords"))
+    rows = [value for value in values if hasattr(value, "dims") and not hasattr(value, "coords")]
+    named |= {value.dims[0]: coordinate(value.dims[0], value.values) for value in rows}
     results = ("load", "mean_separation")
     return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
 

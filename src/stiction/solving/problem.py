@@ -31,6 +31,7 @@ from stiction.solving.unused import refuse_ignored_strength
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _ROUNDING = 1e-14  # of the pull of menisci
 _KEPT = 8  # problems of a contact: a few models at a time
+_FEW = 16  # contacts of a problem that is kept: more hold much memory, and take longer to solve than to prepare
 _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 
@@ -297,7 +298,7 @@ def takes_surface_moments(model: str) -> bool:
 def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None = None, threads: int = 1) -> Problem:
     """Return the problem of a contact under a model.
 
-    The last sums over asperities of a contact of numbers are kept, because preparing one takes longer than solving it. Raises
+    The last sums over asperities of one or a few contacts are kept, because preparing one takes longer than solving it. Raises
     InputError for what the model does not support or refuses.
     """
     check_threads(threads)
@@ -308,7 +309,7 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
         if earlier == asked:
             return problem
     problem = _prepared(subject, *asked)
-    if isinstance(problem, AsperitySum) and not problem.dims and subject.measured is None:
+    if isinstance(problem, AsperitySum) and len(problem.groups) <= _FEW and subject.measured is None:
         subject.prepared.append((asked, problem))
         del subject.prepared[:-_KEPT]
     return problem

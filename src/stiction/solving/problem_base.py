@@ -35,8 +35,8 @@ class Problem(ABC):
     threads: int = 1
 
     @cached_property
-    def description(self) -> dict[str, str]:
-        """Return the attributes of results that depend only on the problem; `results.summary_of` fills them in once."""
+    def shared(self) -> dict[str, Any]:
+        """Return what all results of the problem have in common, by name; `results` and `conditions` fill it in once."""
         return {}
 
     @property

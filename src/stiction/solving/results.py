@@ -143,10 +143,10 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
 
 def summary_of(subject: Subject, problem: Problem, tables: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Return the attributes of a result: laws, sources, and validity warnings."""
-    if not problem.description:
-        problem.description.update(_description(subject, problem))
+    if "description" not in problem.shared:
+        problem.shared["description"] = _description(subject, problem)
     return {
-        **problem.description,
+        **problem.shared["description"],
         **_change_by_junctions(problem, tables),
         **as_attributes(warnings_of_results(problem, tables)),
         **measured_error.as_attributes(measured_error.measured_errors(problem, tables)),
