@@ -17,6 +17,10 @@ gc.freeze()
 gc.set_threshold(100_000, 20, 100)
 
 
+# Loops of a regime's own take two to three seconds each to compile, a tenth of a cold run of all tests, and save less than that
+# below so many pairs. Tests of the tiers ask for them (STICTION_LOOPS), or for the threshold of the package.
+WORTH_COMPILING, tiers._WORTH_COMPILING = tiers._WORTH_COMPILING, 10_000_000
+
 # A shell starts what it puts into the background deaf to Ctrl-C, and so are the commands that tests start and interrupt.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -47,6 +51,7 @@ def force_loops(monkeypatch):
             monkeypatch.setenv(tiers.VARIABLE, tier)
         tiers.tier.cache_clear()
 
+    monkeypatch.setattr(tiers, "_WORTH_COMPILING", WORTH_COMPILING)
     yield force
     monkeypatch.undo()
     tiers.tier.cache_clear()
