@@ -157,7 +157,7 @@ def test_effects_of_few_are_not_told():
     np.testing.assert_allclose(effects(points, values)["effect"], [2.0, 1.0])
     values[:21, 1] = np.nan
     found = effects(points, values)
-    assert all(np.isnan(one).all() for one in (found["effect"], found["effect_error"], found["mean"], found["effect_deviation"]))
+    assert all(np.isnan(found[name]).all() for name in ("effect", "effect_error", "mean", "effect_deviation"))
 
 
 def test_the_error_of_an_effect_is_the_scatter_of_its_mean():
