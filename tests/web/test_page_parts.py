@@ -20,7 +20,7 @@ from stiction.report.html_report import report_record
 from stiction.studies.report_data import collect_report_data
 from stiction.web.background import Progress
 from stiction.web.chart_layout import fitted
-from stiction.web.charts import chart, curve_chart, line
+from stiction.web.charts import chart, curve_chart, curve_legend, line
 from stiction.web.fields import first_case
 from stiction.web.pictures import drawing_of
 from stiction.web.query import Query, headline, solved
@@ -171,10 +171,10 @@ def test_a_chart_has_symbols_on_its_axes_and_the_number_at_its_mark(answer):
     """Silver film on hardened steel: mu 0.0457 at 2.36 N, by the first screen; drawn by a browser from these options."""
     at = answer.middle()
     options = curve_chart(answer.curve, "friction_coefficient", "load", at, False)
-    assert options["xAxis"]["name"] == "normal load P [N]" and options["yAxis"]["name"] == "friction coefficient μ"
+    assert options["xAxis"]["name"] == "normal load P [N]" and options["yAxis"]["name"] == "friction coefficient μ (log)"
     separations = curve_chart(answer.curve, "contact_area", "mean_separation", at, False)
     assert separations["xAxis"]["name"] == "mean separation d [nm]"
-    assert separations["yAxis"]["name"] == "real contact area A [m^2]"
+    assert separations["yAxis"]["name"] == "real contact area A [mm²]"
     load, mu = options["series"][-1]["data"][0]
     told, where = headline(answer, at)
     assert told == f"mu ≈ {mu:.2g}" and f"at a load of {load:.4g} N" in where and where.endswith(f"four digits {mu:.4g}")
@@ -189,10 +189,13 @@ def test_a_chart_of_a_prediction_has_its_band_and_an_axis_name_that_fits_a_telep
     options = curve_chart(answer.curve, name, "load", answer.middle(), False)
     median, low, high, band, mark = options["series"]
     ends = st.predict(first_case(), load="10 N")
-    drawn = [one["data"][2][1] for one in (low, median, high)]
+    per = 1e-6 if options["yAxis"]["name"].endswith("[mm²]") else 1.0
+    drawn = [per * one["data"][2][1] for one in (low, median, high)]
     assert drawn == pytest.approx([float(ends[name + end]) for end in ("_low", "", "_high")], rel=1e-9)
     assert [x for x, _ in median["data"]] == [1.0, 3.0, 10.0] and mark["data"][0][0] == 10.0
-    assert str(high["data"][1][1]) in band[":renderItem"] and "90% interval" in options["legend"]["data"]
+    assert str(high["data"][1][1]) in band[":renderItem"] and not options["legend"]["show"]
+    legend = re.findall("</svg> ([^<]*)<", curve_legend(answer.curve, False))
+    assert legend == [median["name"], band["name"], mark["name"]] == ["median", "90% interval", "working load"]
     assert 6.5 * len(options["yAxis"]["name"]) < 200  # pixels of letters, and of the axis
 
 

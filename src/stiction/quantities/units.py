@@ -38,6 +38,7 @@ _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d*,\d")
 _CELSIUS = ("degC", "°C", "celsius", "deg C")  # temperatures only: no factor turns these into kelvins
 _ZERO_CELSIUS = 273.15
 # By hand: to_compact of pint takes 27 times as long, and prints 999.9999999 nm as 1000 nm and 1.7e10 1/m^2 as 17000 1/mm^2.
+_AREA_SHIFT = 2  # decades, by which an area changes its prefix early: prefixes of areas are six decades apart
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
@@ -67,7 +68,8 @@ def to_si(value, name: str):
 def show(value, name: str, digits: int = 6) -> str:
     """Return a value of the named quantity, given in SI units, as short text with a suitable prefix.
 
-    Examples: "48 nm", "1.25 mN", "110 deg". digits: number of significant digits, 6 at most.
+    Examples: "48 nm", "1.25 mN", "110 deg". Areas have at most four digits before the point: 0.052 mm^2, not 52000 um^2.
+    digits: number of significant digits, 6 at most.
     """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     value = float(f"{value:.{digits}g}")
@@ -77,7 +79,7 @@ def show(value, name: str, digits: int = 6) -> str:
     symbol, raised, rest = prefixed.groups(default="")
     power = int(raised[1:] or 1)  # 1 mm^2 is (1 mm)^2: a prefix counts twice in an area
     # It is rounded to the printed digits first, so that 999.9999999 nm is shown as 1 um and not as 1000 nm.
-    exponent = int(f"{value:.5e}".partition("e")[2]) // (3 * power) * 3
+    exponent = (int(f"{value:.5e}".partition("e")[2]) + (_AREA_SHIFT if power == 2 else 0)) // (3 * power) * 3
     exponent = min(max(exponent, min(_PREFIXES)), max(_PREFIXES))
     return f"{value / 10.0 ** (exponent * power):.6g} {_PREFIXES[exponent]}{symbol}{raised}{rest}"
 

@@ -12,6 +12,7 @@ import numpy as np
 from stiction.quantities.units import show
 from stiction.records.registry import GRADES
 from stiction.solving.choice import LAWS
+from stiction.studies.prediction.measured import USUAL_ERROR
 
 if TYPE_CHECKING:
     import xarray
@@ -28,7 +29,7 @@ PREDICTION_HEADS = {
 }
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _MUCH_WIDER = 1.5  # than at both ends of the loads: the widest interval is then printed, too
-_LEAST = 0.05  # share of the variance that is named
+_LEAST, _MOST_SOURCES = 0.05, 3  # share of the variance that is named, and number of parts that are
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
 _NAMES = {
     "interface": "interface strength",
@@ -84,6 +85,7 @@ class PredictionAnswer(TypedDict):
     warnings: list[str]
     inputs_not_used: list[str]
     next: str
+    after_measuring: list[float] | None
     models: dict[str, float]
     excluded: float
     bare_metal: list[float] | None
@@ -125,6 +127,7 @@ def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
         "warnings": list(data.attrs["warnings"]),
         "inputs_not_used": list(data.attrs["inputs_not_used"]),
         "next": data.attrs["next_step"],
+        "after_measuring": list(data.attrs["after_measuring"]) or None,
         "models": dict(data.attrs["models"]),
         "excluded": data.attrs["excluded"],
         "bare_metal": list(data.attrs["bare_metal"]) or None,
@@ -211,14 +214,14 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
-        ("uncertainty from", _shares(attrs["shares"])),
+        ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
         ("bare metal", _bare(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
-        ("next", attrs["next_step"]),
+        ("next", next_in_words(data)),
     ]
     return [(head, text) for head, text in rows if text]
 
@@ -295,9 +298,27 @@ def part_name(name: str) -> str:
     return _NAMES.get(name, f"{quantity} of {body}" if body else name).replace("_", " ")
 
 
-def _shares(shares: dict[str, float]) -> str:
-    named = ((part_name(name), share) for name, share in shares.items() if share >= _LEAST)
-    return ", ".join(f"{name} {share:.0%}" for name, share in named)
+def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
+    """Return the main sources of uncertainty and their shares of the variance, the largest first.
+
+    They are at most three, and each causes at least 5 % of the variance; the largest is always returned.
+    """
+    ordered = sorted(shares.items(), key=lambda item: -item[1])
+    return [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
+
+
+def sources_in_words(shares: dict[str, float]) -> str:
+    """Return the main sources of uncertainty with their shares of the variance, in words."""
+    return ", ".join(f"{part_name(name)} {share:.0%}" for name, share in main_sources(shares))
+
+
+def next_in_words(data: "xarray.Dataset") -> str:
+    """Return what to do next; to "measure mu once" the interval is added that would remain."""
+    point, ends = at_working_load(data), data.attrs["after_measuring"]
+    step = data.attrs["next_step"]
+    if not ends or "measure mu once" not in step:
+        return step
+    return f"{step}; {number(float(point[_MU]))} with {USUAL_ERROR:.0%} error would give {number(ends[0])} to {number(ends[1])}"
 
 
 def model_line(used: Mapping[str, Any]) -> str:

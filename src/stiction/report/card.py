@@ -10,8 +10,9 @@ from stiction.report.answer import (
     confidence,
     confidence_in_words,
     ends_of_mu,
+    next_in_words,
     number,
-    part_name,
+    sources_in_words,
     working_load_in_words,
 )
 
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     import xarray
 
 _WORDS = 12  # of a warning
-_NOTICED = 0.25  # share of the variance from which on the second largest part is shown too
-_WIDTH, _DECADES, _BLUE = 320, (-2, 1), "#0072B2"  # of the bar, which reaches from .01 to 10 at least
+_WIDTH, _DECADES, _BLUE = 320, (-2, 1), "var(--mark, #0072B2)"  # of the bar, which reaches from .01 to 10 at least
 
 
 class Card(NamedTuple):
@@ -79,9 +79,9 @@ class Card(NamedTuple):
         return (
             f'<svg role="img" aria-label="mu from {self.interval}" viewBox="0 0 {_WIDTH} 38" style="max-width:30em">'
             f'<line x1="12" x2="{_WIDTH - 12}" y1="12" y2="12" stroke="currentColor" stroke-opacity=".3"/>'
-            f'<rect x="{x(self.low):.1f}" y="7" width="{x(self.high) - x(self.low):.1f}" height="10" rx="5" fill="{_BLUE}" '
-            f'fill-opacity=".45"/><line x1="{x(self.mu):.1f}" x2="{x(self.mu):.1f}" y1="3" y2="21" stroke="{_BLUE}" '
-            f'stroke-width="3"/>{ticks}</svg>'
+            f'<rect x="{x(self.low):.1f}" y="7" width="{x(self.high) - x(self.low):.1f}" height="10" rx="5" '
+            f'style="fill:{_BLUE}" fill-opacity=".45"/><line x1="{x(self.mu):.1f}" x2="{x(self.mu):.1f}" y1="3" y2="21" '
+            f'style="stroke:{_BLUE}" stroke-width="3"/>{ticks}</svg>'
         )
 
     def html(self, why: bool = True) -> str:
@@ -109,15 +109,13 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     """
     attrs = data.attrs
     mu, low, high = ends_of_mu(data)
-    largest = sorted(attrs["shares"].items(), key=lambda pair: -pair[1])
-    told = largest[:1] + [(name, share) for name, share in largest[1:2] if share > _NOTICED]
-    decides = ", ".join(f"{part_name(name)} {share:.0%}" for name, share in told)
+    decides = sources_in_words(attrs["shares"])
     warning = shortened(next(iter(attrs["warnings"]), ""))
     bare = attrs["bare_metal"]
-    worn = f"mu = {number(bare[0])} to {number(bare[1])} where oxide or film is gone" if bare else ""
+    worn = f"mu = {number(bare[0])} to {number(bare[1])}, as of clean metal" if bare else ""
     rows = answer_lines(data)
     return Card(
-        mu, low, high, attrs["level"], working_load_in_words(data), decides, warning, attrs["next_step"], rows, named, worn
+        mu, low, high, attrs["level"], working_load_in_words(data), decides, warning, next_in_words(data), rows, named, worn
     )
 
 

@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, look_of, say, scale_friction
+from stiction.report.pictures import BLUE, GREY, ORANGE, RED, along, canvas, look_of, say
+from stiction.report.scales import scale_friction
 from stiction.report.table import shown
 from stiction.report.views.design import columns_of
 

@@ -10,6 +10,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 from stiction.report.answer import ends_of_mu
 from stiction.report.pictures import BLUE, GREEN, GREY, MU_LABEL, ORANGE, RED, canvas, finish, label, say
+from stiction.report.scales import is_log, scale_friction
 from stiction.report.views.comparison import Group, groups_of
 
 if TYPE_CHECKING:
@@ -63,8 +64,11 @@ def models_figure(
     plain = data["load"].attrs.get("units", "1") == "1"
     text = f"{load:.4g}" if plain else show(load, "load", 3)
     axes.set_title(" ".join(filter(None, [title, f"at ${QUANTITIES['load'].latex}$ = {text}"])))
-    finish(axes, legend=False, xscale="log", yscale="log", xlabel=label(data["load"]), ylabel=MU_LABEL)
-    axes.set(xlim=(load / _AROUND, load * _AROUND), ylim=(min(ends) / 2.0, max(ends) * 2.0))
+    axes.set_ylabel(MU_LABEL)
+    scale_friction(axes, np.array(ends))
+    bottom, top = (min(ends) / 2.0, max(ends) * 2.0) if is_log(np.array(ends)) else (0.0, max(ends) * 1.5)
+    axes.set(xscale="log", xlim=(load / _AROUND, load * _AROUND), ylim=(bottom, top))
+    finish(axes, legend=False, xlabel=label(data["load"]))
     handles = axes.get_legend_handles_labels()[0]
     handles = handles[-1:] + handles[:-1] if prediction is not None else handles
     figure.legend(handles=handles, loc="outside lower center", fontsize=8, frameon=False, ncols=2)

@@ -15,6 +15,7 @@ from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.html_words import letters
+from stiction.report.scales import FEW_DECADES, is_log, scale_friction
 from stiction.report.table import prefix
 from stiction.solving.choice import RECOMMENDED
 from stiction.surfaces.finding import methods
@@ -47,7 +48,6 @@ _PANELS = (
 _LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
 _ONE = "1\\cdot "  # before a power of ten, where it is left out
 _MANY_DECADES = 3e5  # ratio of the ends of a logarithmic axis above which its ticks are powers of ten
-_FEW_DECADES = 200.0  # below which 2 and 5 times these have ticks too
 _LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
 _FEW_POINTS = 20  # of a curve, up to which each is marked
 _MOST_WARNINGS = 5  # that are told below a picture
@@ -55,7 +55,6 @@ _MU = "friction_coefficient"
 NOT_PRESSED = "no compressive load:\nmu is not defined"
 METHOD_BAND = "range over methods of\nfinding asperities"
 MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].latex}$"
-WIDE = 100.0  # friction that varies more is shown on a logarithmic axis
 
 
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
@@ -186,6 +185,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     The bands are the prediction interval or the range over asperity methods, and quantiles over uncertain inputs.
     """
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
+    axes.set_ylabel(MU_LABEL)
     drawn = (load > 0.0) & (mu > 0.0)
     text = "median" if "level" in data.attrs else "at nominal inputs" if f"{_MU}_quantile" in data else ""
     seen = [mu[drawn]]
@@ -201,13 +201,14 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.plot(load[drawn], mu[drawn], color="black", label=text, **_marked(int(drawn.sum())))
     if drawn.any():
         axes.set_xscale("log")
-        _slopes(axes, load[drawn], mu[drawn])
-        scale_friction(axes, np.concatenate(seen), WIDE if len(seen) == 1 else 0.1 * WIDE)
+        scale_friction(axes, np.concatenate(seen))
+        if axes.get_yscale() == "log":
+            _slopes(axes, load[drawn], mu[drawn])
         if load.size == 1:
             axes.set_xlim(load[0] / 3.0, load[0] * 3.0)
     else:
         say(axes, NOT_PRESSED)
-    finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL)
+    finish(axes, xlabel=label(data["load"]))
     if (entries := len(axes.get_legend_handles_labels()[0])) > 2:  # which would cover the band
         bottom, top = axes.get_ylim()
         share = 0.08 * entries
@@ -221,7 +222,6 @@ def _slopes(axes: Axes, load: np.ndarray, mu: np.ndarray) -> None:
     """
     if load.size < 3 or mu.max() < 2.0 * mu.min() or load.max() < 1e3 * load.min():
         return
-    axes.set_yscale("log")
     middle = int(np.argsort(load)[load.size // 2])
     for slope, text, style in ((-1.0 / 3.0, "slope -1/3, an elastic sphere", "--"), (0.0, "slope 0, Amontons", ":")):
         ends = np.array([load.min(), load.max()])
@@ -237,14 +237,6 @@ def _quantiles(axes: Axes, data: "xarray.Dataset", load: np.ndarray) -> None:
     for place, text in ((0, "two standard errors of the sampling"), (-1, None)):
         ends = 2.0 * error[place, known]
         axes.errorbar(load[known], band[place, known], ends, linestyle="", color=BLUE, elinewidth=0.8, label=text)
-
-
-def scale_friction(axes: Axes, values: np.ndarray, wide: float = WIDE) -> None:
-    """Set the scale of a friction axis: logarithmic if max/min of the values exceeds `wide`, else linear from 0."""
-    if axes.get_yscale() == "log" or values.max() > wide * values.min():
-        axes.set_yscale("log")
-    else:
-        axes.set_ylim(0.0, 1.08 * values.max())  # room above a friction that does not vary
 
 
 def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **look: Any) -> None:
@@ -320,7 +312,7 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
             if not isinstance(axis.get_major_formatter(), InUnit):  # which `along` has set
                 axis.set_major_formatter(InUnit())
             axis.set_minor_formatter(NullFormatter())
-            if high < _FEW_DECADES * low:
+            if high < FEW_DECADES * low:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             elif high > _MANY_DECADES * low:
                 axis.set_minor_locator(NullLocator())
@@ -363,12 +355,12 @@ def say(axes: Axes, text: str) -> None:
 def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
     """Label an axis with a quantity, and show its ticks in a prefixed unit.
 
-    which: "x" or "y". values: SI values (n,) to be shown. log: whether to use a logarithmic axis if values span a decade.
+    which: "x" or "y". values: SI values (n,) to be shown. log: whether the axis is logarithmic by `is_log`.
     before: start of the label. named: arguments of `finish`.
     """
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
-    if log and seen.size and values.min() > 0.0 and seen.max() > 9.0 * seen.min():
+    if log and is_log(values):
         getattr(axes, f"set_{which}scale")("log")
     factor, unit = prefix(quantity, float(seen.max(initial=0.0)))
     if row.unit and factor != 1.0:
@@ -383,7 +375,7 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
     if points.attrs.get("units", "1") != "1":
         along(axes, "x", str(points.name), values)
         return
-    if values.min() > 0.0 and values.max() > 9.0 * values.min():
+    if is_log(values):
         axes.set_xscale("log")
     axes.set_xlabel(label(points))
     finish(axes)

@@ -6,8 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from stiction.report.answer import at_working_load, ends_of_mu, headline, part_name
-from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, label, scale_friction
+from stiction.report.answer import at_working_load, ends_of_mu, headline, main_sources, part_name
+from stiction.report.pictures import BLUE, MU_LABEL, RED, canvas, finish, friction_panel, label
+from stiction.report.scales import LOG, is_log, scale_friction
 
 if TYPE_CHECKING:
     import xarray
@@ -28,7 +29,7 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Draw mu against load, and in a second panel the three largest sources of the prediction interval.
+    """Draw mu against load next to the main sources of the prediction interval.
 
     data: result of the model that the user named, or the prediction itself.
     """
@@ -59,21 +60,23 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.vlines(beside, data["measured_low"], data["measured_high"], color=RED, linewidth=5, label="measured")
     axes.plot(beside, data["measured"], "_", color=RED, markersize=9)
     axes.set(xscale="log", yscale="log", ylim=(None, 6.0 * quantiles.max()))  # room for the legend
-    finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL, title=data.attrs["title"])
+    finish(axes, xlabel=label(data["load"]), ylabel=MU_LABEL + LOG, title=data.attrs["title"])
     axes.legend(fontsize=8, ncols=2, loc="upper center")
 
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the interval of mu, and the interval that each of its three largest sources would cause alone."""
+    """Draw the interval of mu, and the interval that each of its main sources would cause alone."""
     mu, low, high = ends_of_mu(data)
-    shares = sorted(data.attrs["shares"].items(), key=lambda item: -item[1])[:3]
+    shares = main_sources(data.attrs["shares"])
     names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
     for row, share in enumerate([1.0, *(share for _, share in shares)]):
         ends = [[mu - mu * (low / mu) ** share**0.5], [mu * (high / mu) ** share**0.5 - mu]]
         axes.errorbar([mu], [row], xerr=ends, color=BLUE if row else RED, marker="o", capsize=5, linewidth=2.5)
-    axes.set(ylim=(len(names) - 0.5, -0.5), xscale="log")
+    axes.set(ylim=(len(names) - 0.5, -0.5))
+    axes.set_xlabel(MU_LABEL)
+    scale_friction(axes, np.array([low, high]), "x")
     axes.set_yticks(range(len(names)), names, fontsize=8)
-    finish(axes, xlabel=MU_LABEL, title="Sources of the interval")
+    finish(axes, title="Sources of the interval")
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
@@ -87,7 +90,7 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
     axes.errorbar([load], [mu], [[mu - low], [high - mu]], color=RED, marker="o", capsize=4, label=text)
     axes.autoscale(axis="y")
     drawn = np.concatenate([line.get_ydata() for line in axes.lines])
-    scale_friction(axes, np.concatenate([drawn[drawn > 0.0], [low, high]]), 30.0)
+    scale_friction(axes, np.concatenate([drawn[drawn > 0.0], [low, high]]))
     finish(axes, legend=False)
     if legend := axes.get_legend():
         legend.remove()
@@ -99,8 +102,10 @@ def _histogram(axes: Axes, data: "xarray.Dataset") -> None:
     values = point[f"{_MU}_samples"].values
     values = values[np.isfinite(values) & (values > 0.0)]
     low, high = np.quantile(values, [0.005, 0.995])
-    axes.hist(np.clip(values, low, high), bins=np.geomspace(low * 0.999, high * 1.001, 30).tolist(), color=BLUE, alpha=0.4)
-    axes.set_xscale("log")
+    spaced = np.geomspace if is_log(np.array([low, high])) else np.linspace
+    axes.hist(np.clip(values, low, high), bins=spaced(low * 0.999, high * 1.001, 30).tolist(), color=BLUE, alpha=0.4)
+    axes.set_xlabel(MU_LABEL)
+    scale_friction(axes, np.array([low, high]), "x")
     for name in (f"{_MU}_low", _MU, f"{_MU}_high"):
         axes.axvline(float(point[name]), color=RED, linestyle="-" if name == _MU else "--")
-    finish(axes, xlabel=MU_LABEL, ylabel=f"number of {len(values)} samples", title=headline(data))
+    finish(axes, ylabel=f"number of {len(values)} samples", title=headline(data))

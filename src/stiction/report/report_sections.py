@@ -18,7 +18,7 @@ from stiction.quantities.table import QUANTITIES
 from stiction.records.claims import KINDS_OF_WARNING
 from stiction.records.sources import bibliography
 from stiction.records.validity_warning import ValidityWarning
-from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, model_line
+from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, main_sources, model_line, part_name
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
 from stiction.report.report_answer import headline, load_in_words, plain_name, value_in_words, warnings_here
@@ -285,10 +285,8 @@ def uncertainty_lines(findings: ReportData) -> list[str]:
     """Return sentences on the uncertain inputs: which they are, how they were sampled, and their effect on the result."""
     used = findings.data.attrs
     if findings.prediction is not None:
-        return [
-            f"{name.replace('_', ' ').capitalize()}: {share:.0%} of the variance of ln mu."
-            for name, share in used["shares"].items()
-        ]
+        parts = ((part_name(name), share) for name, share in main_sources(used["shares"]))
+        return [f"{name[0].upper()}{name[1:]}: {share:.0%} of the variance of ln μ." for name, share in parts]
     if "uncertain_inputs" not in used:
         return ["No input of the case is uncertain, so the effect of input errors on μ is unknown."]
     lines = [f"Uncertain: {_unknown(some)}." for some in findings.case.unknowns.values()]

@@ -14,7 +14,6 @@ from stiction.report.pictures import (
     COLOUR_MAP,
     NOT_PRESSED,
     SKY,
-    WIDE,
     InUnit,
     add_titles,
     along,
@@ -25,8 +24,8 @@ from stiction.report.pictures import (
     label,
     look_of,
     say,
-    scale_friction,
 )
+from stiction.report.scales import is_log, scale_friction
 from stiction.report.swept_tables import (
     coordinates_along,
     of_point,
@@ -148,7 +147,7 @@ def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
         for axes in panels:
             say(axes, "not defined here")
         return figure
-    norm = LogNorm(seen.min(), seen.max()) if seen.max() > WIDE * seen.min() else Normalize(0.0, seen.max())
+    norm = LogNorm(seen.min(), seen.max()) if is_log(seen) else Normalize(0.0, seen.max())
     x, y = _x_values(data, across), _x_values(data, up)
     for axes, place, table in zip(panels, places, tables, strict=False):
         drawn = np.ma.masked_where(~(np.isfinite(table) & (table > 0.0)), table)
@@ -188,7 +187,7 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
         axis.set_label_text(f"position in the list of {', '.join([first, *others])}")
         finish(axes)
         return
-    if _is_log(values):
+    if _in_ratios(values):
         getattr(axes, f"set_{which}scale")("log")
     if quantity in QUANTITIES:
         along(axes, which, quantity, values, log=False)
@@ -204,8 +203,8 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
         axis.set_label_text(f"{axis.get_label_text()}\nwith {', '.join(others)}")
 
 
-def _is_log(values: np.ndarray) -> bool:
-    """Return whether an axis should be logarithmic: values span a decade, and their ratios vary less than their differences."""
+def _in_ratios(values: np.ndarray) -> bool:
+    """Return whether values span a decade and have steps of more equal ratio than equal difference."""
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))
@@ -217,7 +216,7 @@ def _edges(values: np.ndarray) -> np.ndarray:
 
     Edges are halfway between values, or at their geometric mean on a logarithmic axis.
     """
-    log = _is_log(values)
+    log = _in_ratios(values)
     centres = np.log(values) if log else values
     if centres.size == 1:
         half = abs(centres[0]) * 0.1 or 0.5

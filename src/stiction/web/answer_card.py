@@ -84,7 +84,12 @@ class AnswerCard:
 
 
 # Words of a next step that need a case file or a command, and those of the page.
-_ON_PAGE = {" (stiction interfaces)": "", ', e.g. kind = "ground"': "", "stiction surface FILE": "tab Surface"}
+_ON_PAGE = {
+    ": stiction fit CASE.toml --data FILE": " (tab Studies)",
+    " (stiction interfaces)": "",
+    ', e.g. kind = "ground"': "",
+    "stiction surface FILE": "tab Surface",
+}
 
 
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
@@ -95,13 +100,12 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """
     card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
     if named:
-        return card._replace(decides="", next_step="", worn_through="")
-    action, command, _ = card.next_step.partition(": stiction fit")
-    action += " (tab Studies)" if command else ""
+        return card._replace(decides="", next_step="")
+    action = card.next_step
     for words, on_page in _ON_PAGE.items():
         action = action.replace(words, on_page)
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
-    return card._replace(next_step=action, warning="" if repeated else card.warning, worn_through="")
+    return card._replace(next_step=action, warning="" if repeated else card.warning)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

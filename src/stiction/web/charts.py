@@ -1,5 +1,6 @@
 """Turn results into the options of ECharts charts; nothing is computed here."""
 
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -9,20 +10,22 @@ from stiction.quantities.table import QUANTITIES
 from stiction.report.files import unit_of
 from stiction.report.html_words import letters
 from stiction.report.pictures import BLUE, GREEN, ORANGE, RED, SKY
+from stiction.report.scales import LOG, is_log, log_ticks
 from stiction.report.share_pictures import part_in_words, shares_of, stacks
-from stiction.report.table import prefix
+from stiction.report.table import prefix, with_powers
 
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
 SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
 INK = {False: "#333333", True: "#dddddd"}  # of what is written, on a light and on a dark page
 _GRID = {False: "#dddddd", True: "#444444"}
+_MAIN = {False: BLUE, True: SKY}  # of a result and its band
 _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
-# Beyond this ratio an axis is logarithmic.
-_WIDE = 20.0
+_BANDED = ("friction_coefficient", "friction_force", "contact_area")  # results that may have a band
+_OPACITY = 0.3  # of a band
 # How the browser writes the numbers of an axis.
 _SHORT = (
-    "value => value !== 0 && (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5) "
+    "value => value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e5) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
 )
 
@@ -33,8 +36,8 @@ def numbers(values: Any) -> list[float | None]:
 
 
 def axis_name(variable: xarray.DataArray) -> str:
-    """Return the axis label of a result: meaning, symbol and unit, short enough for a telephone."""
-    row, unit = QUANTITIES[str(variable.name)], unit_of(variable)
+    """Return meaning, symbol and unit of a result, short enough for a telephone."""
+    row, unit = QUANTITIES[str(variable.name)], with_powers(unit_of(variable))
     return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 
 
@@ -60,8 +63,8 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
         "grid": {"left": 74, "right": 18, "top": 36, "bottom": 46},
         "legend": {"textStyle": {"color": ink}, "top": 0, "show": len(series) > 1},
         "tooltip": {"trigger": "axis", "renderMode": "richText", "confine": True},
-        "xAxis": {"type": "value", "nameGap": 28, **look, **x},
-        "yAxis": {"type": "value", "nameGap": 56, **look, **y},
+        "xAxis": {"type": "value", "nameGap": 28, **look, **x, "axisLabel": {**look["axisLabel"], **x.get("axisLabel", {})}},
+        "yAxis": {"type": "value", "nameGap": 56, **look, **y, "axisLabel": {**look["axisLabel"], **y.get("axisLabel", {})}},
         "series": series,
     }
 
@@ -117,73 +120,117 @@ def add_cells(
                             "text": words, "textStyle": options["textStyle"]}  # fmt: skip
 
 
-def _log(values: Any) -> bool:
-    given = _positive(values)
-    given = given[np.isfinite(given)]
-    return bool(given.size) and bool(given.max() > _WIDE * given.min())
-
-
 def _positive(values: Any) -> np.ndarray:
     return np.where(np.greater(values, 0.0), values, np.nan)
+
+
+def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = False) -> tuple[float, dict[str, Any]]:
+    """Return the factor from SI to the unit of an axis, and its options; the axis is logarithmic by `is_log`.
+
+    values: arrays to be shown, in SI. tight: whether a logarithmic axis ends at the values, not at round numbers.
+    """
+    known = np.concatenate([each[np.isfinite(each)] for each in map(np.ravel, values)])
+    name, factor = axis_name(variable), 1.0
+    if (unit := variable.attrs.get("units", "1")) != "1":
+        factor, prefixed = prefix(str(variable.name), float(np.max(np.abs(known), initial=0.0)))
+        name = name.replace(f"[{with_powers(unit)}]", f"[{prefixed}]")
+    if not is_log(known):
+        return factor, {"name": name}
+    low, high = (float(end) * factor for end in (known.min(), known.max()))
+    ticks = log_ticks(low, high)
+    ends = (low, high) if tight else (ticks[0], ticks[-1])
+    look: dict[str, Any] = {"customValues": ticks}
+    if str(variable.name) == "friction_coefficient":
+        name += LOG
+    return factor, {"name": name, "type": "log", "min": ends[0], "max": ends[1], "axisLabel": look, "axisTick": look}
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
     """Return values and axis options of the variable on the horizontal axis: load or separation."""
     values = np.asarray(curve[against].values, dtype=float)
-    axis: dict[str, Any] = {"name": axis_name(curve[against]), "scale": True}
     if against == "load":
-        return _positive(values), axis | ({"type": "log"} if _log(values) else {})
-    if unit_of(curve[against]) == "m":
-        per, unit = prefix("mean_separation", float(np.nanmax(np.abs(values), initial=0.0)))
-        values, axis = values * per, axis | {"name": axis["name"].replace("[m]", f"[{unit}]")}
-    return values, axis | {"inverse": True}  # pressing harder goes to the right
+        values = _positive(values)
+        factor, axis = _axis(curve[against], [values], tight=True)
+        return values * factor, {"scale": True} | axis
+    factor, axis = _axis(curve[against], [np.abs(values)])
+    # pressing harder goes to the right
+    return values * factor, {"name": axis["name"], "scale": True, "inverse": True}
 
 
-def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
-    """Return the chart of a result against load or separation, with its bands.
-
-    here: index of the working load, which is marked.
-    """
-    x, x_axis = _against(curve, against)
-    y, predicted = _positive(curve[name].values), "level" in curve.attrs
+def _bands(curve: xarray.Dataset, name: str) -> dict[str, list[np.ndarray]]:
+    """Return the bands of a result with their names: the interval, the range over asperity methods, and quantiles."""
     bands = {}
     if f"{name}_low" in curve:
-        said = f"{curve.attrs['level']:.0%} interval" if predicted else "over ways to find asperities"
-        bands[said] = [_positive(curve[f"{name}_{end}"].values) for end in ("low", "high")]
+        text = f"{curve.attrs['level']:.0%} interval" if "level" in curve.attrs else "over ways to find asperities"
+        bands[text] = [_positive(curve[f"{name}_{end}"].values) for end in ("low", "high")]
     if f"{name}_quantile" in curve:
         shares = curve["quantile"].values[[0, -1]]
         ends = curve[f"{name}_quantile"].sel(quantile=shares).transpose("quantile", ...).values
         bands["{:.0%} to {:.0%} over uncertain inputs".format(*shares)] = [_positive(end) for end in ends]
-    wide = _log([y, *(end for band in bands.values() for end in band)])
-    y_axis: dict[str, Any] = {"name": axis_name(curve[name])} | ({"type": "log"} if wide else {"min": 0})
-    series = [line("median" if predicted else y_axis["name"], x, y, 0)]
-    for said, (low, high) in bands.items():
-        series += _band(said, x, low, high)
+    return bands
+
+
+def _line_name(curve: xarray.Dataset) -> str:
+    if "level" in curve.attrs:
+        return "median"
+    return "at nominal inputs" if "quantile" in curve.dims else str(curve.attrs["model"]).replace("_", " ")
+
+
+def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
+    """Draw a result against load or separation with its bands; the working load is marked.
+
+    The chart has no legend, because `curve_legend` is one for all charts of a curve.
+    """
+    x, x_axis = _against(curve, against)
+    bands = _bands(curve, name)
+    shown = [_positive(curve[name].values), *(end for band in bands.values() for end in band)]
+    factor, y_axis = _axis(curve[name], shown)
+    y, *ends = (values * factor for values in shown)
+    colour = _MAIN[dark]
+    result = line(_line_name(curve), x, y, 0)
+    series = [result | {"lineStyle": {**result["lineStyle"], "color": colour}, "itemStyle": {"color": colour}}]
+    for text, low, high in zip(bands, ends[::2], ends[1::2], strict=True):
+        series += _band(text, x, low, high, colour)
     if here < x.size and np.isfinite(x[here]) and np.isfinite(y[here]):
         series.append(mark("working load", (x[here], y[here])))
-    options = chart(f"{y_axis['name']} against {', with its '.join([x_axis['name'], *bands])}", x_axis, y_axis, series, dark)
-    options["legend"]["data"] = [series[0]["name"], *bands, series[-1]["name"]]
+    title = f"{y_axis['name']} against {', with its '.join([x_axis['name'], *bands])}"
+    options = chart(title, x_axis, {"min": 0} | y_axis, series, dark)
+    options["legend"]["show"] = False
     return options
 
 
-def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray) -> list[dict[str, Any]]:
-    """Return the series of a band: its two ends as thin lines without a legend entry, and the area between them."""
-    thin = {"lineStyle": {"color": BLUE, "width": 0.5}}
+def curve_legend(curve: xarray.Dataset, dark: bool) -> str:
+    """Return the legend of all charts of a curve as HTML: its line, its bands and the mark of the working load."""
+    colour = _MAIN[dark]
+    shapes = {_line_name(curve): f'<path d="M0 7H26" stroke="{colour}" stroke-width="2.5"/>'}
+    names = dict.fromkeys(text for name in _BANDED for text in _bands(curve, name))
+    shapes |= {
+        text: f'<path d="M0 1H26V13H0Z" fill="{colour}" fill-opacity="{_OPACITY}" stroke="{colour}" stroke-width="0.5"/>'
+        for text in names
+    }
+    shapes["working load"] = f'<path d="M13 1L19 7L13 13L7 7Z" fill="{RED}" stroke="white" stroke-width="1.5"/>'
+    drawn = '<span><svg width="26" height="14" aria-hidden="true">{}</svg> {}</span>'
+    return f'<div class="legend text-sm">{"".join(drawn.format(shape, escape(text)) for text, shape in shapes.items())}</div>'
+
+
+def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray, colour: str) -> list[dict[str, Any]]:
+    """Return the series of a band: its two ends as thin lines, and the area between them."""
+    thin = {"lineStyle": {"color": colour, "width": 0.5}}
     edges = [line(f"{end} end", x, values, 0) | thin for end, values in (("low", low), ("high", high))]
     outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
     corners = [list(map(float, one)) for one in outline if np.isfinite(one).all()]
     draw = (
-        "(params, api) => ({type: 'polygon', style: {fill: api.visual('color'), opacity: 0.25},"
+        f"(params, api) => ({{type: 'polygon', style: {{fill: api.visual('color'), opacity: {_OPACITY}}},"
         f" shape: {{points: {corners}.map(one => api.coord(one))}}}})"
     )
     between = {"name": name, "type": "custom", ":renderItem": draw, "data": corners[:1], "clip": True, "z": 1, "silent": True}
-    return [*edges, between | {"itemStyle": {"color": BLUE}, "tooltip": {"show": False}}]
+    return [*edges, between | {"itemStyle": {"color": colour}, "tooltip": {"show": False}}]
 
 
 def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
-    """Return the chart of the parts of a result as stacked shares of the sum of their absolute values.
+    """Draw the parts of a result as stacked shares of the sum of their absolute values.
 
-    what: a key of `share_pictures.stacks`.
+    what: a key of `share_pictures.stacks`. The legend names the parts.
     """
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)

@@ -5,7 +5,7 @@ from typing import Any
 from nicegui import ui
 
 from stiction.report.share_pictures import stacks
-from stiction.web.charts import curve_chart, share_chart
+from stiction.web.charts import curve_chart, curve_legend, share_chart
 from stiction.web.elements import Picture, attributes
 from stiction.web.explorer import Explorer
 
@@ -22,7 +22,8 @@ class ContactTab:
             self._point.props('dense aria-label="working load of the answer"')
             self._point.on("update:model-value", lambda event: self._look("point", int(event.args)), throttle=0.05)
             self._stack = ui.select([], label="shares", on_change=self._draw).classes("w-64").props("dense outlined")
-        with ui.grid().classes("charts w-full answer"):
+        self._legend = ui.html("", sanitize=False).classes("w-full")
+        with ui.grid().classes("charts w-full answer") as self._grid:
             names = "friction_coefficient", "shares", "friction_force", "contact_area", "load"
             self._charts = {name: Picture(name.replace("_", " ")) for name in names}
         self._one = ui.label("One load: the bar above is its interval. Ask for a range of loads under Points of the curve.")
@@ -59,5 +60,7 @@ class ContactTab:
             drawn = {name: curve_chart(curve, name, x, point, view.dark) for name, x in there.items()}
             if self._stack.value:
                 drawn["shares"] = share_chart(curve, self._stack.value, against, view.dark)
+        self._legend.set_content("" if alone else curve_legend(curve, view.dark))
+        self._grid.classes(**{"add" if answer.is_prediction else "remove": "of-three"})
         for name, chart in self._charts.items():
             chart.show(drawn.get(name))

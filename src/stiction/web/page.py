@@ -34,6 +34,8 @@ _STYLE = """
 .text-lg { font-size: 1.125rem; line-height: 1.55 } .text-xl { font-size: 1.25rem; line-height: 1.4 }
 .text-3xl { font-size: 1.875rem; line-height: 1.2 } .font-bold { font-weight: 700 } .font-mono { font-family: monospace }
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
+.of-three > :first-child { grid-column: 1 / -1 }
+.legend { display: flex; flex-wrap: wrap; gap: 2px 20px } .legend svg { vertical-align: -2px }
 .frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
 .q-page { padding: 8px 12px }
 .group { display: grid; grid-template-columns: 74px minmax(0, 1fr); gap: 0 8px; width: 100%; padding: 3px 0 }
@@ -55,7 +57,7 @@ _STYLE = """
 .section { aspect-ratio: 2; max-width: 900px }
 .under-chart { margin: 0 18px 0 74px; width: auto; align-self: stretch }
 .formula { max-width: 100%; object-fit: contain; object-position: left }
-:root { --paper: #ffffff } .body--dark { --paper: #1d1d1d }
+:root { --paper: #ffffff } .body--dark { --paper: #1d1d1d; --mark: #56B4E9 }
 .picture svg, .picture img { width: 100%; height: auto; display: block; fill: currentColor }
 .old { opacity: .4 } .body--dark .formula { filter: invert(.9) }
 .answer { transition: opacity .1s .15s } .waiting .answer { opacity: .4 }

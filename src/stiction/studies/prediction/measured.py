@@ -11,7 +11,7 @@ from stiction.quantities.errors import InputError
 
 # Relative standard error of a measured coefficient whose error is not stated: that of the values among themselves where they
 # are three or more, and at least the first; else the second. Judgements (grade C).
-_LEAST_ERROR, _USUAL_ERROR = 0.05, 0.15
+_LEAST_ERROR, USUAL_ERROR = 0.05, 0.15
 _FEW = 50.0  # draws that count at least, for an interval
 
 
@@ -50,8 +50,21 @@ def read_measured(path: str | PathLike, case: Case) -> Measured:
     if not (mu > 0.0).all():
         raise InputError("--data", float(mu.min()), "measured friction above 0")
     relative = np.where(force, series.error / series.load, series.error) / mu
-    spread = np.std(np.log(mu), ddof=1) if len(mu) >= 3 else _USUAL_ERROR
+    spread = np.std(np.log(mu), ddof=1) if len(mu) >= 3 else USUAL_ERROR
     return Measured(series.load, np.log(mu), np.where(np.isfinite(relative), relative, max(spread, _LEAST_ERROR)))
+
+
+def interval_after_measuring(mu: np.ndarray, level: float) -> list[float]:
+    """Return the interval of mu expected after one measurement with the usual error, if it gives the present median.
+
+    mu: samples (n,) of friction at one load, NaN where impossible. level: coverage probability. [] without samples.
+    """
+    known = mu[np.isfinite(mu) & (mu > 0.0)]
+    if not known.size:
+        return []
+    measurement = Measured(np.ones(1), np.log([np.median(known)]), np.array([USUAL_ERROR]))
+    rows, _ = chosen_draws(measurement, known[:, None], known.size)
+    return np.quantile(known[rows], [0.5 - 0.5 * level, 0.5 + 0.5 * level]).tolist()
 
 
 def chosen_draws(measured: Measured, mu: np.ndarray, count: int) -> tuple[np.ndarray, list[str]]:

@@ -17,7 +17,7 @@ from stiction.solving.choice import RECOMMENDED
 from stiction.studies.prediction.beside import bare_metal, checked_against
 from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
-from stiction.studies.prediction.measured import Measured, chosen_draws, read_measured
+from stiction.studies.prediction.measured import Measured, chosen_draws, interval_after_measuring, read_measured
 from stiction.studies.prediction.mixture import Mixture, Samples
 from stiction.studies.prediction.regime import mu_by_state, next_step, regime_of, warnings_of
 from stiction.studies.prediction.sampled_case import SampledCase
@@ -66,9 +66,9 @@ def predict(
         load). If the case states a weakening slip, also `friction_efficiency`, the force over the sum of strengths.
 
         Attributes, at the middle load: `level`, `regime` (a sentence), `shares` (part -> fraction of the variance of ln mu),
-        `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step`, `models` (area model -> weight),
-        `beside_area` (laws of menisci and contamination), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]:
-        median and ends of the interval).
+        `warnings` (a list, the most serious first), `inputs_not_used` (a list), `next_step`, `after_measuring` (interval of mu
+        that one measurement with 15 % error would leave), `models` (area model -> weight), `beside_area` (laws of menisci and
+        contamination), `excluded` (fraction of impossible samples), `strength` (tau_0 [Pa]: median and ends of the interval).
 
         With measured friction, `shares` is empty. `value`, `low` and `high` over `parameter` are then the updated uncertain
         numbers, and `verdict` names those that the measurement does not determine.
@@ -292,6 +292,7 @@ def _attributes(
     by_state: Sequence[str] = (),
 ) -> dict[str, Any]:
     strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
+    mu = samples.force[:, working_index] / mixture.sampled.loads[working_index]
     return {
         "level": level,
         "regime": regime_of(mixture, samples, working_index),
@@ -301,6 +302,7 @@ def _attributes(
         "inputs_not_used": not_used(mixture.sampled, mixture.strength, mixture.touching),
         "next_step": next_step(shares, mixture),
         "models": {law.name: float(law.weight[working_index]) for law in mixture.laws if law.weight[working_index] > 0.0},
+        "after_measuring": interval_after_measuring(mu, level),
         "beside_area": _beside_area(mixture.sampled.contact),
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
