@@ -2,11 +2,15 @@
 
 import re
 
+import numpy as np
 import pytest
+from scipy.stats import norm
 
 import stiction as st
-from stiction.report.answer import at_working_load, working_load_in_words
+from stiction.quantities.units import show
+from stiction.report.answer import at_working_load, main_sources, working_load_in_words
 from stiction.report.card import Card, card_of, shortened
+from stiction.studies.prediction.measured import interval_after_measuring
 
 CASE = """
 [contact]
@@ -75,3 +79,21 @@ def test_a_warning_has_twelve_words_at_most(warning):
 def test_the_load_of_several_has_their_range(predicted):
     assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (loads 100 mN to 10 N)"
     assert working_load_in_words(predicted.isel(load=0)) == "100 mN"
+
+
+def test_the_interval_after_one_measurement_is_that_of_two_normal_distributions():
+    """ln mu is normal with s = 0.5, the error 0.15: then s is 0.15 * 0.5 / sqrt(0.15^2 + 0.5^2) = 0.14367, times 1.6449."""
+    mu = 0.2 * np.exp(0.5 * norm.ppf((np.arange(512) + 0.5) / 512))
+    assert interval_after_measuring(mu, 0.9) == pytest.approx([0.1579, 0.2533], rel=2e-3)
+
+
+def test_sources_of_uncertainty_are_three_at_most_and_above_5_per_cent():
+    assert main_sources({"a": 0.04, "b": 0.3, "c": 0.2, "d": 0.4, "e": 0.06}) == [("d", 0.4), ("b", 0.3), ("c", 0.2)]
+    assert main_sources({"a": 0.03, "b": 0.04}) == [("b", 0.04)] and main_sources({}) == []
+
+
+@pytest.mark.parametrize(
+    ("area", "text"), [(5.2e-13, "0.52 µm^2"), (9e-15, "9000 nm^2"), (2.5e-8, "0.025 mm^2"), (1e-6, "1 mm^2")]
+)
+def test_an_area_has_four_digits_at_most_before_the_point(area, text):
+    assert show(area, "contact_area") == text
