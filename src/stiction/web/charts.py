@@ -48,7 +48,7 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
     whether the page is dark.
     """
     ink, grid = INK[dark], _GRID[dark]
-    look = {
+    look: dict[str, Any] = {
         "axisLine": {"onZero": False, "lineStyle": {"color": ink}},
         "axisLabel": {"color": ink, "hideOverlap": True, ":formatter": _SHORT},
         "nameTextStyle": {"color": ink},
