@@ -4,9 +4,7 @@ python validation/contacts/contacts.py     # print how many contacts of each cla
 """
 
 import csv
-import tomllib
 from collections import Counter
-from functools import cache
 from pathlib import Path
 
 import stiction as st
@@ -24,22 +22,16 @@ def sources() -> dict[str, dict[str, str]]:
     return {row["key"]: row for row in _read("sources.csv")}
 
 
-def material_of(name: str) -> st.Material:
-    """Return the material of that name in materials.toml, else the preset."""
-    own = _own_materials()
-    return st.Material(name=name, source="from memory", **own[name]) if name in own else st.material(name)
-
-
 def contact_of(row: dict[str, str], **more) -> st.Contact:
     """Return the contact of a row, its roughness known by the finish classes; more: other fields of `Contact`.
 
     The interface is not part of it: see the column of that name.
     """
     film = row["film"]
-    coating = st.Coating(material=material_of(film), thickness=float(row["film_thickness_m"]), bodies="first") if film else None
+    coating = st.Coating(material=st.material(film), thickness=float(row["film_thickness_m"]), bodies="first") if film else None
     return st.Contact(
-        first=material_of(row["first"]),
-        second=material_of(row["second"]),
+        first=st.material(row["first"]),
+        second=st.material(row["second"]),
         roughness={"first": {"finish": row["finish_first"]}, "second": {"finish": row["finish_second"]}},
         nominal_area=float(row["nominal_area_m2"]),
         work_of_adhesion=float(row["work_of_adhesion_J_m2"] or 0.0),
@@ -51,11 +43,6 @@ def contact_of(row: dict[str, str], **more) -> st.Contact:
 def _read(name: str) -> list[dict[str, str]]:
     with (HERE / name).open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
-
-
-@cache
-def _own_materials() -> dict[str, dict]:
-    return tomllib.loads((HERE / "materials.toml").read_text(encoding="utf-8"))["materials"]
 
 
 if __name__ == "__main__":

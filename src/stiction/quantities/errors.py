@@ -92,7 +92,9 @@ def nearest(word, known: Iterable[str]) -> str:
     """
     known = list(known)
     plain = {name.casefold(): name for name in known}
-    close = [plain[name] for name in difflib.get_close_matches(str(word).casefold(), plain, n=3, cutoff=0.5)]
+    part = str(word).casefold()
+    holding = [name for name in plain if part in name.split("_")]  # "glass" in "soda_lime_glass" says more than "brass"
+    close = [plain[name] for name in holding[:3] or difflib.get_close_matches(part, plain, n=3, cutoff=0.5)]
     if len(known) > _MANY:
         return " or ".join(close) if close else f"{', '.join(known[:3])} and {len(known) - 3} more"
     every = ", ".join(known)

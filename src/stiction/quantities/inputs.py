@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from numbers import Real
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo
@@ -96,6 +96,7 @@ class Input(BaseModel):
     """Provide the base class of input records: immutable, without unknown keys, and with an InputError for any bad field."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+    instead: ClassVar[str] = ""  # what the user may state in place of a missing number, for the error
 
     def __init__(self, /, *unnamed_values, **data):
         if unnamed_values:
@@ -300,5 +301,5 @@ def _input_error(error: ValidationError, cls: type[Input]) -> InputError:
 
 def _wanted(name: str, cls: type[Input]) -> str:
     if name in QUANTITIES:
-        return QUANTITIES[name].described
+        return QUANTITIES[name].described + cls.instead
     return cls.model_fields[name].description or "required"

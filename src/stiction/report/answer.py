@@ -295,7 +295,8 @@ def _bare(interval: list[float]) -> str:
 def part_name(name: str) -> str:
     """Return the readable name of a source of uncertainty or of an uncertain input, "hardness of first"."""
     body, _, quantity = name.rpartition(".")
-    return _NAMES.get(name, f"{quantity} of {body}" if body else name).replace("_", " ")
+    words = _NAMES.get(name, f"{quantity} of {body}" if body else name)
+    return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
 
 
 def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:

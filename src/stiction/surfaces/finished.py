@@ -27,6 +27,7 @@ from stiction.surfaces.theory.moments import Moments, bandwidth, combine
 SQ_OVER_RA = 1.25  # sqrt(pi/2) of Gaussian heights, rounded as it is in practice
 _ASPERITIES = ("asperity_height_deviation", "asperity_radius", "asperity_density")
 _HEIGHTS = ("rms_height", "mean_height")
+_SYMBOLS = ("Sq", "Rq", "Ra", "Sa")  # no keys, but Finished then tells the key of this height
 _RULES = 0.8  # share of the mean square slope from which on one of two bodies decides the kind of surface
 
 
@@ -206,7 +207,7 @@ def is_finished(table: Any) -> bool:
     """Return whether a roughness table states a finish or a body's height, and no scan."""
     if not isinstance(table, Mapping):
         return False
-    if table.keys() & {"finish", *_HEIGHTS}:
+    if table.keys() & {"finish", *_HEIGHTS, *_SYMBOLS}:
         return True
     bodies = [table[name] for name in ("first", "second") if table.get(name) is not None]
     numbers = [isinstance(body, Roughness | Finished) or (isinstance(body, Mapping) and "file" not in body) for body in bodies]

@@ -1,6 +1,6 @@
 """The rough surface of a contact, described by asperities that are stated or found in scans."""
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_validator
@@ -94,6 +94,8 @@ class Roughness(Input):
     >>> print(f"{rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation:.4f}")
     0.0024
     """
+
+    instead: ClassVar[str] = "; or finish, and rms_height or mean_height if known, in place of all three"
 
     asperity_height_deviation: Number
     asperity_radius: Number

@@ -20,6 +20,7 @@ FILE = Path(__file__).parent / "checked.json"  # made by validation/contacts/sco
 _BARE, _METALS = "clean metal", ("metal", "soft metal")
 _DRAWS = 256
 _WIDE = 1.5  # factor of the area from which on it is no percentage
+_LEAST = 0.01  # half width of an area that is shown, for the solved surfaces themselves are no better
 
 
 def bare_metal(mixture: Mixture, level: float) -> list[float]:
@@ -52,7 +53,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
     if share > 0.5:
         times = math.exp(sum(float(law.weight[index]) * _half_width(mixture, law, index) for law in near) / share)
         area = (
-            f"solved surfaces (area +-{times - 1.0:.0%})"
+            f"solved surfaces (area +-{max(times - 1.0, _LEAST):.0%})"
             if times < _WIDE
             else f"solved surfaces (area within a factor of {times:.2g})"
         )
@@ -62,7 +63,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
     if not printed:
         return f"{area}, never against measured friction"
-    return f"{area}; its interval overlaps {printed['held']} of {printed['contacts']} handbook ranges for such interfaces"
+    return f"{area}; right for {printed['held']} of {printed['contacts']} handbook contacts with this interface"
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:

@@ -7,7 +7,9 @@ assumptions are sampled with weights set by judgement: no growth; a bulk that sh
 and a junction that hardens until its bulk shears at up to H/3 if the interface is as strong as the body (alpha = 9, Tabor's
 experiments, the largest weight). Hardening strengthens the interface of clean metals with the body, but not an interface
 whose strength is stated as a number well below the body's: the harder body then makes such a junction grow less. None of the
-three limits growth for c near 1, so that c is limited to 0.999.
+three limits growth for c near 1, so that c is limited to 0.999. On a film of thickness t the growth is raised to the power
+1/(1 + a/t) for a spot of radius a (judgement): a narrow spot is a junction of the bulk film, a wide one is carried by the body
+below. A state of the interface that was measured on films includes its growth.
 
 Squeeze: a soft film of thickness t and hardness H_f between harder bodies bears up to H_f (1 + a/(7.3 t)) in a spot of radius
 a, the pressure of a plastic layer that sticks to both faces (Hill 1950). The pressure is limited by the hardness of the body,

@@ -114,7 +114,7 @@ class Mixture:
         if sampled.metallic.any():
             hardens = self.strength.hardens(strength, shear)
             growth = grown(levels["growth"], borne / area, strength, hardness, shear, hardens)
-            growth = np.where(sampled.metallic, growth, 1.0)
+            growth = np.where(sampled.metallic, growth ** self._growing_share(levels, inputs, area), 1.0)
         area = np.minimum(area * growth, nominal)
         force = np.where(self._is_flattened, np.nan, strength * area + coefficient * borne)
         efficiency = np.ones_like(area)
@@ -152,6 +152,23 @@ class Mixture:
             areas[mine] = np.where(uses_law[mine], corrected, areas[mine])
         return areas
 
+    def _growing_share(self, levels: Levels, inputs: np.ndarray, area: np.ndarray) -> np.ndarray | float:
+        """Return the exponent (n, m), 0 to 1, of junction growth: 1 without a film.
+
+        A spot much narrower than a film is thick grows like a spot of a bulk body. A wide spot does not, because the body
+        below carries it. A state of the interface that was measured on films includes this growth.
+        """
+        if not self.sampled.contact.has_film:
+            return 1.0
+        radius, thickness = self._spot_radius(area), self._of(self.sampled.column(self.sampled.drawn.coating.thickness), inputs)
+        return np.where(self.strength.is_of_film(levels["state"]), 0.0, 1.0 / (1.0 + radius / thickness))
+
+    def _spot_radius(self, area: np.ndarray) -> np.ndarray:
+        """Return the radius [m] of contact spots with this total area; infinite if their number is unknown."""
+        touching = np.where(np.isfinite(self.touching), np.maximum(self.touching, 1.0), 0.0)
+        with np.errstate(divide="ignore"):
+            return np.sqrt(area / (np.pi * touching))
+
     def _squeezed(self, levels, inputs, area, borne, hardness, hardest):
         """Return area and mean pressure (n, m) of contact spots after the soft film between the bodies is squeezed.
 
@@ -160,7 +177,7 @@ class Mixture:
         coating, touching = self.sampled.drawn.coating, self.touching
         if coating is None or not np.isfinite(touching).all():
             return area, borne / area
-        radius = np.sqrt(area / (np.pi * np.maximum(touching, 1.0)))
+        radius = self._spot_radius(area)
         thickness = self._of(self.sampled.column(coating.thickness), inputs)
         times = squeezed(levels["confinement"], borne / area, radius, thickness, hardness, hardest)
         return area / times, borne / area * times

@@ -154,12 +154,12 @@ class SampledCase:
 
     @property
     def metallic(self) -> np.ndarray:
-        """Return a mask (1 or m,) of the points at which contact spots are junctions of bulk metal, which grow under shear.
+        """Return a mask (1 or m,) of the points at which contact spots are metal junctions, which grow under shear.
 
-        It is False for coated contacts, because no law describes junction growth in films.
+        The metal is that of a body or of its film.
         """
         first, second = (class_of(body) in ("metal", "soft metal") for body in self.contact.touching)
-        return np.where(self._first_is_softer(self.contact), first, second) & (not self.contact.has_film)
+        return np.where(self._first_is_softer(self.contact), first, second)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
         """Return a mask (1 or m,) of the points at which the first touching body is the softer one on average."""

@@ -68,6 +68,13 @@ class Strength:
         ends = np.cumsum([weight for _, weight in self.states] or [1.0])
         return np.minimum(np.searchsorted(ends, level * ends[-1]), len(ends) - 1)
 
+    def is_of_film(self, level: np.ndarray) -> np.ndarray:
+        """Return whether the interface state of each sample (n, 1) at these quantile levels was measured on films.
+
+        It is False if tau_0 is stated.
+        """
+        return np.array([state.of_film for state, _ in self.states] or [False])[self.states_drawn(level)][:, None]
+
     def hardens(self, strength: np.ndarray, shear_strength: np.ndarray) -> np.ndarray | float:
         """Return how far the interface hardens with a metal body, 0 to 1.
 
