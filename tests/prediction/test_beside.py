@@ -39,14 +39,14 @@ def test_nothing_is_said_of_bare_metal_where_none_is_parted_or_met():
 def test_what_was_checked_is_said_with_the_contacts_of_the_state():
     stated, number = predicted(interface="oxidised metal"), predicted(interfacial_shear_strength=1e7)
     counted = printed_contacts()["oxidised metal"]
-    assert f"{counted['held']} of {counted['contacts']} handbook ranges" in stated.attrs["checked_against"]
+    assert f"{counted['held']} of {counted['contacts']} handbook contacts" in stated.attrs["checked_against"]
     assert number.attrs["checked_against"].endswith("never against measured friction")
     assert dict(answer_lines(stated))["checked against"] == stated.attrs["checked_against"]
 
 
 def test_the_record_has_both():
     record = answer_record(predicted(interface="boundary lubricant"))
-    assert np.shape(record["bare_metal"]) == (2,) and "handbook ranges" in record["checked_against"]
+    assert np.shape(record["bare_metal"]) == (2,) and "handbook contacts" in record["checked_against"]
     assert answer_record(predicted(interface="clean metal"))["bare_metal"] is None
 
 

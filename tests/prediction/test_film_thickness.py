@@ -56,3 +56,21 @@ def test_an_uncertain_hardness_of_the_film_counts_in_the_area():
     answer = st.predict({"contact": contact, "solve": {"load": ["1 N"]}})
     width = (answer["contact_area_high"] / answer["contact_area_low"]).item()
     assert 0.9 * (1.329 / 0.671) < width < 1.3 * (1.329 / 0.671)
+
+
+def test_junctions_of_clean_metal_grow_on_a_thick_film_only():
+    """A film of gold much thicker than its spots are wide seizes as gold does; on a thin one tau_0/H is the most."""
+
+    def friction(first, **more):
+        rough = {**ROUGH, "asperity_height_deviation": "480 nm", "kind": "polished"}
+        contact = st.Contact(
+            first=first, second=first, nominal_area="1 mm^2", roughness=rough, interface="clean metal", **more,
+        )  # fmt: skip
+        return st.predict(contact, load=LOAD).friction_coefficient.item()
+
+    film = {
+        thickness: {"coating": {"material": "gold", "bodies": "both", "thickness": thickness}} for thickness in ("1 mm", "1 nm")
+    }
+    body = friction("gold")
+    assert abs(friction("copper", **film["1 mm"]) / body - 1.0) < 0.1 and body > 0.7
+    assert friction("copper", **film["1 nm"]) < 0.25

@@ -158,9 +158,9 @@ class Mixture:
         A spot much narrower than a film is thick grows like a spot of a bulk body. A wide spot does not, because the body
         below carries it. A state of the interface that was measured on films includes this growth.
         """
-        if not self.sampled.contact.has_film:
+        if (coating := self.sampled.drawn.coating) is None:
             return 1.0
-        radius, thickness = self._spot_radius(area), self._of(self.sampled.column(self.sampled.drawn.coating.thickness), inputs)
+        radius, thickness = self._spot_radius(area), self._of(self.sampled.column(coating.thickness), inputs)
         return np.where(self.strength.is_of_film(levels["state"]), 0.0, 1.0 / (1.0 + radius / thickness))
 
     def _spot_radius(self, area: np.ndarray) -> np.ndarray:
