@@ -20,9 +20,8 @@ from stiction.report.pictures import (
     look_of,
     plain,
     say,
-    unit_for,
 )
-from stiction.report.table import prefix
+from stiction.report.table import prefix, unit_for
 from stiction.solving.method_spread import METHOD
 
 if TYPE_CHECKING:

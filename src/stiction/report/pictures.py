@@ -395,10 +395,3 @@ def plain(method: str) -> str:
     """Return a short description of what an asperity method finds; for other names, the name with blanks for underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label
-
-
-def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`."""
-    if quantity == "asperity_density":
-        return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
-    return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")

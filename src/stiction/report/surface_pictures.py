@@ -14,8 +14,8 @@ from matplotlib.image import AxesImage
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator
 
 from stiction.quantities.units import show
-from stiction.report.pictures import BLUE, COLOUR_MAP, GREEN, GREY, SKY, canvas, finish, look_of, plain, say, unit_for
-from stiction.report.table import prefix
+from stiction.report.pictures import BLUE, COLOUR_MAP, GREEN, GREY, SKY, canvas, finish, look_of, plain, say
+from stiction.report.table import prefix, unit_for
 from stiction.surfaces.asperity_set import Asperities
 from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum

@@ -169,6 +169,13 @@ def prefix(quantity: str, largest: float) -> tuple[float, str]:
     return float(text) / size, with_powers(unit)
 
 
+def unit_for(quantity: str, largest: float) -> tuple[float, str]:
+    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`."""
+    if quantity == "asperity_density":
+        return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
+    return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")
+
+
 _LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # of rows, by the first word of the name
 
 

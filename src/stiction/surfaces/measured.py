@@ -345,9 +345,8 @@ def _spikes(maps: "Mapping[str, HeightMap]") -> tuple[str, ...]:
 
 
 def _without_moments(why: str | None) -> tuple[str, ...]:
-    if why is None:
-        return ()
-    return (f"the moments of the surface are not known ({why}): theories of it take the asperities found",)
+    text = f"the moments of the surface are not known ({why}): theories of it take the asperities found"
+    return () if why is None else (text,)
 
 
 def _validity_warnings(maps: "list[HeightMap]", numbers: bool, wanted: MeasuredRoughness) -> tuple[str, ...]:
@@ -397,5 +396,5 @@ def surface_of(scan: Scan, folder: Path, body: str) -> "HeightMap":
 
     given = {name: getattr(scan, name) for name in ("size", "unit", "height_unit", "height_scale", "channel")}
     with field_as(lambda field: f"roughness.{body}.{'file' if field == 'scan' else field}"):
-        found = read_scan(folder / scan.file, **given)
-    return replace(found, periodic=scan.periodic or found.periodic)
+        surface = read_scan(folder / scan.file, **given)
+    return replace(surface, periodic=scan.periodic or surface.periodic)
