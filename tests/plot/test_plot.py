@@ -54,7 +54,7 @@ def test_a_curve_has_labelled_axes_and_shows_the_numbers(silver):
     assert "a title" in figure.get_suptitle() and "soft_coating_2015" in figure.get_suptitle()
     for axes in (friction, area, force):
         assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_xscale() == "log"
-    assert area.get_ylabel() == "real contact area $A$ [µm²]"
+    assert area.get_ylabel() == "real contact area $A$ [mm²]"
     assert load.get_xlabel() == "mean separation $d$ [nm]" and load.get_ylabel() == "normal load $P$ [N]"
     np.testing.assert_array_equal(friction.lines[0].get_ydata(), silver["friction_coefficient"])
     np.testing.assert_array_equal(lines(area)["plastic asperities"].get_ydata(), silver["contact_area_plastic"])
