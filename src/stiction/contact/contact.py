@@ -245,8 +245,7 @@ class Contact(Subject):
         return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
-        softer = self.softer_counterbody
-        of_film = [] if softer is None else [softer_in_words(*softer, self._bare.hardness)]
+        of_film = [] if (softer := self.softer_counterbody) is None else [softer_in_words(*softer, self._bare.hardness)]
         return [*size_notes(self._bodies, self._radius), *of_film, *self.roughness.notes()]
 
     @property
@@ -296,10 +295,7 @@ class Contact(Subject):
         return to_si(value, name)
 
     def read_point(self, entry: Any, name: str, where: str) -> float:
-        """Return one point of a case file in SI units: text with a unit, or a mean separation over sigma as a plain number.
-
-        name: "load" or "mean_separation". where: its place in the file, for errors.
-        """
+        """Return a load or mean separation of a case file [SI] from text with a unit or, as separation over sigma, a number."""
         if not isinstance(entry, str):
             if name == "mean_separation":
                 return plain_number(entry, where) * self.roughness.asperity_height_deviation
@@ -387,10 +383,7 @@ class Contact(Subject):
 
     @property
     def size_effect(self):
-        """Return the largest size effect of the bodies on hardness; None if no body has one.
-
-        It is (hardness at asperities/hardness of large imprints)^2 - 1.
-        """
+        """Return the largest (hardness at asperities/hardness of large imprints)^2 - 1 of the bodies; None without it."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None
 

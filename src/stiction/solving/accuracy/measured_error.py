@@ -153,10 +153,7 @@ def _plain(values: np.ndarray) -> list[float | None]:
 
 
 def column_of(problem: Problem) -> str:
-    """Return the column of the benchmark set that holds the errors of a model, "model|asperity method".
-
-    It is "" if the model was not measured.
-    """
+    """Return the column of the benchmark set for a model, "model|asperity method"; "" if the model was not measured."""
     chosen, record = problem.chosen, problem.record
     if any(problem.options[name] != values[0] for one in problem.records() for name, values in one.options.items()):
         return ""
@@ -337,10 +334,7 @@ def _why_not(problem: Problem, column: str, points: int, most_points: float) -> 
 
 
 def _adhesion(problem: Problem, results: Mapping[str, np.ndarray]) -> tuple[float, str]:
-    """Return how well solved surfaces, which are dry and do not adhere, represent the contact: 1 to 0, and the reason.
-
-    The reason is "" if they represent it well.
-    """
+    """Return how well dry solved surfaces without adhesion represent the contact, 1 to 0, and the reason if they do not."""
     state, why = state_of(problem, results), "menisci would pull, but the solved surfaces are dry"
     pull = _largest(state.get("meniscus_share"))
     if "load_meniscus" in results:
