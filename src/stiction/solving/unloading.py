@@ -23,7 +23,7 @@ from stiction.laws.asperity.shared.unloading import unloaded_segments
 from stiction.laws.joining import coordinates, within
 from stiction.laws.segment import NormalSegment
 from stiction.laws.validity import with_warnings
-from stiction.quantities.dimensions import aligned, dimensions
+from stiction.quantities.dimensions import aligned, dimensions, variable
 from stiction.quantities.errors import InputError, field_named
 from stiction.quantities.keywords import with_keywords
 from stiction.quantities.table import QUANTITIES
@@ -223,8 +223,9 @@ def _one_of(subject: Subject, **either: Any) -> Any:
         value = requested_points(subject, quantity, either[name])
     if not np.size(value):
         raise InputError(name, "no values", "at least one value")
-    renamed = quantity in getattr(value, "dims", ()) and name != "separation"
-    return value.rename({quantity: name}) if renamed else value
+    if quantity not in getattr(value, "dims", ()) or name == "separation":
+        return value
+    return value.rename({quantity: name}) if hasattr(value, "coords") else variable((name,), value.values)
 
 
 def _make_way(contact: Subject, choice: Choice, heights) -> _Way:
