@@ -206,7 +206,7 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
     names. Raises InputError, with the name of the field, for an unknown or ambiguous word.
     """
     if not isinstance(word, str):
-        raise InputError(field, word, "the name of a preset; all: stiction materials")
+        raise InputError(field, word, "the name of a preset; `stiction materials` lists them")
     if word in _presets():
         return word
     words = {(name, text) for name, preset in _presets().items() for text in (name, *preset.symbols)}
@@ -218,8 +218,8 @@ def preset_name(word: Any, field: str = "material", others: Sequence[str] = ()) 
         choices = ", ".join(f"{name} ({symbols_of(name)[0]})" for name in meant)
         raise InputError(field, word, f"one of {choices}, because several presets have this name")
     wanted = "a material of the case, or a preset: " if others else "a preset: "
-    own = "any other by youngs_modulus, poissons_ratio and hardness"
-    raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])}; all: stiction materials; {own}")
+    own = "list: run `stiction materials`; for any other, state youngs_modulus, poissons_ratio and hardness"
+    raise InputError(field, word, f"{wanted}{nearest(word, [*others, *material_names()])}; {own}")
 
 
 def symbols_of(name: str) -> tuple[str, ...]:

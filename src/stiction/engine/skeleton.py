@@ -121,7 +121,8 @@ def _add_four(few, row, column, tile, product):
 def _store(product, sums, size, doubtful_below, doubtful):
     """Copy one row of the matrix product to `sums`, and mark inaccurate sums in `doubtful`.
 
-    A sum is marked if it is below doubtful_below times size, because digits may be lost in the product.
+    A sum is marked if it is below doubtful_below times size (the same sum without the height density), because cancellation
+    may then have cost digits of the product.
     """
     for to in range(sums.size):
         sums[to] = product[to]
@@ -132,10 +133,10 @@ def _store(product, sums, size, doubtful_below, doubtful):
 def carry_over(few, tiles, doubtful_below, nodes, signed, sums, doubtful):
     """Fill sums[i, row] = few[i * rows + row] @ matrix, mark inaccurate sums in `doubtful`, and return whether there are any.
 
-    A sum of positive terms is marked if it is too small against its size, the sum without the height density. few: (multiple
-    of four, L). tiles: the matrix, from `skeleton`. nodes: as in `sum_kernels`. signed: index of the row that holds the load;
-    it changes sign and is not checked, because it is as accurate as the area. The product is written as a loop here, because a
-    threaded library would compete with the threads of the caller.
+    A sum of positive terms is marked if it is far below its size, the same sum without the height density, because cancellation
+    may then have cost digits. few: (multiple of four, L). tiles: the matrix, from `skeleton`. nodes: as in `sum_kernels`.
+    signed: index of the row that holds the load; it changes sign and is not checked, because it is as accurate as the area. The
+    product is written as a loop here, because a threaded library would compete with the threads of the caller.
     """
     _, values, used = nodes
     laws, rows, separations = sums.shape

@@ -171,5 +171,5 @@ def _disagreement(name: str, dim: str, size: int, other: str) -> InputError:
     return InputError(
         name,
         InWords(f"dimension {dim!r} of length {size}"),
-        f"the same values along {dim!r} as {other}, or another dimension name",
+        f"the length and the coordinate that {other} has along {dim!r}, or another name for this dimension",
     )

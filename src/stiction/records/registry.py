@@ -55,8 +55,8 @@ class TangentialLaw(Record):
       load and the outer contact area, whether film or substrate carries the load.
     - layered: whether it treats film and body as one layered elastic solid. It then goes with film laws that are
       `solved_as_one`.
-    - of_half_space: why a law that is neither of the two cannot be used for such a solid; like: law to use there instead,
-      or ""
+    - of_half_space: if neither interfacial nor layered, why the law cannot be used for such a solid
+    - like: law to use there instead, or ""
     - of_area: whether the force is shear strength times contact area, plus a part that depends on the load
     - junctions: laws that the option `plastic_junctions` offers for yielded junctions, if this law gives them no resistance
     - yielded: resistance of yielded junctions, a key of YIELDED; "" if the source does not state it

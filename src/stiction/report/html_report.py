@@ -83,7 +83,7 @@ def write_report(
     path : path
         File to write: .html, or .pdf if a browser or weasyprint is installed. An existing file is replaced.
     load : float [N] or str with a unit, optional
-        Working load; by default the middle load of the case.
+        Working load of one contact; by default the middle load of the case. Not allowed with array parameters.
     ranges : bool, optional
         Whether the properties of material presets vary within their ranges. By default the case decides.
     progress : callable

@@ -102,7 +102,7 @@ def pressure_of_first_flow(index: float, density: float) -> float:
     """Return the nominal pressure, divided by the hardness, at which 2 % of the contact area yields.
 
     The criterion is that of Greenwood & Williamson (1966). index: plasticity index. density: N R sigma. The result is infinite
-    if the pressure is beyond the tabulated separations.
+    if no tabulated separation meets the criterion.
     """
     z, heights, area, load = _gaussian_sums()
     flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)

@@ -77,9 +77,9 @@ def _does_not_grow(problem: Problem) -> bool:
 
 
 def _elastic_on_a_film(problem: Problem) -> bool:
-    """Return whether film and body are solved as one elastic solid with an asperity law of limited plasticity.
+    """Return whether film and body are one elastic solid and the asperity law is valid in a range of the plasticity index.
 
-    Such a law claims a range of the plasticity index, which is computed without the film.
+    The plasticity index is computed without the film.
     """
     film, asperity = problem.chosen.film, problem.chosen.asperity
     if film is None or asperity is None or not film.solved_as_one:

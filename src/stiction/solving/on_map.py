@@ -179,7 +179,7 @@ class MapProblem(Problem):
         return float(sum(of_states))
 
     def map_friction(self, one: "MapContact") -> float:
-        """Return the tangential force [N] of a solved map at its strength."""
+        """Return the tangential force [N] of the solved map `one` with all its points at full strength."""
         return self._friction(one) * self.factors["N"] * one.nominal_area / self.contact.nominal_area
 
     def strengths(self, one: "MapContact") -> np.ndarray:

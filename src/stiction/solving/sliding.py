@@ -271,7 +271,10 @@ class Sliding:
         }
 
     def _nearly(self, h: np.ndarray, unit: np.ndarray, force: np.ndarray) -> np.ndarray:
-        """Return the displacement at which this force is reached, by bisection; NaN if it is beyond the searched range."""
+        """Return the displacement at which `force` is reached, by bisection; NaN if it is beyond the searched range.
+
+        unit: scale of the searched displacements.
+        """
         low, high = np.log(unit * _WAY[0]), np.log(unit * _WAY[-1])
         reached = self.at(h, np.exp(high))[0] >= force
         for _ in range(_NARROWED):

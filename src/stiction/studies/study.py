@@ -20,9 +20,10 @@ class Study:
     - plan(case, **options): reads the case file at this path and returns a plan, quickly. Its parameters are the options of
       the command. Shared ones need no description: load, ranges, model, ..., `out` (folder for results, or None) and
       `options` (those of models and laws).
-    - run(plan, progress): computes the results and returns the arguments of the view, a function FOLDER_view in
-      report/views/FOLDER.py, or a single dataset. If it has a parameter `callback` instead of `progress`, it receives a
-      function that shows a text as progress.
+    - run(plan, progress): computes the results and returns the arguments of the view. The view is the function FOLDER_view in
+      report/views/FOLDER.py, where FOLDER is the name of the study's folder. Without this file, run returns a single dataset,
+      which is shown. If it has a parameter `callback` instead of `progress`, it receives a function that shows a text as
+      progress.
     """
 
     name: str

@@ -167,7 +167,7 @@ def gaussian_surface(
     Raises
     ------
     InputError
-        The map is too small, or the spectrum is no density or has waves shorter than two pitches.
+        The map is too small, or the spectrum is negative or not finite, or has waves shorter than two pitches.
 
     Examples
     --------

@@ -18,10 +18,10 @@ _GAUSSIAN = 1.4826  # standard deviation over median distance from the median
 
 
 def spikes(surface: HeightMap, times: float = SUSPICIOUS) -> np.ndarray:
-    """Return a mask (rows, columns) of points beyond `times` robust standard deviations.
+    """Return a mask (rows, columns) of points more than `times` robust standard deviations from the median.
 
-    The mask is all False if at least half of the points have the same height. Raises InputError unless times is finite and >
-    0.
+    The mask is all False if more than half of the points have the same height. Raises InputError unless times is finite and
+    > 0.
     """
     if not (isinstance(times, int | float) and 0.0 < times < math.inf):
         raise InputError("spikes", times, "> 0 robust deviations, e.g. 10")

@@ -295,7 +295,7 @@ class Form:
         return with_value_at(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
-        """Add a menu of interface states; without a state, add the numbers of a stated strength."""
+        """Add a menu of interface states; if the strength is stated by number instead, add its number fields."""
         tables, numbers = self._explorer.query.tables, list(numbers_of(part))
         stated = any(value_at(tables, one.path) is not None for one in numbers)
         state = value_at(tables, part.path)

@@ -116,9 +116,10 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
-    """Return case tables at another working load [N]; a single load is replaced, and a range of loads is scaled.
+    """Return case tables at another working load [N].
 
-    before: present working load [N].
+    A single load is replaced and a range is scaled. A list of loads, or none, becomes a range of 21 loads from a tenth to ten
+    times the new load. before: present working load [N].
     """
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):

@@ -30,17 +30,17 @@ from stiction.records.sources import Source
 
 
 def hardness_coefficient(nu):
-    """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield over the hardness (any shape).
+    """Return K_H = 0.454 + 0.41 nu, the largest pressure at first yield over the hardness.
 
-    The authors gave this form in 1988; their 1987 paper has the constant 0.6.
+    The authors gave this form in 1988; their 1987 paper has the constant 0.6. nu: array of any shape.
     """
     return 0.454 + 0.41 * nu
 
 
 def critical_interference(eta, K_H):
-    """Return the interference at first yield over sigma, ((2/3) K_H eta)^2 (any shape).
+    """Return the interference at first yield over sigma, ((2/3) K_H eta)^2.
 
-    It follows from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K.
+    It follows from omega_c = (pi K_H H / (2 E*))^2 R with eta = pi H sqrt(R/sigma)/K and K = (4/3) E*. Arrays of any shape.
     """
     return (2.0 / 3.0 * K_H * eta) ** 2
 

@@ -94,7 +94,10 @@ def _film_regimes(
     n_g: np.ndarray,
     exponents: tuple[int, int],
 ) -> list[Regime]:
-    """Return the regimes of a graded film on one or both bodies."""
+    """Return the regimes of the module's law for a film on one or both bodies.
+
+    bodies: elastic constants. Other arguments: as in `graded_regimes`.
+    """
     bodies = bodies.without_film(film_aspect > 0.0)  # no thickness, no film
     n_E = bodies.film_over_bodies
     n_H = np.where(tau > 0.0, n_H, 1.0)

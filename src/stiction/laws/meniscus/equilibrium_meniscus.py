@@ -128,7 +128,7 @@ RECORD = Meniscus(
             "penetration_over_meniscus",
             0.0,
             0.1,
-            "menisci pull such elastic asperities less, down to half, and widen their contact area",
+            "menisci pull such elastic asperities less than computed, down to half, and widen their contact area",
         ),
     ),
     notes="The force of a touching asperity is constant. This holds for plastic asperities, which are treated as truncated; "

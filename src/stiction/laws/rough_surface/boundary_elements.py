@@ -205,7 +205,7 @@ RECORD = RoughSurface(
         ),
         Validity("points_in_contact", limits.LEAST_CONTACT, inf, "the contact area is inaccurate with so few points"),
         Validity("map_gradient", 0.0, limits.STEEPEST, "slopes are too steep for half-spaces"),
-        Validity("points_in_film", 1.0, inf, "the film is thinner than the point spacing of the map"),
+        Validity("points_in_film", 1.0, inf, "the map does not resolve the film: the contact area may be inaccurate"),
         Validity(
             "points_in_weakening",
             limits.LEAST_WEAKENING,

@@ -134,8 +134,7 @@ RECORD = RoughSurface(
             "roughness_parameter",
             LEAST_DENSITY,
             LARGEST_DENSITY,
-            "a surface with smaller N R sigma has no sampled profile with exponential autocorrelation; larger N R sigma is not "
-            "tabulated",
+            "below the range no sampled profile with exponential autocorrelation matches; above it nothing is tabulated",
         ),
         ELASTIC,
     ),

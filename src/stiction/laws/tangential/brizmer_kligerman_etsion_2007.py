@@ -52,7 +52,7 @@ def friction_coefficient(load_ratio):
 
 @formula
 def resistance(u, w, load, area, L_c):
-    """Return 0 and the yield-limited force mu P, at which the junction has lost its tangential stiffness."""
+    """Return the slip-limited force, 0, and the yield-limited force mu P, at which no tangential stiffness is left."""
     return 0.0, load * friction_coefficient(load / L_c) if load > 0.0 else 0.0
 
 

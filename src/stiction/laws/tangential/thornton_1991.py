@@ -39,7 +39,10 @@ def peeling_force(load, pull_off, stiffness_ratio):
 
 @formula
 def resistance(u, w, load, area, theta, K_beta):
-    """Return the peeling force and 0; G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta)."""
+    """Return the slip-limited force, which is the peeling force, and the yield-limited force, 0.
+
+    G* = 1/beta and K = (4/3) E* give G*/E* = (4/3)/(K beta).
+    """
     return peeling_force(load, 1.5 * math.pi / theta, 4.0 / (3.0 * K_beta)), 0.0
 
 

@@ -48,7 +48,7 @@ def _warnings_of_waves(seen):
 def _warnings_of_film(film, pitch):
     if film.thickness < pitch:
         thickness, width = show(film.thickness, "thickness"), show(pitch, "scan_size")
-        why = f"the film ({thickness}) is thinner than the point spacing of the map ({width})"
+        why = f"the film ({thickness}) is thinner than the point spacing ({width}): the contact area may be inaccurate"
         yield ValidityWarning(why, "film_thickness", film.thickness, film.thickness, low=pitch)
 
 

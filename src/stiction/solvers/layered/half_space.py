@@ -25,9 +25,9 @@ _DEEPEST, _GROWTH = 0.35, 3.0
 
 
 def integrals(g: np.ndarray, r: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the stress integrals H_mn of the module at radii r (m,) and depths z (n,).
+    """Return the stress integrals H_mn of the module at radii r (p,) and depths z (k,).
 
-    The shape is (2, 4, n, m), for orders m = 1, 2 and n = 0 to 3. r and z are divided by the contact radius. g: coefficients
+    The shape is (2, 4, k, p), for orders m = 1, 2 and n = 0 to 3. r and z are divided by the contact radius. g: coefficients
     of the pressure, as `sphere.pressure` returns them.
     """
     s, weights = _path(min(_DEEPEST, _GROWTH / g.size))

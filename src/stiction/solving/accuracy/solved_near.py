@@ -95,7 +95,10 @@ class ContactFeatures:
 
 
 def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
-    """Return pressure, hardness, Nayak's alpha and shape of a contact from the slopes of its map, not from its asperities."""
+    """Return pressure and hardness over E* h', Nayak's alpha, and shape of a contact, from its map and not from its asperities.
+
+    h' is the rms gradient. The shape is the skewness of the heights, the lay and the slope of the highest points over h'.
+    """
     from stiction.solvers.boundary_elements.map_area import map_area  # loads what only contacts of scans need
     from stiction.surfaces.asperity_set import skewness
 

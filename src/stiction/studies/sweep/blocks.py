@@ -72,7 +72,7 @@ def solved_of(plan: Plan, choice: Choice, piece: Region, keep: list[str] | None)
 
 
 def _along_places(solved: BatchResult) -> BatchResult:
-    """Return the results of one contact with a leading dimension of length 1, for the map."""
+    """Return the results of one contact with a leading dimension `place` of length 1, along which a sweep joins its maps."""
     variables = {
         name: ((PLACE, *dims), np.asarray(values)[None], *rest) for name, (dims, values, *rest) in solved.variables.items()
     }

@@ -135,8 +135,8 @@ _LARGEST_Q = 60.0
 def _over_shapes(shapes: Shapes) -> tuple[np.ndarray, np.ndarray]:
     """Return Chebyshev coefficients of (1 + q^2) g(q), for load and for area.
 
-    q is the summit curvature over its scale s. g(q) = Int t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt is the mean over the summit
-    shapes t, with C the load factor or the area factor.
+    q = kappa/s and t = r/kappa as in the module. g(q) = Int_0^1 t (1 - t^2) exp(-q^2 t^2 / 2) C(t) dt is the integral over the
+    summit shapes t (not normalised), with C the load factor or the area factor.
     """
     measure = shapes.weight * shapes.t * (1.0 - shapes.t**2)
 
