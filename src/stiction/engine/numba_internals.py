@@ -30,7 +30,10 @@ _CHECKSUM = hashlib.sha256().digest_size
 
 
 def keep_on_disk(compiled: Any, digest: Callable[[Any], str]) -> None:
-    """Give a compiled kernel a cache on disk; its file names contain the digest of the code."""
+    """Give a compiled kernel a cache on disk.
+
+    The name of a file contains a hash of the code digest, the input types, the versions of Numba and Python, and the processor.
+    """
     compiled._cache = _KernelCache(compiled, digest)
 
 

@@ -128,9 +128,11 @@ class Placing:
         return self.parts * LONGEST
 
     def on(self, laws: int, rules: Rules) -> Callable:
-        """Return the function append(reach, shape, block, nodes), which places the nodes of one block of laws.
+        """Return append(reach, shape, block, nodes), which adds the integration nodes of a block of laws to `nodes`.
 
-        laws: largest number of laws in a block. reach: as in `sum_kernels.reaching`.
+        laws: largest number of laws in a block. rules: nodes and weights of the integration rules. reach: as in
+        `sum_kernels.reaching`. shape: parameters of the height distribution. block: slice of the laws. nodes: table of
+        nodes, as described in `sum_kernels`.
         """
         regime, displaced = self.regime, self.displaced
         if displaced is None:

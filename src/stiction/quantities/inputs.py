@@ -133,7 +133,7 @@ class Input(BaseModel):
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Raise an InputError, because records are immutable.
+        """Raise an InputError for a public name, because records are immutable.
 
         If the new value is itself invalid, the error names that value instead.
         """

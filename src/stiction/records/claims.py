@@ -87,9 +87,9 @@ FILM_LIMITS = {
 class Departure:
     """State the relative error of a published film law in a limit that every film should satisfy.
 
-    limit: a key of FILM_LIMITS. quantity: the result with the error. least, most: smallest and largest error for soft and
-    hard films at plasticity indices of 0.5 and more; infinite if unbounded. A test checks these numbers. It also checks
-    that the law's validity ranges exclude every film with an error above 20 %.
+    limit: a key of FILM_LIMITS. quantity: the result with the error. least, most: smallest and largest error over soft
+    and hard films together, at plasticity indices of 0.5 and more; infinite if unbounded. A test checks these numbers. It
+    also checks that the law's validity ranges exclude every film with an error above 20 %.
     """
 
     limit: str

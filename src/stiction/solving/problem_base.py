@@ -83,7 +83,7 @@ class Problem(ABC):
     @property
     @abstractmethod
     def adheres(self) -> bool:
-        """Return whether asperities attract each other."""
+        """Return whether the model includes adhesion between the two surfaces."""
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Return the normalised loads (n, m) of a curve, or only a few of them if each solution is slow."""

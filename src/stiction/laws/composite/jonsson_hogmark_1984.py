@@ -41,7 +41,10 @@ def constants(n_E: np.ndarray, n_H: np.ndarray, n_Y: np.ndarray) -> np.ndarray:
 
 
 def landmarks(constant: np.ndarray, exponent: np.ndarray) -> np.ndarray:
-    """Return depths over thickness (n, 9) at which to split the integration, from the first effect of the substrate on."""
+    """Return the displacements over film thickness, omega/t (n, 9), at which an integral over heights is split.
+
+    At the first, the substrate begins to contribute. constant: C (n,) from `constants`. exponent is not used.
+    """
     return constant[:, None] / _DIAGONAL * np.array([1.0, 2.0, 6.0, 24.0, 100.0, 500.0, 3e3, 2e4, 2e5])
 
 

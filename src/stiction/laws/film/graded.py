@@ -41,9 +41,10 @@ def fading_rates(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the rates (n,) at which the influence of the film on the hardness fades with depth (S5.13, S5.14).
 
-    They are the factors of w and of w^2 in the exponent: (c/tau, 0) for the exponent m = 1, (0, c/tau^2) for m = 2. n_E, n_H,
-    n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film thickness over sigma. m_soft, m_hard:
-    m for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another exponent.
+    They are the factors of w and w^2 in the exponent, with the displacement w over sigma: (c/tau, 0) for the exponent m = 1,
+    (0, c/tau^2) for m = 2. n_E, n_H, n_Y: modulus, hardness and yield stress of the film over the substrate's. tau: film
+    thickness over sigma. m_soft, m_hard: m for n_H < 1 and for n_H > 1 (sources disagree). Raises InputError for another
+    exponent.
     """
     for name, exponent in (("m_soft", m_soft), ("m_hard", m_hard)):
         if exponent not in (1, 2):
@@ -70,11 +71,14 @@ def graded_regimes(
 ) -> list[Regime]:
     """Return the regimes of a graded film on one body against a rigid body, in units of the substrate.
 
-    substrate, film: groups with their own Poisson's ratio, K beta and hardness over yield stress; the adhesion indices are
-    taken from the substrate and scaled by n_E, n_H and n_g. tau = t/sigma and film_aspect = t/sqrt(R sigma): 0 to infinity,
-    (n,). exponents: m of (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
+    A regime is the part of the asperity law in which the asperity is elastic or plastic and counts as film or as substrate
+    (PARTS). substrate, film: groups with their own Poisson's ratio, K beta and hardness over yield stress; the adhesion indices
+    are taken from the substrate and scaled by n_E, n_H and n_g. n_E, n_H, n_g (n,): modulus, hardness and work of adhesion of
+    the film over the substrate's. tau = t/sigma and film_aspect = t/sqrt(R sigma): 0 to infinity, (n,). exponents: m of
+    (S5.13), 1 or 2, for a film that is softer and for one that is harder than the substrate.
 
-    An asperity counts as film while w < tau, and as plastic if its elastic mean pressure exceeds the hardness at its depth.
+    An asperity counts as film while its displacement over sigma is below tau, and as plastic if its elastic mean pressure
+    exceeds the hardness at its depth.
     """
     laws = len(substrate.theta)
     n_E, n_H, tau, film_aspect, n_g = (

@@ -72,9 +72,10 @@ def resistance_printed(u, w, load, area, *row):
 def tangential_resistance(
     segment: NormalSegment, groups: Groups, plastic_junctions: str = NO_JUNCTIONS
 ) -> TangentialResistance | None:
-    """Return the resistance on a segment of a JKR asperity with the coordinate u = x^(1/4).
+    """Return the tangential force law of a segment of a JKR asperity; None if the segment has none.
 
-    If film and body are solved together, the stiffness and the stresses of both are used.
+    The coordinate is u = x^(1/4), with x = a^2/(R sigma) and a the contact radius. `plastic_junctions` selects the law of
+    plastic segments. If one solution describes film and body, the law uses the stiffness and stresses of both.
     """
     if segment.state != "elastic":
         return of_whole_segment(plastic_junctions, segment, groups)

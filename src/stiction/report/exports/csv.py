@@ -9,7 +9,10 @@ if TYPE_CHECKING:
 
 
 def heads_and_rows(table: "xarray.Dataset") -> list[list]:
-    """Return a friction table as lists: first the column heads, "name [unit]", then one list for each row."""
+    """Return a friction table as lists: first the heads "name [unit]", then one list for each row.
+
+    Numbers have nine significant digits.
+    """
     units = {name: variable.attrs["units"] for name, variable in table.items()}
     heads = [f"{name} [{unit}]" if unit != "1" else str(name) for name, unit in units.items()]
     rows = zip(*(table[name].values for name in units), strict=True)
@@ -17,7 +20,7 @@ def heads_and_rows(table: "xarray.Dataset") -> list[list]:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as CSV text."""
+    """Return a friction table as CSV text, with nine significant digits."""
     text = io.StringIO(newline="")
     csv.writer(text, lineterminator="\n").writerows(heads_and_rows(table))
     return text.getvalue()

@@ -72,7 +72,7 @@ def _profile_row(surface: HeightMap, measured: Statistics) -> tuple[str, str]:
 
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
-    """Return rows with more height, spatial and functional parameters of ISO 25178-2."""
+    """Return rows with Sp, Sv, Sdr, Sal, Str, Sk, Spk, Svk, Smr1 and Smr2 of ISO 25178-2."""
     parameters = asdict(areal_parameters(surface))
     ratios = {"Sdr", "Str", "Smr1", "Smr2"}
     texts = {

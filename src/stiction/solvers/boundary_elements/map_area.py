@@ -126,7 +126,7 @@ class MapArea:
 
     @property
     def formula(self) -> Callable[[float, MapSlopes], float]:
-        """Return the formula for the area at pressures that are not solved."""
+        """Return the function that estimates the area at pressures that are not solved."""
         return by_top_slopes if self.gaussian else by_ranks
 
     def share(self, pressure: np.ndarray, hardness: float) -> np.ndarray:

@@ -112,7 +112,7 @@ class Waves:
 
 
 def waves(heights: np.ndarray, size: tuple[float, float], periodic: bool) -> Waves:
-    """Compute the characteristic wavelengths of a map.
+    """Return the shortest and longest wavelength, rms gradient, pitch and shorter side of a map.
 
     heights: (rows, columns) [m]. size: (y, x) [m]. A map that is not periodic is multiplied by Hann's window, so that the
     step between its ends does not count as roughness.

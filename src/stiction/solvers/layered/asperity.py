@@ -123,7 +123,8 @@ def parted(u, row):
 def edged(u, *row):
     """Return displacement, its derivative by u, load and area of an asperity with JKR's adhesion.
 
-    The third number of the row is s, the strength of adhesion. All values are normalised.
+    The third number of the row is s, the strength of adhesion. Displacements are over sigma, loads over K R^(1/2) sigma^(3/2)
+    and areas over pi R sigma, with K = (4/3) E* of the bodies without a film.
     """
     z, by_u, E_P, D, load_slope, approach_slope = _hertzian(u, row)
     softness, softness_slope = _edge(z, by_u, row)

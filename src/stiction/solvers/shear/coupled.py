@@ -170,9 +170,9 @@ def press_and_shear(
 class _Strengths:
     """Limit how often the strength of a point changes between turns, so that the turns end.
 
-    Some points at the edge would touch in one turn and not in the next. After a few free turns, such a point first moves only
-    part of the way to its new strength. After its second such change it keeps its strength. misfit: difference of all strengths
-    from those that the pressure gives, relative to their sum.
+    A turn solves the pressure once and then the traction once. Some points at the edge would touch in one turn and not in the
+    next. After a few free turns, such a point first moves only part of the way to its new strength. After its second such
+    change it keeps its strength. misfit: difference of all strengths from those that the pressure gives, relative to their sum.
     """
 
     def __init__(self) -> None:

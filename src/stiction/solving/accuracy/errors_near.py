@@ -122,8 +122,8 @@ def _tables(known: SolvedSet, column: str) -> tuple[_Table, _Table]:
 def bare_errors(known: SolvedSet, column: str, place: ContactFeatures, anywhere: bool) -> ErrorsNear | None:
     """Return the errors of a model on surfaces without a film; None if the model was not measured.
 
-    anywhere: True for a solution of the map, which is equally good on any surface. Then only the pressure decides how
-    near a solved surface is.
+    place: the contacts at k points. anywhere: True for a solution of the map, which is equally accurate on any surface. Then
+    only the pressure decides how near a solved surface is.
     """
     errors = known.errors(column)
     if errors is None:
@@ -144,7 +144,8 @@ def _in_blocks(place: ContactFeatures, surfaces: int, errors_of: Callable[[slice
 def _bare_errors(known: SolvedSet, errors: _Table, areas: _Table, place: ContactFeatures, anywhere: bool) -> ErrorsNear:
     """Return the errors of a model near each point, on surfaces without a film.
 
-    errors, areas: errors of the model, and solved areas of the surfaces on which it has any result.
+    errors: errors ln(A/solved A) of the model's area. areas: solved areas of the surfaces on which it has any result. place:
+    the contacts at k points. anywhere: as in `bare_errors`.
     """
     positive = (place.pressure > 0.0) & (place.hardness > 0.0)
     pressure, hardness = np.where(positive, place.pressure, 1.0), np.where(positive, place.hardness, 1.0)

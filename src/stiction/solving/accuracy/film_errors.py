@@ -146,7 +146,10 @@ def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -
 
 
 def a_over_t(problem: Problem, results: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    """Return the mean contact radius over the thickness of one film (n, m); None if the model has no single asperities."""
+    """Return the mean contact radius over the thickness of one film (n, m).
+
+    None for a bare contact or a model without single asperities; 0 if the film thickness over sqrt(R sigma) is unknown.
+    """
     groups = problem.groups.resolved()
     if "touching_asperities" not in results or groups.film_aspect is None:
         return None

@@ -284,9 +284,10 @@ def _seeds(search: DesignSearch, number: int, ceiling: float | None, rng: np.ran
 def _refined(search: DesignSearch, number: int, callback: Callback) -> None:
     """Refine the free numbers of the best designs by COBYQA (Ragonneau 2022), a local optimiser.
 
-    Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it.
+    Its quadratic model reaches the optimum to many digits, also where a constraint or an end limits it. Designs that the
+    prediction evaluates are not refined. number: index of the objective.
     """
-    if not search.plan.free or search.space.is_predicted:  # draws are known to two digits
+    if not search.plan.free or search.space.is_predicted:  # predictions are known to two digits
         return
     for at in search.best(number)[:REFINED]:
         _refine(search, number, search.shares[at], callback)

@@ -160,7 +160,10 @@ class DesignSpace:
         return np.column_stack(columns) if columns else np.zeros((len(shares), 1), dtype=int)
 
     def answers(self, shares: np.ndarray) -> Evaluated:
-        """Evaluate designs, shares (n, d); refused designs get a large constraint violation."""
+        """Return objectives, constraint violations and results of n designs; refused designs get a large violation.
+
+        shares (n, d): position of each choice between its ends or along its list, 0 to 1.
+        """
         shares = np.atleast_2d(shares)
         count, limits = len(shares), len(self.plan.limits) + 1
         objectives, excess = np.full((count, len(self.plan.objectives)), _REFUSED), np.full((count, limits), _REFUSED)

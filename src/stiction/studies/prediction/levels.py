@@ -10,7 +10,7 @@ import numpy as np
 
 from stiction.quantities.sampling import sobol_points
 
-# Names of the parts, and the columns of levels that each of them has beside the uncertain numbers of the case.
+# Random parts, and the columns of levels of each. The part "inputs" has the columns of the uncertain numbers of the case.
 COLUMNS: Mapping[str, tuple[str, ...]] = {
     "inputs": (),
     "interface": ("state", "strength", "coefficient"),
@@ -28,8 +28,8 @@ _APART = "spots"  # a column that few contacts need: not of the sequence, so tha
 class Levels:
     """Store quantile levels, 0 to 1, of n samples.
 
-    inputs: (n, k), one column for each uncertain number of the case. others: column (n,) of each other random part, by its name
-    in COLUMNS.
+    inputs: (n, k), one column for each uncertain number of the case. others: one column (n,) for each further random number, by
+    the column names listed in COLUMNS.
     """
 
     inputs: np.ndarray

@@ -39,7 +39,7 @@ _INTERFACE = (
 
 @dataclass(frozen=True)
 class Bodies:
-    """Store the strengths of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
+    """Store strengths and stiffness of the touching surfaces in Pa, arrays (n or 1, m or 1) over samples and points.
 
     hardness, shear_strength, shear_modulus: of the softer surface. hardest: the largest pressure that a contact spot can
     bear, the greater of the hardness of the touching surfaces and of the bodies below films.
@@ -162,7 +162,10 @@ class SampledCase:
         return np.where(self._first_is_softer(self.contact), first, second)
 
     def _first_is_softer(self, contact: Contact) -> np.ndarray:
-        """Return a mask (1 or m,) of the points at which the first touching body is the softer one on average."""
+        """Return a mask (1 or m,) of the points at which the first touching body is the softer one, or as hard.
+
+        Hardness is averaged over the samples.
+        """
         first, second = (self.column(body.hardness).mean(axis=0) for body in contact.touching)
         return first <= second
 
@@ -173,7 +176,7 @@ class SampledCase:
 
     @cached_property
     def bodies(self) -> Bodies:
-        """Return the strengths of the touching surfaces for all samples and points."""
+        """Return hardness, shear strength and shear modulus [Pa] of the touching surfaces for all samples and points."""
         contact = self.drawn
         radius = contact.roughness.asperity_radius
         pair = Pair(*(at_radius(body, radius) for body in contact.touching))

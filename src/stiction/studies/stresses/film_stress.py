@@ -121,9 +121,9 @@ def require_proportion(radius: float) -> None:
 
 
 def part_that_yields(subject: Subject, where: str) -> str:
-    """Return the part that yields first, with "counterbody" for "film" if the uncoated counterbody is softer.
+    """Return the part that yields first: `where`, but "counterbody" instead of "film" if that body is softer than the film.
 
-    where: "film", "interface" or "body", from the solution of the layered body.
+    The counterbody is uncoated. where: "film", "interface" or "body", from the solution of the layered body.
     """
     softer = isinstance(subject, Contact) and subject.softer_counterbody is not None
     return "counterbody" if where == "film" and softer else where

@@ -46,8 +46,8 @@ class _Table:
 def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
     """Return the contact area over the nominal area at the reduced pressures p / (E* h') >= 0, any shape.
 
-    rate: the function S of arrays of A/A0, positive, with S(1) = 1. Pass the same function object each time, because its table
-    is cached.
+    rate: the function S(A/A0) = dV/dV_c of arrays, with the variance V of the pressure and V_c in full contact; S > 0 and
+    S(1) = 1. Pass the same function object each time, because its table is cached.
     """
     table = _table(rate)
     goal = np.asarray(pressure, dtype=float)

@@ -59,7 +59,10 @@ def _signed(peels: Callable, width: int, yields: Callable, normal: Callable, par
 def smaller_force(
     segment: NormalSegment, peeling: Force, yielding: Force, kinks: np.ndarray | None = None
 ) -> TangentialResistance:
-    """Return the smaller of both forces on the elastic segment of an adhesive asperity; kinks (n, k): further kinks."""
+    """Return the smaller of both forces on the elastic segment of an adhesive asperity.
+
+    kinks (n, k): coordinates u at which one of the forces has a kink of its own.
+    """
     width, own = len(peeling.columns), (*peeling.columns, *yielding.columns)
     signed = _signed(peeling.formula, width, yielding.formula, segment.normal, len(segment.parameters))
     crossings = sign_changes(signed, segment, own, 2, _MOST)
