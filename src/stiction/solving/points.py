@@ -15,7 +15,7 @@ from stiction.contact.subject import Subject
 from stiction.engine.blocks import in_blocks
 from stiction.engine.summation import FARTHEST
 from stiction.quantities.dimensions import aligned, coordinate, coordinates, dimensions, variable
-from stiction.quantities.errors import InputError
+from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.foreign import as_sequence, is_series
 from stiction.quantities.units import from_series, values_along
 from stiction.solving.inversion import Inversion, Unreachable, solved_at
@@ -151,7 +151,7 @@ def check_reach(separation: np.ndarray, name: str = "separation") -> None:
     """Raise InputError for separations over sigma outside the range of the sums."""
     farthest = float(np.abs(separation).max(initial=0.0))
     if not farthest <= FARTHEST:
-        raise InputError(name, farthest, f"{FARTHEST:g} times sigma at most")
+        raise InputError(name, InWords(f"{farthest:.4g} sigma"), f"at most {FARTHEST:g} sigma")
 
 
 @contextmanager

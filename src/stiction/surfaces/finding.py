@@ -114,8 +114,8 @@ def _settled(record: AsperityMethod, given: Mapping[str, Any]) -> dict[str, Any]
     """
     for name in given:
         if name not in record.parameters:
-            known = ", ".join(record.parameters) or "no option"
-            raise InputError(name, given[name], f"the options of method {record.key}: {known}")
+            known = f"its options: {', '.join(record.parameters)}" if record.parameters else "it has no options"
+            raise InputError(name, given[name], f"not supported by method {record.key}; {known}")
     return {
         name: option.default if given.get(name) is None else _checked(name, option, given[name])
         for name, option in record.parameters.items()

@@ -144,7 +144,7 @@ RECORD = AsperityLaw(
     "interferences, the only check of the area's exponent; load and area continuous at first yield",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     validity=(
-        Validity("nu", LEAST_NU, 0.5, "the law is fitted for larger nu; below, its ratios of stick to slip are kept constant"),
+        Validity("nu", LEAST_NU, 0.5, f"the law is fitted for nu >= {LEAST_NU}; below, its stick/slip ratios are constant"),
     ),
     limits=(
         Limit("hertz", {"theta": 1.0, "lam": 1e24}, ("contact_area",), 1e-9),

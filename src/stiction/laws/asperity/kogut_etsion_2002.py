@@ -102,7 +102,9 @@ RECORD = AsperityLaw(
     needs=("hardness_group", "nu"),
     validity=(
         # 0.94 r^1.146 at the last interference ratio that was computed, r = 110
-        Validity("asperity_area_over_yield", 0.0, 205.0, "the fit ends at 110 critical interferences", "fit"),
+        Validity(
+            "asperity_area_over_yield", 0.0, 205.0, "the fit ends at 110 critical interferences, where this ratio is 205", "fit"
+        ),
     ),
     limits=(elastic_limit("hertz"),),
     load_falls=False,

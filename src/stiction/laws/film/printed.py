@@ -124,7 +124,7 @@ RECORD = FilmLaw(
     needs=("theta", "lam", "n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity("load_share_substrate", 0.0, 0.1, "the printed substrate terms do not describe a substrate below a film"),
+        Validity("load_share_substrate", 0.0, 0.1, "the substrate terms of the paper do not describe a substrate below a film"),
         Validity("n_E", 0.9, 1.1, "the printed equations add loads in different units"),
     ),
     wants={"2015": "it needs the asperity law roy_chowdhury_ghosh_1994"},

@@ -69,7 +69,7 @@ RECORD = RoughSurface(
         Validity(
             "elastic_over_adhesion", 0.0, 1.0, "the contact stays partial, but the model assumes full contact", "impossible"
         ),
-        Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load: mu may be lower"),
+        Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load, so mu may be lower"),
         ELASTIC_CONTACT,
     ),
     notes="mu is the shear strength of the interface over the nominal pressure. The model raises an error if flattening the "

@@ -86,7 +86,7 @@ RECORD = TangentialLaw(
     verified="seven loads tabulated independently; independent evaluation at 30 digits; sums over Gaussian heights",
     needs=("hardness_group", "nu", "hardness_to_yield"),
     validity=(
-        Validity("nu", LEAST_NU, 0.5, "the law is fitted for larger nu; below, its ratios of stick to slip are kept constant"),
+        Validity("nu", LEAST_NU, 0.5, f"the law is fitted for nu >= {LEAST_NU}; below, its stick/slip ratios are constant"),
     ),
     notes="The junction is assumed as strong as the bulk, an upper bound for clean metals. Plastic asperities resist too, so "
     "that mu stays above 0.27 at any plasticity index. The yield stress is hardness over hardness_to_yield.",
