@@ -94,3 +94,10 @@ def test_other_languages(case, program, words):
         pytest.skip(f"{program} is not installed")
     done = subprocess.run([program, *words], cwd=case.parent, text=True, capture_output=True, check=True)
     assert float(done.stdout) == pytest.approx(st.predict_value("mu", *PAIRS), rel=1e-4)
+
+
+@pytest.mark.parametrize("cell", [None, ((5.0, 6.0),)])
+def test_an_empty_cell_and_a_range_are_refused(cell):
+    with pytest.raises(st.InputError) as refused:
+        st.predict_value("mu", "load", cell, "first", "copper")
+    assert refused.value.field == "load"

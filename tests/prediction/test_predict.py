@@ -285,3 +285,14 @@ def test_a_finish_draws_no_asperities_that_cannot_be():
     found = st.predict(st.Contact(first=rubber, second="silica", roughness=rough, nominal_area="4 cm^2"), load="1 N")
     assert not any("impossible" in warning for warning in found.warnings)
     assert np.isfinite(found.friction_coefficient_samples).all()
+
+
+def test_adhesion_of_an_elastomer_that_is_not_stated_is_told():
+    """A stated 0 J/m^2 is an answer; without a number, the user is told what it may do."""
+    rough = {"first": {"finish": "blasted"}}
+    rubber = {"first": "natural_rubber", "second": "borosilicate_glass", "roughness": rough, "nominal_area": "1 cm^2"}
+    told = [
+        "work_of_adhesion" in " ".join(st.predict({"contact": rubber | more, "solve": {"load": "10 N"}}).attrs["warnings"])
+        for more in ({}, {"work_of_adhesion": "0 J/m^2"})
+    ]
+    assert told == [True, False]

@@ -62,7 +62,8 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     try:
         elastic = slide(numbers, load=loads, displacement=[0.0], **_STIFFNESS)
     except InputError as error:
-        comments.append(f"no stiffness before sliding and no separation: {error}")
+        reason = "no model gives them for a contact with a film" if case.subject.has_film else error
+        comments.append(f"no stiffness before sliding and no separation: {reason}")
     else:
         stiffness = elastic["tangential_stiffness"].values / area
         columns |= {

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from stiction.contact.materials import class_of
 from stiction.solvers.boundary_elements.limits import LEAST_WAVES
 from stiction.solving.state import of_the_map
 from stiction.studies.prediction.levels import Levels
@@ -101,6 +102,9 @@ def warnings_of(
             f"The stated interface is {times:.3g} times as strong as the weaker body, and junctions grow: if its "
             "strength changes by 2 %, mu changes by 15 % or more."
         )
+    contact = mixture.sampled.contact
+    if contact.work_of_adhesion is None and any(class_of(body) == "elastomer" for body in contact.touching):
+        warnings.append("work_of_adhesion is not stated: adhesion of an elastomer can raise mu several times at light loads.")
     warnings += _of_few_waves(mixture)
     warnings += [] if mixture.sampled.contact.measured is None else list(mixture.sampled.contact.measured.validity_warnings)
     area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
