@@ -139,7 +139,7 @@ def groups_of_models(count: int, film: bool, choice: Choice) -> Groups:
         }
     others = {"tabor_parameter": 10 ** rng.uniform(-1, 1, count), "sharpness": 0.03 * ones, "roughness_parameter": 0.05 * ones}
     others |= {"nominal_width": 2e4 * ones, "shear_strength": 0.1 * ones, "pressure_coefficient": 0.05 * ones}
-    others |= {"hardening": 0.01 * ones, "peeling": 0.3 * ones}
+    others |= {"hardening": 0.01 * ones, "peeling": 0.3 * ones, "size_over_burgers": 1e3 * ones}
     if choice.beside.get("meniscus"):
         others |= {"meniscus_index": 10 ** rng.uniform(-2, 0, count), "meniscus_height": 10 ** rng.uniform(-2, 0, count)}
     if choice.beside.get("ageing"):

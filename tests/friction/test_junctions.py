@@ -308,7 +308,7 @@ def plastic_segments(law, given):
 
 def force_on(law, segment, **more):
     """Tangential force, load and area of an asperity far beyond yield."""
-    given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, pressure_coefficient=0.0, **more)
+    given = groups(theta=1e3, lam=1e4, nu=0.3, sharpness=0.01, pressure_coefficient=0.0, size_over_burgers=1e3, **more)
     w, _, load, area = normal_states(segment, coordinates(segment, 3.0))[0]
     held = law.tangential_resistance(segment, given, **resolve_options([law], {}))
     if held is None:
@@ -332,7 +332,7 @@ def test_what_plastic_junctions_resist_is_as_the_record_says(law):
         grown = [weak[0] / sheared[0], strong[0] / sheared[1]]
         assert {
             "none": grown == [0.0, 0.0],
-            "interface": grown == pytest.approx([1.0, 1.0], rel=1e-12),
+            "interface": grown == pytest.approx([1.0, 1.0], rel=1e-12) if "shear_strength" in law.needs else weak[0] == strong[0],
             "junction growth": 1.0 < grown[0] < grown[1],
             "full stick": weak[0] == strong[0] > 0.0,
         }[law.yielded]

@@ -401,7 +401,7 @@ def test_the_band_lies_between_the_lowest_and_the_highest_of_the_methods(with_ra
         column = edge[edge[:, 0] == one, 1]
         assert column.min() == pytest.approx(max(np.nanmin(table[:, at]), floor))
         assert column.max() == pytest.approx(np.nanmax(table[:, at]))
-    assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_ylabel() == "static friction coefficient $\\mu$"
+    assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_ylabel().startswith("static friction coefficient $\\mu$")
     assert "a title" in figure.get_suptitle() and "grade" in figure.get_suptitle()
     assert legend(figure)[0] == "range over methods of\nfinding asperities" and inside(figure)
 
