@@ -165,11 +165,11 @@ def _predicted(**contact):
 # ---- the page as it is opened
 
 
-# Words that are seen: texts within the window, without pictures.
+# Words that are seen: texts within the window, without pictures and their legend.
 WORDS = """() => { const found = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walk.nextNode()) { const range = document.createRange(), parent = walk.currentNode.parentElement;
     range.selectNodeContents(walk.currentNode); const box = range.getBoundingClientRect();
-    if (box.width && box.top < innerHeight && box.bottom > 0 && !parent.closest('i, style, script')
+    if (box.width && box.top < innerHeight && box.bottom > 0 && !parent.closest('i, style, script, .legend')
       && parent.checkVisibility({checkOpacity: true, checkVisibilityCSS: true}))
       found.push(...walk.currentNode.data.split(/\\s+/).filter(one => one)) } return found }"""
 
