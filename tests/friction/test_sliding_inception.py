@@ -301,8 +301,8 @@ def test_never_negative_never_nan(law):
     n = 400
     given = groups(**random_groups(rng, n, False))
     alpha, share = 10.0 ** rng.uniform(-4, -0.9, n), 10.0 ** rng.uniform(-6, 0, n)
-    given = given.with_changes(shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share, size_over_burgers=10.0 ** rng.uniform(0, 6, n))
-    given = given.with_changes(sharpness=10.0 ** rng.uniform(-3, -1, n))
+    given = given.with_changes(shear_strength=alpha, pressure_coefficient=rng.uniform(0, 1, n), peeling=share)
+    given = given.with_changes(size_over_burgers=10.0 ** rng.uniform(0, 6, n), sharpness=10.0 ** rng.uniform(-3, -1, n))
     segments = [] if "JKR" in law.wants else [hertz_segment(n)]
     segments += [] if "no adhesion" in law.wants else [jkr_segment(given), jkr_segment(given, "unloading")]
     for segment in segments:
