@@ -103,14 +103,16 @@ def warnings_of(
             "strength changes by 2 %, mu changes by 15 % or more."
         )
     contact = mixture.sampled.contact
-    if contact.work_of_adhesion is None and any(class_of(body) == "elastomer" for body in contact.touching):
+    area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
+    is_flat = area >= _FLAT * float(np.median(mixture.sampled.drawn.nominal_area))
+    soft = any(class_of(body) == "elastomer" for body in contact.touching)
+    if contact.work_of_adhesion is None and soft and not is_flat:  # adhesion cannot enlarge what touches everywhere
         warnings.append("work_of_adhesion is not stated: adhesion of an elastomer can raise mu several times at light loads.")
     warnings += _of_few_waves(mixture)
-    warnings += [] if mixture.sampled.contact.measured is None else list(mixture.sampled.contact.measured.validity_warnings)
-    area, pressure = (float(np.nanmedian(table[:, index])) for table in (samples.area, samples.pressure))
-    is_open = area < _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)) and pressure < _PLASTIC
+    warnings += [] if contact.measured is None else list(contact.measured.validity_warnings)
+    is_open = not is_flat and pressure < _PLASTIC
     decides = not shares or shares.get("area model", 0.0) > _DECIDES  # parts that hardly count are left out
-    if decides and (is_open or mixture.sampled.contact.has_film) and _kind_is_missing(mixture):
+    if decides and (is_open or contact.has_film) and _kind_is_missing(mixture):
         text = "The kind of surface is not stated: with the same numbers, the contact area can differ several times."
         first = shares.get("area model", 0.0) > shares.get("interface", 0.0)
         warnings.insert(0 if first else len(warnings), text)
