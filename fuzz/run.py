@@ -1,6 +1,6 @@
 """Run commands on generated case files, and other inputs, and report all that end in no answer and no single line.
 
-    python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60] [--only commands]
+    python fuzz/run.py [--first 0] [--count 200] [--minutes 5] [--seconds 60] [--only commands] [--only runs]
 
 A failure is a traceback, a message of more than one line, a command of more than `--seconds` of processor time or 4 GB, a
 number that is not finite, a negative area or friction coefficient, an interval without mu in it, or a number that differs in a
@@ -87,14 +87,14 @@ def failures_of_inputs(seed: int, name: str, seconds: int) -> Iterator[str]:
         yield f"seed {seed}, {name}: more than {seconds} s"
 
 
-def failures_of(seed: int, seconds: int, outcomes: Counter[str]) -> Iterator[str]:
-    """Yield what fails among the commands on the case of a seed."""
+def failures_of(seed: int, seconds: int, outcomes: Counter[str], only_run: bool = False) -> Iterator[str]:
+    """Yield what fails among the commands on the case of a seed; only_run: of `stiction run` alone, the cheapest of them."""
     chance = random.Random(f"{seed} commands")
     with tempfile.TemporaryDirectory() as folder:
         case = case_of(seed) if seed % _CHANGED == 0 else built_case(random.Random(f"{seed} built"), Path(folder))
         path = Path(folder) / "case.toml"
         path.with_name("measured.csv").write_text(measured_text(chance), encoding="utf-8")
-        for command in commands_of(seed, case):
+        for command in ["run"] if only_run else commands_of(seed, case):
             where = f"seed {seed}, {command}"
             tables = suited_to(command, case, chance) if command != "run" and chance.random() < 0.8 else case
             if not written(tables, path, command):
@@ -286,10 +286,10 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=1_000_000, help="number of seeds")
     parser.add_argument("--minutes", type=float, default=5.0, help="end after so many minutes")
     parser.add_argument("--seconds", type=int, default=60, help="most processor time of a command")
-    names = ["commands", *(target.__name__ for target in TARGETS)]
+    names = ["commands", "runs", *(target.__name__ for target in TARGETS)]
     parser.add_argument("--only", choices=names, action="append", help="what is tried; by default all")
     wanted = parser.parse_args()
-    names = wanted.only or names
+    names = wanted.only or [name for name in names if name != "runs"]
     end, outcomes, found = time.monotonic() + 60.0 * wanted.minutes, Counter[str](), 0
     done = set()
     for seed, failures, said in in_workers(range(wanted.first, wanted.first + wanted.count), names, wanted.seconds):
@@ -346,7 +346,10 @@ def _try_seeds(seeds: range, names: list[str], seconds: int, results: Connection
         for name in names:
             if len(names) > 1 and seed % _RARE.get(name, 1):
                 continue
-            failures += failures_of(seed, seconds, outcomes) if name == "commands" else failures_of_inputs(seed, name, seconds)
+            if name in ("commands", "runs"):
+                failures += failures_of(seed, seconds, outcomes, only_run=name == "runs")
+            else:
+                failures += failures_of_inputs(seed, name, seconds)
         results.send((seed, failures, outcomes))
 
 
