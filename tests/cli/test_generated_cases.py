@@ -1,6 +1,7 @@
 """A fixed share of the generated cases and other inputs of `make fuzz`: each ends in an answer or in one line."""
 
 import contextlib
+import json
 import multiprocessing
 import random
 import sys
@@ -118,6 +119,12 @@ def test_a_null_at_a_tensile_load_or_without_friction_is_no_fault(said):
 def test_a_null_with_a_reason_is_no_fault():
     said = '{"answer": {"friction_coefficient": null, "warnings": ["no load"]}, "curve": {"friction_coefficient": [null]}}'
     assert not list(run.faults_of(said))
+
+
+@pytest.mark.parametrize(("mu", "faults"), [(0.0, 0), (0.3, 1)])
+def test_an_interval_without_width_is_a_fault_where_there_is_friction(mu, faults):
+    said = json.dumps({"answer": {"friction_coefficient": mu, "interval": [mu, mu]}})
+    assert len(list(run.faults_of(said))) == faults
 
 
 @pytest.mark.parametrize("command", ["validate", "sweep", "film", "slide"])
