@@ -138,7 +138,7 @@ def value_of(chance: random.Random, schema: dict[str, Any], name: str, depth: in
         return chance.random() < 0.5
     if kind in ("number", "integer"):
         number = _within(chance, schema)
-        return int(number) if kind == "integer" else number
+        return min(int(number), _MOST_POINTS) if kind == "integer" else number
     return _text(chance, schema, name)
 
 

@@ -121,9 +121,11 @@ def test_a_null_with_a_reason_is_no_fault():
     assert not list(run.faults_of(said))
 
 
-@pytest.mark.parametrize(("mu", "faults"), [(0.0, 0), (0.3, 1)])
-def test_an_interval_without_width_is_a_fault_where_there_is_friction(mu, faults):
-    said = json.dumps({"answer": {"friction_coefficient": mu, "interval": [mu, mu]}})
+@pytest.mark.parametrize(
+    ("mu", "regime", "faults"), [(0.0, "Elastic.", 0), (0.3, "Elastic.", 1), (0.3, "Pressed flat, A = A_n.", 0)]
+)
+def test_an_interval_without_width_is_a_fault_where_mu_depends_on_roughness(mu, regime, faults):
+    said = json.dumps({"answer": {"friction_coefficient": mu, "interval": [mu, mu], "regime": regime}})
     assert len(list(run.faults_of(said))) == faults
 
 

@@ -56,3 +56,15 @@ def test_shares_are_those_of_two_loops(name):
     }
     assert found == pytest.approx(expected, abs=0.05)
     assert max(expected, key=expected.get) == max(found, key=found.get)
+
+
+def test_a_contact_that_is_pressed_flat_has_no_sources_of_uncertainty():
+    """Its mu is tau_0 A_n/P, so round-off alone varies from sample to sample."""
+    body = st.Material(youngs_modulus=629e6, poissons_ratio=0.33, hardness=60e6)
+    contact = st.Contact(
+        first=body, second=body, roughness={"finish": "wafer", "mean_height": 2.82e-6}, nominal_area=6.24e-5,
+        interfacial_shear_strength=1.3e5, work_of_adhesion=0.386,
+    )  # fmt: skip
+    found = st.predict(contact, load=3116.0)
+    assert float(found.friction_coefficient) == pytest.approx(1.3e5 * 6.24e-5 / 3116.0, rel=1e-12)
+    assert found.attrs["shares"] == {} and found.attrs["next_step"] == ""

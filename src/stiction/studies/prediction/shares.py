@@ -9,6 +9,7 @@ from stiction.studies.prediction.mixture import Mixture
 
 _EXCHANGES = range(8)  # seeds of the orders in which a part is exchanged; rows moved by a number would stay correlated
 _LEAST = 0.005  # share that is left out
+_ROUND_OFF = 1e-10  # variance of ln mu that is none: mu varies by less than 1e-5 of itself
 
 # What the variance is of: from levels and rows of the inputs, an array (n,).
 Quantity = Callable[[Levels, np.ndarray], np.ndarray]
@@ -32,7 +33,7 @@ def shares_of_variance(mixture: Mixture, levels: Levels, index: int) -> dict[str
     if "inputs" in variances:
         variances |= _of_each_input(mixture, levels, log_mu, variances.pop("inputs"))
     total = sum(variances.values())
-    if not total > 0.0:
+    if not total > _ROUND_OFF:
         return {}
     ordered = sorted(variances.items(), key=lambda pair: -pair[1])
     return {name: float(value / total) for name, value in ordered if value / total >= _LEAST}
