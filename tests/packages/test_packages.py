@@ -1,10 +1,12 @@
 """What is given away: wheel and sdist hold what they should, and the wheel with what it asks for alone solves a case."""
 
+import ast
 import importlib.util
 import os
 import re
 import subprocess
 import sys
+import tarfile
 import tomllib
 import zipfile
 from importlib.metadata import distribution, packages_distributions
@@ -57,6 +59,49 @@ def test_every_dependency_states_a_licence_that_is_not_the_gpl():
     found = licences.needed("stiction", frozenset({"all"}), {})
     assert {"stiction", "numpy", "numba", "nicegui", "zarr", "distributed", "openpyxl"} <= found.keys()
     assert not licences.problems(found)
+
+
+def test_the_page_of_licences_is_what_the_script_makes():
+    """Other versions of Python need other packages: those of this one are on the page."""
+    found = licences.needed("stiction", frozenset({"all"}), {})
+    made, page = (set(text.splitlines()) for text in (licences.page(found, base_packages()), licences.PAGE.read_text("utf-8")))
+    assert made <= page
+
+
+def test_every_file_that_is_shipped_has_an_origin_and_a_licence(built):
+    (sdist,) = built.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        names = [member.name.partition("/")[2] for member in archive.getmembers() if member.isfile()]
+    rows = {licences.origin_of(name) for name in names if not name.endswith((".py", ".md"))}
+    assert rows == set(licences.SHIPPED)
+    package = {name for name in names if name.startswith("src/stiction/") and not name.endswith(".py")}
+    assert len(package) > 20 and all(licences.origin_of(name)[0].startswith("src/stiction/") for name in package)
+
+
+def _private_uses(file):
+    """Return the private parts of other packages in a module, as `package: part`."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    packages, found = {}, set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            modules = {(alias.asname or alias.name).partition(".")[0]: alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            modules = {alias.asname or alias.name: f"{node.module}.{alias.name}" for alias in node.names}
+        else:
+            continue
+        packages |= {name: module.partition(".")[0] for name, module in modules.items()}
+        found |= {module for module in modules.values() if re.search(r"\._(?!_)", module)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and re.match("_(?!_)", node.attr) and isinstance(node.value, ast.Name):
+            found |= {f"{packages[node.value.id]}.{node.attr}"} if node.value.id in packages else set()
+    return {one for one in found if one.partition(".")[0] not in {*sys.stdlib_module_names, "stiction"}}
+
+
+def test_what_uses_private_parts_of_a_package_bounds_its_versions():
+    used = {file.name: _private_uses(file) for file in (ROOT / "src").rglob("*.py")}
+    assert {name: parts for name, parts in used.items() if parts} == {"numba_internals.py": {"numba._rebuild"}}
+    (bound,) = (Requirement(one).specifier for one in PROJECT["dependencies"] if one.startswith("numba"))
+    assert any(part.operator == "<" for part in bound) and distribution("numba").version in bound
 
 
 @pytest.mark.parametrize("text", ["GPL-3.0-or-later", "AGPL-3.0", "GNU General Public License v3 (GPLv3)", "not stated"])
