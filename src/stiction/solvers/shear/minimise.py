@@ -21,7 +21,7 @@ import numpy as np
 from stiction.solvers.shear.operators import ShearOperator
 
 _ENOUGH = 1e-4  # share of the decrease along the gradient that a projected step must bring
-_AT = 1.0 - 1e-12  # of the strength: at it
+_AT = 8.0  # roundings below the strength: at it
 
 
 @dataclass(frozen=True)
@@ -60,10 +60,10 @@ def shear(
 
     strength: (rows, columns) [Pa], 0 outside of contact. shift: rigid shift minus earlier slip [m]. start: first guess of the
     traction [Pa]. Both are (components, rows, columns). tolerance: largest accepted residual. most: largest number of steps.
-    Without convergence the last state is returned with `converged` False.
+    All is computed in the precision of `start`. Without convergence the last state is returned with `converged` False.
     """
-    touching = _Touching(operator, strength)
-    traction, shift = within(touching.read(start), touching.strength), touching.read(shift)
+    touching = _Touching(operator, strength.astype(start.dtype, copy=False))
+    traction, shift = within(touching.read(start), touching.strength), touching.read(shift.astype(start.dtype, copy=False))
     total = float(touching.strength.sum())
     gradient = touching.displacement(traction) - shift
     search = _Search(touching)
@@ -97,7 +97,7 @@ class _Touching:
 
     def map(self, values: np.ndarray) -> np.ndarray:
         """Return a field (components, rows, columns) with these values at the points, and 0 elsewhere."""
-        field = np.zeros((len(values), math.prod(self._shape)))
+        field = np.zeros((len(values), math.prod(self._shape)), dtype=values.dtype)
         field[:, self._at] = values
         return field.reshape(-1, *self._shape)
 
@@ -120,7 +120,8 @@ class _Search:
     def conjugate(self, traction, gradient):
         """Step along a conjugate direction; return traction and gradient, or None if the energy rises."""
         outward = -np.sum(gradient * traction, axis=0)
-        bound = (size_of(traction) >= self.strength * _AT) & (outward > 0.0)
+        at = 1.0 - _AT * float(np.finfo(traction.dtype).eps)
+        bound = (size_of(traction) >= self.strength * at) & (outward > 0.0)
         free = np.where(bound, 0.0, gradient)
         prepared = np.where(bound, 0.0, self.points.inverse(free))
         stiffness = np.zeros(())

@@ -141,8 +141,8 @@ def _tensor(along, across, x, y, shape) -> tuple[np.ndarray, np.ndarray, np.ndar
 
 
 def _through(field: np.ndarray, grid, symbol) -> np.ndarray:
-    """Zero-pad the field to the grid and multiply it by the symbol in Fourier space."""
-    xx, xy, yy = symbol
+    """Zero-pad the field to the grid and multiply it by the symbol in Fourier space, in the precision of the field."""
+    xx, xy, yy = (None if part is None else part.astype(field.dtype, copy=False) for part in symbol)
     workers = _workers(grid[0] * grid[1])
     waves = rfft2(field, s=grid, workers=workers)
     if len(field) == 1:
@@ -162,10 +162,10 @@ def _workers(points: int) -> int:
 
 
 def _even(field: np.ndarray, symbol: np.ndarray) -> np.ndarray:
-    """Multiply a single component by the symbol in cosine-transform space."""
+    """Multiply a single component by the symbol in cosine-transform space, in the precision of the field."""
     workers = _workers(symbol.size)
     waves = dctn(field[0], workers=workers)
-    waves *= symbol
+    waves *= symbol.astype(field.dtype, copy=False)
     return idctn(waves, workers=workers, overwrite_x=True)[None]
 
 
