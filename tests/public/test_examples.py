@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from pydantic import BaseModel
 
 import stiction as st
 from stiction.records.registry import all_options
@@ -47,14 +48,27 @@ surface = st.gaussian_surface((64, 64), ("10 um", "10 um"), target, seed=1)
 st.asperities(surface, "mccool")
 st.export(contact, "csv", "a.csv", load="1 N")
 st.sweep(case, "store.zarr", workers=2)
-st.fit(case, "data.csv")
+st.fit(case, "data.csv", progress=lambda label: iter)
+gold = st.material("gold", hardness="1 GPa").replace(poissons_ratio=0.4)
+twice = 2.0 * gold.hardness / contact.contact_modulus
+if (stress := gold.yield_stress) is not None:
+    print(stress / 1e6, contact.coating, rough.height_parameters, contact.roughness.skewness)
+water = st.Liquid(relative_humidity=[0.3, 0.5], contact_angle_first="10 deg", contact_angle_second=0)
+groups = st.Indices(theta=st.axis("theta", [1.0, 2.0]), lam=1, nu=0.3).replace(lam=2)
+print(water.suction, groups.eta, contact.interface_at([0.05, 0.95])[0], contact.unlabelled.scales().load)
 """
 MISTAKES = """
 st.solve(contact, load=1.0, flim="sequential")
 st.evaluate(0.0, 1.0, 1.0, readding="published")
+st.Material(youngs_modulus="1 GPa", poissons_ratio=0.3, hardnes="1 GPa", hardness=None)
 reveal_type(result)
 reveal_type(st.__version__)
+reveal_type(gold.hardness)
+reveal_type(gold.yield_stress)
 """
+OF_OTHERS = {"a_HeightMap.to_topography"}  # returns an object of a library without types
+# What NumPy's own types hold of Any: the shape and the kind of numbers of an array.
+OF_NUMPY = re.compile(r"tuple\[Any, \.\.\.\]|numpy\.dtype\[Any\]")
 
 
 def check_types(folder, text):
@@ -101,11 +115,28 @@ def test_law_keywords_are_those_of_the_registry():
     assert set(LawKeywords.__annotations__) == (set(LAWS) - {"model"}) | set(all_options())
 
 
+def public_members():
+    """Return one expression for each exported name, and for each public member of an exported class."""
+    members = {f"st.{name}": value for name, value in EXPORTED.items()}
+    for name, value in EXPORTED.items():
+        if inspect.isclass(value) and not issubclass(value, Exception | Warning):
+            names = {*dir(value), *getattr(value, "model_fields", {})} - {*dir(BaseModel), *dir(tuple)}
+            members |= {f"a_{name}.{each}": value for each in names if not each.startswith("_")}
+    return members
+
+
 def test_a_strict_type_checker_reads_the_script_of_a_user(tmp_path):
     """It accepts what is right, finds misspelt keywords, and sees the types of results. One run, as mypy is slow to start."""
-    lines = check_types(tmp_path, USER_SCRIPT + MISTAKES).splitlines()
+    members = sorted(public_members())
+    declared = sorted({each.split(".")[0] for each in members} - {"st"})
+    public = [*(f"{each}: st.{each[2:]}" for each in declared), *(f"reveal_type({each})" for each in members)]
+    lines = check_types(tmp_path, USER_SCRIPT + MISTAKES + "\n".join(public)).splitlines()
     errors = [line for line in lines if ": error:" in line]
-    dataset, version = (line for line in lines if "Revealed type" in line)
-    assert [re.findall(r'keyword argument "(\w+)"', error) for error in errors] == [["flim"], ["readding"]]
-    assert 'Revealed type is "xarray.core.dataset.Dataset"' in dataset
-    assert 'Revealed type is "str"' in version
+    found = [re.findall(r'Argument "(\w+)"|keyword argument "(\w+)"', error) for error in errors]
+    assert [left or right for ((left, right),) in found] == ["flim", "readding", "hardnes", "hardness"]
+    types = [line.split('Revealed type is "', 1)[1][:-1] for line in lines if "Revealed type" in line]
+    number = "float | xarray.core.dataarray.DataArray"
+    assert types[:4] == ["xarray.core.dataset.Dataset", "str", number, f"{number} | None"]
+    assert len(types[4:]) == len(members)
+    with_any = {each for each, kind in zip(members, types[4:], strict=True) if re.search(r"\bAny\b", OF_NUMPY.sub("", kind))}
+    assert with_any == OF_OTHERS

@@ -186,16 +186,16 @@ def from_scipy(quantity: str, law: Any, field: str) -> Distribution:
     Raises InputError if its parameters are missing, or if more than 2.5 % of it is outside the bounds of the quantity.
     """
     name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
-    given = f"scipy.stats.{name}"
+    stated = f"scipy.stats.{name}"
     try:
         median = float(law.ppf(0.5))
     except (TypeError, ValueError):  # one of scipy.stats without its parameters
-        raise InputError(field, given, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
+        raise InputError(field, stated, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
     if not np.isfinite(median):
-        raise InputError(field, given, "a distribution with a finite median")
+        raise InputError(field, stated, "a distribution with a finite median")
     shares = np.array([0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.999])
     parameters = tuple(np.asarray(law.ppf(shares), dtype=float).tolist())
-    return _checked(Distribution(quantity, median, given, parameters, given, law), field, given)
+    return _checked(Distribution(quantity, median, stated, parameters, stated, law), field, stated)
 
 
 def _checked(distribution: Distribution, field: str, given: Any) -> Distribution:

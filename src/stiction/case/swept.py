@@ -9,10 +9,9 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from stiction.case.distribution import Distribution, is_scipy_law
-from stiction.contact.indices import plain_number
 from stiction.contact.subject import Subject
 from stiction.quantities.errors import InputError, InWords, field_as
-from stiction.quantities.inputs import Input
+from stiction.quantities.inputs import Input, plain_number
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si, values_in_words
 

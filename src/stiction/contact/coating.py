@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from stiction.contact.materials import Material, as_material
-from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.inputs import Input, Number, OptionalNumber, by_default
 
 if TYPE_CHECKING:
     from stiction.quantities.keywords import Converted
@@ -53,8 +53,8 @@ class Coating(Input):
     material: Body = Field(description="a material: the name of a preset, or its numbers")
     thickness: Number
     bodies: Literal["both", "first", "second"] = "both"
-    work_of_adhesion: OptionalNumber = None
-    friction_constant: OptionalNumber = None
+    work_of_adhesion: OptionalNumber = by_default(None)
+    friction_constant: OptionalNumber = by_default(None)
 
 
 def softer_in_words(film: Material, counterbody: Material, bare: Any) -> str:

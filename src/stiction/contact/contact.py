@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from stiction.contact.coating import Body, Coating, softer_in_words
-from stiction.contact.indices import Indices, plain_number
+from stiction.contact.indices import Indices
 from stiction.contact.interfaces import OptionalState, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material
@@ -17,12 +17,13 @@ from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import coordinates, labelled
 from stiction.quantities.errors import InputError, field_named
-from stiction.quantities.inputs import Number, OptionalNumber
+from stiction.quantities.inputs import Number, OptionalNumber, by_default, plain_number
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 from stiction.surfaces.rough_input import Rough
 
 if TYPE_CHECKING:
+    from stiction.quantities.arguments import ArrayLike, NumberOrArray, QuantityLike, Values
     from stiction.surfaces.heightmap import HeightMap
     from stiction.surfaces.measured import Measured
 
@@ -80,22 +81,22 @@ class Contact(Subject):
     first: Body = Field(description="a material: the name of a preset, or its numbers")
     second: Body = Field(description="a material: the name of a preset, or its numbers")
     roughness: Rough = Field(description="a table with sigma, R and N of the asperities")
-    work_of_adhesion: OptionalNumber = None
+    work_of_adhesion: OptionalNumber = by_default(None)
     nominal_area: Number
     coating: Coating | None = None
-    hardness_to_yield: OptionalNumber = None
-    interfacial_shear_strength: OptionalNumber = None
-    pressure_coefficient: OptionalNumber = None
+    hardness_to_yield: OptionalNumber = by_default(None)
+    interfacial_shear_strength: OptionalNumber = by_default(None)
+    pressure_coefficient: OptionalNumber = by_default(None)
     interface: OptionalState = _STATE
-    burgers_vector: OptionalNumber = None
-    peeling: OptionalNumber = None
+    burgers_vector: OptionalNumber = by_default(None)
+    peeling: OptionalNumber = by_default(None)
     liquid: Liquid | None = None
-    strength_variation: OptionalNumber = None
-    weakening_slip: OptionalNumber = None
-    residual_strength: OptionalNumber = None
-    hold_time: OptionalNumber = None
-    reference_time: OptionalNumber = None
-    ageing_rate: OptionalNumber = None
+    strength_variation: OptionalNumber = by_default(None)
+    weakening_slip: OptionalNumber = by_default(None)
+    residual_strength: OptionalNumber = by_default(None)
+    hold_time: OptionalNumber = by_default(None)
+    reference_time: OptionalNumber = by_default(None)
+    ageing_rate: OptionalNumber = by_default(None)
 
     @model_validator(mode="after")
     def _dimensions_agree(self):
@@ -150,7 +151,7 @@ class Contact(Subject):
         names = {} if self.unlabelled is self else coordinates(self.arrays())
         return Indices(**{name: labelled(value, names) for name, value in groups.items()} if names else groups)
 
-    def known(self, name: str) -> Any:
+    def known(self, name: str) -> object:
         """Return the property or dimensionless group of this name; None if the contact does not determine it."""
         is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only where one of them is asked
         return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
@@ -170,7 +171,7 @@ class Contact(Subject):
             "pressure_coefficient": coefficient,
             "peeling": self.peeling,
             "hardening": bare.hardening,
-            "waiting": None if self.reference_time is None else self.hold_time / self.reference_time,
+            "waiting": None if self.hold_time is None or self.reference_time is None else self.hold_time / self.reference_time,
             "ageing_rate": self.ageing_rate,
             "strength_variation": self.strength_variation,
         }
@@ -182,7 +183,7 @@ class Contact(Subject):
     def _adhesion(self, bare: "Pair") -> dict[str, Any]:
         """Return theta, lambda and Tabor's parameter; without adhesion, the hardness group only."""
         sigma, radius, gamma = self._sigma, self._radius, self.work_of_adhesion
-        if not self.adheres:
+        if gamma is None or not self.adheres:
             return {"hardness_group": pi * bare.hardness * (radius / sigma) ** 0.5 / bare.K}
         return {
             "theta": bare.K * sigma**1.5 / (gamma * radius**0.5),
@@ -192,7 +193,7 @@ class Contact(Subject):
 
     def _film_groups(self, coating: Coating, bare: "Pair") -> dict[str, Any]:
         film = Pair(at_radius(coating.material, self._radius), at_radius(self._against_film(coating), self._radius))
-        film_gamma, constant = coating.work_of_adhesion if self.adheres else None, coating.friction_constant
+        gamma, film_gamma, constant = self.work_of_adhesion, coating.work_of_adhesion, coating.friction_constant
         # With both coated, the more compliant counts as the coated one, so that their order does not matter.
         coated, counter = (self.second, self.first) if coating.bodies == "second" else (self.first, self.second)
         first = True if coating.bodies != "both" else more_compliant(coated, counter)
@@ -202,7 +203,7 @@ class Contact(Subject):
             "n_E": film.K / bare.K,
             "n_H": film.hardness / bare.hardness,
             "tau": coating.thickness / self._sigma,
-            "n_g": 1.0 if film_gamma is None else film_gamma / self.work_of_adhesion,
+            "n_g": 1.0 if film_gamma is None or gamma is None or not self.adheres else film_gamma / gamma,
             "film_aspect": coating.thickness / (self._radius * self._sigma) ** 0.5,
             "film_nu": film.nu,
             "film_K_beta": film.K * film.beta,
@@ -220,7 +221,7 @@ class Contact(Subject):
         return self.coating is not None
 
     @property
-    def heights(self) -> tuple[str, dict[str, Any]]:
+    def heights(self) -> tuple[str, dict[str, float | list[float]]]:
         return self.roughness.height_distribution, self.roughness.height_parameters
 
     def optional_inputs(self) -> dict[str, str]:
@@ -228,21 +229,21 @@ class Contact(Subject):
         names = {"work_of_adhesion": "adhesion", "interfacial_shear_strength": "shear_strength"}
         names |= {name: name for name in (*own, "residual_strength")}
         names |= {"burgers_vector": "size_over_burgers", "hold_time": "waiting", "reference_time": "waiting"}
-        found = {name: group for name, group in names.items() if getattr(self, name) is not None}
+        inputs = {name: group for name, group in names.items() if getattr(self, name) is not None}
         of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
         for body in ("first", "second"):
-            found |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
-        found |= {} if self.liquid is None else {"liquid": "meniscus_index"}
+            inputs |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
+        inputs |= {} if self.liquid is None else {"liquid": "meniscus_index"}
         if self.interface is not None:
-            found["interface"] = "shear_strength"
+            inputs["interface"] = "shear_strength"
             if self.interface.pressure_coefficient is not None:
-                found["interface.pressure_coefficient"] = "pressure_coefficient"
+                inputs["interface.pressure_coefficient"] = "pressure_coefficient"
         if self.coating is None:
-            return found
+            return inputs
         film = self.coating.material
-        found |= {f"coating.material.{name}": "" for name in ("yield_stress", "tangent_modulus") if film.is_own(name)}
-        found |= {} if film.characteristic_depth is None else {"coating.material.characteristic_depth": "hardness"}
-        return found | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
+        inputs |= {f"coating.material.{name}": "" for name in ("yield_stress", "tangent_modulus") if film.is_own(name)}
+        inputs |= {} if film.characteristic_depth is None else {"coating.material.characteristic_depth": "hardness"}
+        return inputs | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
 
     def remarks(self) -> list[str]:
         of_film = [] if (softer := self.softer_counterbody) is None else [softer_in_words(*softer, self._bare.hardness)]
@@ -282,7 +283,7 @@ class Contact(Subject):
         surface = self.roughness.of_surface()
         return self if surface is None else self.model_copy(update={"roughness": surface})
 
-    def all_groups(self) -> dict[str, Any]:
+    def all_groups(self) -> dict[str, "NumberOrArray"]:
         """Return all groups, including the plasticity index, which needs the materials."""
         return super().all_groups() | {"plasticity_index": self.plasticity_index}
 
@@ -291,14 +292,14 @@ class Contact(Subject):
         names |= {"size_over_burgers": "burgers_vector", "meniscus_index": "liquid", "meniscus_height": "liquid"}
         return names.get(group, "work_of_adhesion" if group in ("theta", "lam", "tabor_parameter") else group)
 
-    def read(self, value: Any, name: str) -> Any:
+    def read(self, value: "QuantityLike", name: str) -> "Values":
         return to_si(value, name)
 
-    def read_point(self, entry: Any, name: str, where: str) -> float:
+    def read_point(self, entry: object, name: str, where: str) -> float:
         """Return a load or mean separation of a case file [SI] from text with a unit or, as separation over sigma, a number."""
         if not isinstance(entry, str):
             if name == "mean_separation":
-                return plain_number(entry, where) * self.roughness.asperity_height_deviation
+                return plain_number(entry, where) * self._sigma
             raise InputError(where, entry, QUANTITIES[name].as_text)
         with field_named(where):
             return to_si(entry, name)
@@ -325,7 +326,7 @@ class Contact(Subject):
         )
 
     @property
-    def contact_modulus(self):
+    def contact_modulus(self) -> "NumberOrArray":
         """Return E* of the two bodies without film [Pa] (theory 1)."""
         return 0.75 * self._bare.K
 
@@ -334,47 +335,46 @@ class Contact(Subject):
         """Return the materials of the two surfaces that meet; a film replaces its body."""
         return (self.first, self.second) if self.coating is None else (self.coating.material, self._against_film(self.coating))
 
-    def interface_at(self, level: Any = 0.5) -> tuple[Any, Any]:
+    def interface_at(self, level: "ArrayLike" = 0.5) -> tuple["Values | None", "Values | None"]:
         """Return the strength tau_0 [Pa] and the pressure coefficient of the interface; None where unknown.
 
-        The bodies do not limit this strength. level: quantile levels of the state of the interface, between 0 and 1; stated
-        numbers have one value. A strength over hardness or shear modulus is relative to the softer touching body. Raises
-        InputError for other levels.
+        The bodies do not limit this strength. level: quantile levels of the state of the interface, between 0 and 1. A
+        strength over hardness or shear modulus is relative to the softer touching body. Raises InputError.
         """
         if self.interface is None:
             return self.interfacial_shear_strength, self.pressure_coefficient
         return self.interface.at(level, *(at_radius(body, self._radius) for body in self.touching))
 
     @property
-    def interface_strength(self):
+    def interface_strength(self) -> "NumberOrArray | None":
         """Return tau_0 of the interface [Pa], at most the shear strength of the weaker surface; None if it is not stated."""
         stated = self.interface_at()[0] is not None
         return self.indices().interface_strength * self._bare.hardness if stated else None
 
     @property
-    def kelvin_radius(self):
+    def kelvin_radius(self) -> "NumberOrArray | None":
         """Return the Kelvin radius of the menisci [m], see Liquid; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius
 
     @property
-    def kelvin_radius_over_confirmed(self):
+    def kelvin_radius_over_confirmed(self) -> "NumberOrArray | None":
         """Return the Kelvin radius over the smallest one confirmed by experiment; None without a liquid."""
         return None if self.liquid is None else self.liquid.kelvin_radius_over_confirmed
 
     @property
-    def plasticity_index(self):
+    def plasticity_index(self) -> "NumberOrArray":
         """Return the plasticity index (E*/H) (sigma/R)^(1/2) without a film, with H of the softer body (GW 1966)."""
         return self.contact_modulus / self._bare.hardness * (self._sigma / self._radius) ** 0.5
 
-    def tabor_parameter(self, equilibrium_distance=EQUILIBRIUM_DISTANCE):
+    def tabor_parameter(self, equilibrium_distance: "QuantityLike" = EQUILIBRIUM_DISTANCE) -> "NumberOrArray":
         """Return Tabor's parameter (R gamma^2/(E*^2 epsilon^3))^(1/3) without a film (Tabor 1977).
 
         equilibrium_distance: epsilon, SI or text with unit. JKR holds well above about 5, DMT well below about 0.1.
         """
         distance = to_si(equilibrium_distance, "equilibrium_distance")
-        if not self.adheres:
+        if (gamma := self.work_of_adhesion) is None or not self.adheres:
             return 0.0
-        return (self._radius * self.work_of_adhesion**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
+        return (self._radius * gamma**2 / (self.contact_modulus**2 * distance**3)) ** (1 / 3)
 
     @cached_property
     def _bare(self) -> Pair:
@@ -382,7 +382,7 @@ class Contact(Subject):
         return Pair(at_radius(self.first, self._radius), at_radius(self.second, self._radius))
 
     @property
-    def size_effect(self):
+    def size_effect(self) -> "NumberOrArray | None":
         """Return the largest (hardness at asperities/hardness of large imprints)^2 - 1 of the bodies; None without it."""
         ratios = [size_ratio(body, self._radius) for body in self._bodies if body.characteristic_depth is not None]
         return max(ratios, key=lambda ratio: float(np.max(ratio))) if ratios else None

@@ -1,7 +1,7 @@
 """Represent the dimensionless groups of a contact: Indices for users, Groups as arrays for laws."""
 
 import math
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from pydantic import model_validator
@@ -10,8 +10,11 @@ from stiction.contact.subject import Scales, Subject
 from stiction.quantities.dimensions import check_names, flattened
 from stiction.quantities.errors import InputError
 from stiction.quantities.foreign import as_sequence, has_unit
-from stiction.quantities.inputs import Number, OptionalNumber, floats
+from stiction.quantities.inputs import Number, OptionalNumber, by_default, floats, plain_number
 from stiction.quantities.table import QUANTITIES
+
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import NumberOrArray, QuantityLike, Values
 
 # H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
@@ -93,40 +96,40 @@ class Indices(Subject):
     0.76
     """
 
-    theta: OptionalNumber = None
-    lam: OptionalNumber = None
-    hardness_group: OptionalNumber = None
-    nu: Number = 0.3
-    hardness_to_yield: Number = HARDNESS_TO_YIELD
-    n_E: OptionalNumber = None
-    n_H: OptionalNumber = None
-    tau: OptionalNumber = None
-    n_g: Number = 1.0
-    film_aspect: OptionalNumber = None
-    K_beta: OptionalNumber = None
-    film_nu: OptionalNumber = None
-    film_K_beta: OptionalNumber = None
-    films: OptionalNumber = None
-    layer_n_H: OptionalNumber = None
-    layer_nu: OptionalNumber = None
-    coated_share: OptionalNumber = None
-    coated_nu: OptionalNumber = None
-    counter_nu: OptionalNumber = None
-    film_friction_constant: OptionalNumber = None
-    tabor_parameter: OptionalNumber = None
-    sharpness: OptionalNumber = None
-    roughness_parameter: OptionalNumber = None
-    nominal_width: OptionalNumber = None
-    size_over_burgers: OptionalNumber = None
-    shear_strength: OptionalNumber = None
-    pressure_coefficient: OptionalNumber = None
-    peeling: OptionalNumber = None
-    hardening: OptionalNumber = None
-    strength_variation: OptionalNumber = None
-    waiting: OptionalNumber = None
-    ageing_rate: OptionalNumber = None
-    meniscus_index: OptionalNumber = None
-    meniscus_height: OptionalNumber = None
+    theta: OptionalNumber = by_default(None)
+    lam: OptionalNumber = by_default(None)
+    hardness_group: OptionalNumber = by_default(None)
+    nu: Number = by_default(0.3)
+    hardness_to_yield: Number = by_default(HARDNESS_TO_YIELD)
+    n_E: OptionalNumber = by_default(None)
+    n_H: OptionalNumber = by_default(None)
+    tau: OptionalNumber = by_default(None)
+    n_g: Number = by_default(1.0)
+    film_aspect: OptionalNumber = by_default(None)
+    K_beta: OptionalNumber = by_default(None)
+    film_nu: OptionalNumber = by_default(None)
+    film_K_beta: OptionalNumber = by_default(None)
+    films: OptionalNumber = by_default(None)
+    layer_n_H: OptionalNumber = by_default(None)
+    layer_nu: OptionalNumber = by_default(None)
+    coated_share: OptionalNumber = by_default(None)
+    coated_nu: OptionalNumber = by_default(None)
+    counter_nu: OptionalNumber = by_default(None)
+    film_friction_constant: OptionalNumber = by_default(None)
+    tabor_parameter: OptionalNumber = by_default(None)
+    sharpness: OptionalNumber = by_default(None)
+    roughness_parameter: OptionalNumber = by_default(None)
+    nominal_width: OptionalNumber = by_default(None)
+    size_over_burgers: OptionalNumber = by_default(None)
+    shear_strength: OptionalNumber = by_default(None)
+    pressure_coefficient: OptionalNumber = by_default(None)
+    peeling: OptionalNumber = by_default(None)
+    hardening: OptionalNumber = by_default(None)
+    strength_variation: OptionalNumber = by_default(None)
+    waiting: OptionalNumber = by_default(None)
+    ageing_rate: OptionalNumber = by_default(None)
+    meniscus_index: OptionalNumber = by_default(None)
+    meniscus_height: OptionalNumber = by_default(None)
 
     @model_validator(mode="after")
     def _adheres_or_not(self):
@@ -167,10 +170,11 @@ class Indices(Subject):
             raise InputError("films", self.films, "1 or 2, the number of coated bodies")
         if not self.has_film or self.coated_share is None:
             return
-        films = 1.0 if self.films is None else self.films
+        films: Any = 1.0 if self.films is None else self.films
+        n_E: Any = self.n_E
         if np.any((films == 2.0) & (self.coated_share == 1.0)):
             raise InputError("coated_share", self.coated_share, "below 1, because both bodies are coated (films = 2)")
-        if np.any((films == 1.0) & (self.n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
+        if np.any((films == 1.0) & (n_E * (1.0 - self.coated_share) > 1.0 + 1e-9)):
             raise InputError("n_E", self.n_E, "at most 1/(1 - coated_share), the ratio with a rigid film")
 
     @classmethod
@@ -184,35 +188,34 @@ class Indices(Subject):
         return self.tau is not None
 
     @property
-    def eta(self) -> Any:
+    def eta(self) -> "NumberOrArray":
         """Return the hardness group eta = pi H sqrt(R/sigma)/K: a normalised area x at pressure H carries the load eta x."""
         return hardness_group(self.theta, self.lam) if self.hardness_group is None else self.hardness_group
 
     @property
-    def yield_strain(self) -> Any:
+    def yield_strain(self) -> "NumberOrArray | None":
         """Return the yield stress over the contact modulus E*; None where sqrt(sigma/R) is not known."""
         if self.sharpness is None:
             return None
         return 4.0 / 3.0 * self.eta * self.sharpness / (math.pi * self.hardness_to_yield)
 
     @property
-    def film_plasticity_index(self) -> Any:
-        """Return the plasticity index (E*/H) sqrt(sigma/R) = (3/4) pi/eta of the film as a half-space.
-
-        None without a film.
-        """
-        return 0.75 * math.pi / (self.eta * self.n_H / self.n_E) if self.has_film else None
+    def film_plasticity_index(self) -> "NumberOrArray | None":
+        """Return (E*/H) sqrt(sigma/R) = (3/4) pi/eta of the film as a half-space; None without a film."""
+        film: Any = self  # with a film, n_E and n_H are known
+        return 0.75 * math.pi / (self.eta * film.n_H / film.n_E) if self.has_film else None
 
     @property
-    def film_stiffness(self) -> Any:
+    def film_stiffness(self) -> "NumberOrArray | None":
         """Return n_E sqrt(R sigma)/t of a film of thickness t (infinite at t = 0); None without a film, or if R is unknown."""
         if not self.has_film or self.film_aspect is None:
             return None
+        film: Any = self  # with a film, n_E is known
         with np.errstate(divide="ignore"):
-            return np.divide(self.n_E, self.film_aspect)
+            return np.divide(film.n_E, film.film_aspect)
 
     @property
-    def meniscus_tabor_parameter(self) -> Any:
+    def meniscus_tabor_parameter(self) -> "NumberOrArray | None":
         """Return Tabor's parameter (R W^2/(E*^2 H^3))^(1/3) of a meniscus; None without menisci.
 
         W = 2 gamma_L c is the work of adhesion of the liquid. H = 2 r c is the height of the meniscus, the range of its
@@ -223,36 +226,37 @@ class Indices(Subject):
         return (4.0 / 3.0 / self.meniscus_index) ** (2.0 / 3.0) / self.meniscus_height
 
     @property
-    def meniscus_over_radius(self) -> Any:
+    def meniscus_over_radius(self) -> "NumberOrArray | None":
         """Return the height of a meniscus over the asperity radius, None if unknown."""
         if self.meniscus_height is None or self.sharpness is None:
             return None
         return self.meniscus_height * self.sharpness**2
 
     @property
-    def film_modulus(self) -> Any:
+    def film_modulus(self) -> "NumberOrArray":
         """Return the plane-strain modulus of the film over the contact modulus E* without a film.
 
         It follows from n_E, in which the film touches its counterface: another film or an uncoated body.
         """
-        whole = self.resolved()
+        whole: Any = self.resolved()
         rest = np.where(np.asarray(whole.films) == 2.0, 0.5, (1.0 - whole.coated_share) * whole.n_E)
         return whole.n_E / np.maximum(1.0 - rest, 1e-15)
 
     @property
-    def body_shear_strength(self) -> Any:
+    def body_shear_strength(self) -> "NumberOrArray":
         """Return the shear strength Y/sqrt(3) of the weaker touching surface, over the hardness of the bodies."""
         return (1.0 if self.n_H is None else self.n_H) / (math.sqrt(3.0) * self.hardness_to_yield)
 
     @property
-    def strength_over_bodies(self) -> Any:
+    def strength_over_bodies(self) -> "NumberOrArray | None":
         """Return the interfacial strength over the shear strength of the weaker surface; None if unknown."""
         return None if self.shear_strength is None else self.shear_strength / self.body_shear_strength
 
     @property
-    def interface_strength(self) -> Any:
+    def interface_strength(self) -> "NumberOrArray | None":
         """Return the interfacial shear strength over hardness, capped by the weaker surface; None if unknown."""
-        return None if self.shear_strength is None else np.minimum(self.shear_strength, self.body_shear_strength)
+        strengths: Any = self.shear_strength, self.body_shear_strength
+        return None if self.shear_strength is None else np.minimum(*strengths)
 
     def knows(self, group: str) -> bool:
         """Return whether a group that a law needs is known.
@@ -294,7 +298,7 @@ class Indices(Subject):
         """
         if not self.has_film:
             raise InputError("tau", None, "the film thickness over sigma; a film needs tau, n_E and n_H together")
-        whole = self.resolved()
+        whole: Any = self.resolved()
         strength, tabor, eta = whole.shear_strength, whole.tabor_parameter, whole.hardness_group
         return whole.substrate().with_changes(
             theta=None if whole.theta is None else whole.theta * whole.n_E / whole.n_g,
@@ -310,7 +314,7 @@ class Indices(Subject):
         """Return the groups of the same contact without its film."""
         return self.with_changes(n_g=1.0, **dict.fromkeys(_FILM))
 
-    def with_changes(self, **changes: Any) -> Self:
+    def with_changes(self, **changes: object) -> Self:
         """Return the indices with these groups replaced."""
         return type(self)(**self._fields() | changes)
 
@@ -321,25 +325,25 @@ class Indices(Subject):
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in type(self).model_fields}
 
-    def read(self, value: Any, name: str) -> Any:
-        value = as_sequence(value)
-        if has_unit(value):
-            raise InputError(name, str(value), "numbers without a unit, normalised like the indices")
+    def read(self, value: "QuantityLike", name: str) -> "Values":
+        given: Any = as_sequence(value)
+        if has_unit(given):
+            raise InputError(name, str(given), "numbers without a unit, normalised like the indices")
         normalised = "numbers, normalised like the indices"
-        array = floats(value.values if hasattr(value, "dims") else value, name, normalised)
+        array = floats(given.values if hasattr(given, "dims") else given, name, normalised)
         if not np.all(np.isfinite(array)):
-            raise InputError(name, value, "finite numbers")
-        if hasattr(value, "dims"):
-            check_names(value, name)
-            if (unit := value.attrs.get("units", "1")) not in ("", "1"):
+            raise InputError(name, given, "finite numbers")
+        if hasattr(given, "dims"):
+            check_names(given, name)
+            if (unit := given.attrs.get("units", "1")) not in ("", "1"):
                 raise InputError(name, f"numbers in {unit}", f"{normalised}, without a unit")
-            return value.copy(deep=False, data=array) if array.ndim else float(array)
+            return given.copy(deep=False, data=array) if array.ndim else float(array)
         if array.ndim > 1:
             allowed = "one number, one row of them, or an array with named dimensions"
             raise InputError(name, f"array of shape {array.shape}", allowed)
         return array if array.ndim else float(array)
 
-    def read_point(self, entry: Any, name: str, where: str) -> float:
+    def read_point(self, entry: object, name: str, where: str) -> float:
         if isinstance(entry, str):
             raise InputError(where, entry, "a plain number")
         return plain_number(entry, where)
@@ -352,7 +356,13 @@ class Indices(Subject):
         return quantity.attributes | ({"units": "1", "normalised_by": quantity.normalised_by} if quantity.normalised_by else {})
 
 
-class Groups(Indices):
+if TYPE_CHECKING:
+    _Arrays: Any  # type checkers take the fields of Groups as arrays, where those of Indices are numbers
+else:
+    _Arrays = Indices
+
+
+class Groups(_Arrays):
     """Hold the groups of n contacts as laws take them: arrays (n,), None where unknown.
 
     Values are not validated again. Groups of a film are None for a bare contact. film_aspect is infinite if R is
@@ -386,14 +396,3 @@ class Groups(Indices):
         """Return the groups of selected contacts."""
         columns = self._fields().items()
         return Groups(**{name: column[rows] if np.ndim(column) else column for name, column in columns})
-
-
-def plain_number(entry: Any, where: str) -> float:
-    """Return a finite number without a unit; `where`: its place in a case file. Raises InputError."""
-    try:
-        number = float(entry)
-    except OverflowError:  # TOML has whole numbers without end
-        number = math.inf
-    if not math.isfinite(number):
-        raise InputError(where, entry, "a finite number")
-    return number

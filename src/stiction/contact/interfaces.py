@@ -11,7 +11,7 @@ from stiction.contact.materials import MATERIAL_CLASSES, Material, class_of, not
 from stiction.contact.pair import choose, first_is_softer
 from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError, field_named, nearest
-from stiction.quantities.inputs import Input, OptionalNumber, as_text
+from stiction.quantities.inputs import Input, OptionalNumber, as_text, by_default
 from stiction.quantities.lognormal import lognormal_quantile
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.table import QUANTITIES
@@ -34,10 +34,10 @@ class Interface(Input):
     """
 
     name: str = Field(default="unnamed", description="what to call it")
-    interfacial_shear_strength: OptionalNumber = None
-    shear_strength: OptionalNumber = None
-    strength_over_shear_modulus: OptionalNumber = None
-    pressure_coefficient: OptionalNumber = None
+    interfacial_shear_strength: OptionalNumber = by_default(None)
+    shear_strength: OptionalNumber = by_default(None)
+    strength_over_shear_modulus: OptionalNumber = by_default(None)
+    pressure_coefficient: OptionalNumber = by_default(None)
     range: Ranges = Field(default_factory=dict, description="5 and 95 % quantiles of its numbers")
     source: dict[str, str] = Field(default_factory=dict, description="where each number comes from")
     grade: dict[str, Literal["A", "B", "C"]] = Field(default_factory=dict, description="A, B or C for each number")
@@ -110,7 +110,7 @@ class Interface(Input):
         texts = [f"{name}: {text} (grade {self.grade.get(name, 'C')})" for name, text in self.source.items()]
         return [*texts, *([f"not for: {self.not_for}"] if self.not_for else [])]
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: object) -> Self:
         """Return a copy of the state with these fields changed.
 
         A changed number loses its source, grade and range. Raises InputError.
@@ -182,8 +182,8 @@ def interface_weights(first: Material, second: Material) -> dict[str, float]:
     A coated body counts with the material of its film. The class of the weaker body, in the order of MATERIAL_CLASSES,
     decides.
     """
-    found = {name: state.weight_of(first, second) for name, state in _states().items()}
-    weights = {name: weight for name, weight in found.items() if weight}
+    prior = {name: state.weight_of(first, second) for name, state in _states().items()}
+    weights = {name: weight for name, weight in prior.items() if weight}
     total = sum(weights.values())
     return {name: weight / total for name, weight in weights.items()}
 

@@ -1,11 +1,16 @@
 """A vapour that condenses to menisci between two bodies."""
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 from pydantic import model_validator
 
 from stiction.quantities.errors import InputError
-from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.inputs import Input, Number, OptionalNumber, by_default
 from stiction.quantities.units import show
+
+if TYPE_CHECKING:
+    from stiction.quantities.arguments import NumberOrArray
 
 # Molar gas constant [J/(mol K)], exact since 2019 (CODATA 2018).
 GAS_CONSTANT = 8.31446261815324
@@ -52,9 +57,9 @@ class Liquid(Input):
     relative_humidity: Number
     contact_angle_first: Number
     contact_angle_second: Number
-    temperature: Number = 293.15
-    surface_tension: OptionalNumber = None
-    molar_volume: OptionalNumber = None
+    temperature: Number = by_default(293.15)
+    surface_tension: OptionalNumber = by_default(None)
+    molar_volume: OptionalNumber = by_default(None)
 
     @model_validator(mode="after")
     def _wets(self):
@@ -74,12 +79,13 @@ class Liquid(Input):
         return self
 
     @property
-    def wetting(self):
+    def wetting(self) -> "NumberOrArray":
         """Return the wetting factor c = (cos theta_1 + cos theta_2)/2."""
-        return (np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)) / 2
+        cosines: Any = np.cos(self.contact_angle_first) + np.cos(self.contact_angle_second)
+        return cosines / 2
 
     @property
-    def tension(self):
+    def tension(self) -> "NumberOrArray":
         """Return the surface tension [N/m], by default the value of water.
 
         Water: 0.2358 (1 - T/T_c)^1.256 (1 - 0.625 (1 - T/T_c)) (IAPWS R1-76).
@@ -90,16 +96,17 @@ class Liquid(Input):
         return 0.2358 * below**1.256 * (1 - 0.625 * below)
 
     @property
-    def kelvin_radius(self):
+    def kelvin_radius(self) -> "NumberOrArray":
         """Return the Kelvin radius [m], the radius of a meniscus in equilibrium with the vapour.
 
         It is gamma_L V/(R_g T ln(p_s/p)), with surface tension, molar volume, gas constant and 1/humidity p_s/p (Thomson 1871).
         """
         volume = WATER if self.molar_volume is None else self.molar_volume
-        return self.tension * volume / (GAS_CONSTANT * self.temperature * -np.log(self.relative_humidity))
+        potential: Any = -np.log(self.relative_humidity)
+        return self.tension * volume / (GAS_CONSTANT * self.temperature * potential)
 
     @property
-    def kelvin_radius_over_confirmed(self):
+    def kelvin_radius_over_confirmed(self) -> "NumberOrArray":
         """Return the Kelvin radius over the smallest one confirmed by experiment.
 
         Water and other liquids have different confirmed values. A liquid with a default property counts as water.
@@ -108,16 +115,16 @@ class Liquid(Input):
         return self.kelvin_radius / (CONFIRMED_OF_WATER if of_water else CONFIRMED)
 
     @property
-    def height(self):
+    def height(self) -> "NumberOrArray":
         """Return the largest gap that a meniscus bridges [m]: 2 r c, with Kelvin radius r and wetting factor c."""
         return 2 * self.kelvin_radius * self.wetting
 
     @property
-    def suction(self):
+    def suction(self) -> "NumberOrArray":
         """Return the Laplace pressure of a meniscus [Pa]: surface tension over Kelvin radius."""
         return self.tension / self.kelvin_radius
 
     @property
-    def work(self):
+    def work(self) -> "NumberOrArray":
         """Return the energy to separate a wetted area [J/m^2]: 2 gamma_L c, with surface tension and wetting factor c."""
         return 2 * self.tension * self.wetting

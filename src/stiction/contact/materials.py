@@ -12,14 +12,14 @@ from pydantic import Field, model_validator
 
 from stiction.quantities.data_files import read_tables
 from stiction.quantities.errors import InputError, field_as, nearest
-from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.inputs import Input, Number, OptionalNumber, by_default
 from stiction.quantities.ranges import Ranges, check_ranges, range_in_words
 from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
     import xarray
 
-    from stiction.quantities.arguments import QuantityLike
+    from stiction.quantities.arguments import NumberOrArray, QuantityLike
 
 # What decides which states an interface may be in, the class that rules a pair first.
 MaterialClass = Literal["ice", "elastomer", "polymer", "layered solid", "carbon film", "soft metal", "metal", "ceramic"]
@@ -67,10 +67,10 @@ class Material(Input):
     youngs_modulus: Number
     poissons_ratio: Number
     hardness: Number
-    yield_stress: OptionalNumber = None
-    tangent_modulus: OptionalNumber = None
-    characteristic_depth: OptionalNumber = None
-    surface_energy: OptionalNumber = None
+    yield_stress: OptionalNumber = by_default(None)
+    tangent_modulus: OptionalNumber = by_default(None)
+    characteristic_depth: OptionalNumber = by_default(None)
+    surface_energy: OptionalNumber = by_default(None)
     source: str | dict[str, str] | None = Field(default=None, union_mode="left_to_right")
     range: Ranges = Field(default_factory=dict, description="low and high end of its numbers")
     material_class: MaterialClass | None = Field(default=None, description=", ".join(MATERIAL_CLASSES))
@@ -80,7 +80,7 @@ class Material(Input):
         check_ranges(self)
         return self
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: object) -> Self:
         """Return a copy of the material with these fields changed.
 
         A changed number loses its source and its range. Raises InputError.
@@ -88,7 +88,7 @@ class Material(Input):
         return super().replace(**changes | notes_left(self.source, self.range, changes))
 
     @property
-    def shear_modulus(self):
+    def shear_modulus(self) -> "NumberOrArray":
         """Return the shear modulus of an isotropic material [Pa], E / (2 (1 + nu))."""
         return self.youngs_modulus / (2 * (1 + self.poissons_ratio))
 
@@ -228,7 +228,7 @@ def symbols_of(name: str) -> tuple[str, ...]:
     return tuple(symbol for symbol in _presets()[name].symbols if every.count(symbol) == 1)
 
 
-def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+def notes_left(source: Any, ends: Mapping[str, Any], changes: Mapping[str, object]) -> dict[str, Any]:
     """Return source and range of a record after changes: those of unchanged numbers, and those that the changes state."""
     if isinstance(source, Mapping):
         source = {field: text for field, text in source.items() if field not in changes}

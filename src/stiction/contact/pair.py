@@ -92,11 +92,11 @@ def _before(keys: tuple[tuple[Any, Any], ...]) -> Any:
 
     keys: pairs (key of the first body, key of the second body), compared in this order; the smaller key precedes.
     """
-    (one, other), *rest = keys
-    equal = one == other
+    (mine, other), *rest = keys
+    equal = mine == other
     if not rest or not np.any(equal):
-        return one <= other
-    return (one < other) | (equal & _before(tuple(rest)))
+        return mine <= other
+    return (mine < other) | (equal & _before(tuple(rest)))
 
 
 def _or_lowest(value: Any) -> Any:

@@ -10,6 +10,8 @@ from stiction.quantities.inputs import Input
 from stiction.quantities.units import values_in_words
 
 if TYPE_CHECKING:
+    from stiction.contact.indices import Indices
+    from stiction.quantities.arguments import NumberOrArray, QuantityLike, Values
     from stiction.surfaces.heightmap import HeightMap
     from stiction.surfaces.measured import Measured
 
@@ -49,8 +51,8 @@ class Subject(Input):
     """
 
     @abstractmethod
-    def indices(self) -> Any:
-        """Return the dimensionless groups, as Indices."""
+    def indices(self) -> "Indices":
+        """Return the dimensionless groups."""
 
     @abstractmethod
     def scales(self) -> Scales:
@@ -62,7 +64,7 @@ class Subject(Input):
         """Return whether the contact has a film."""
 
     @cached_property
-    def prepared(self) -> list[Any]:
+    def prepared(self) -> list[object]:
         """Return the problems that `solving.problem.make_problem` keeps for this contact, each with its request."""
         return []
 
@@ -95,7 +97,7 @@ class Subject(Input):
         return []
 
     @property
-    def heights(self) -> tuple[str, dict[str, Any]]:
+    def heights(self) -> tuple[str, dict[str, float | list[float]]]:
         """Return name and parameters of the distribution of asperity heights."""
         return "gaussian", {}
 
@@ -105,9 +107,9 @@ class Subject(Input):
         return None
 
     @property
-    def surface_shape(self) -> dict[str, Any]:
+    def surface_shape(self) -> dict[str, float]:
         """Return the stated statistics of the surface, by their names in surfaces.roughness.SHAPE."""
-        rough = self.known("roughness")
+        rough: Any = self.known("roughness")
         return {} if rough is None else rough.shape
 
     @property
@@ -135,13 +137,13 @@ class Subject(Input):
         """Return every known dimensionless group with a single value, by name."""
         return {name: float(value) for name, value in self.all_groups().items() if not hasattr(value, "dims")}
 
-    def all_groups(self) -> dict[str, Any]:
+    def all_groups(self) -> dict[str, "NumberOrArray"]:
         """Return every known dimensionless group, a number or labelled array, by name."""
         indices = self.indices().resolved()
         names = [name for name in type(indices).model_fields if indices.has_film or name != "n_g"]
         return {name: value for name in names if (value := getattr(indices, name)) is not None}
 
-    def known(self, name: str) -> Any:
+    def known(self, name: str) -> object:
         """Return the property or dimensionless group `name` of the contact; None if unknown."""
         value = getattr(self, name, None)
         return value() if callable(value) else value
@@ -151,14 +153,14 @@ class Subject(Input):
         return group
 
     @abstractmethod
-    def read(self, value: Any, name: str) -> Any:
+    def read(self, value: "QuantityLike", name: str) -> "Values":
         """Convert a separation or load stated by a user, a number or an array, to SI units or normalised values.
 
         Raises InputError.
         """
 
     @abstractmethod
-    def read_point(self, entry: Any, name: str, where: str) -> float:
+    def read_point(self, entry: object, name: str, where: str) -> float:
         """Return one point of a case file, in which every number has its unit.
 
         where: its place in the file, for errors.

@@ -1,9 +1,13 @@
 """Name the types of the arguments of public functions, for editors and type checkers."""
 
 from os import PathLike
-from typing import Protocol, TypeAlias
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray
 
 
 class HasUnit(Protocol):
@@ -20,4 +24,7 @@ class HasUnit(Protocol):
 
 # A number in SI units, a text with a unit ("48 nm"), a sequence of these, an array (NumPy, pandas, xarray), or pint's.
 QuantityLike: TypeAlias = ArrayLike | HasUnit
+# A number in SI units, or numbers of a parameter sweep along named dimensions.
+NumberOrArray: TypeAlias = "float | xarray.DataArray"
+Values: TypeAlias = "float | np.ndarray | xarray.DataArray"
 FilePath: TypeAlias = str | PathLike[str]

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from numbers import Real
-from typing import Annotated, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo
@@ -17,6 +17,12 @@ from stiction.quantities.foreign import is_series
 from stiction.quantities.quantity import Quantity
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import from_series, show, to_si
+
+if TYPE_CHECKING:
+    import xarray
+
+    from stiction.quantities.arguments import NumberOrArray, QuantityLike
+    from stiction.quantities.keywords import Converted
 
 
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
@@ -58,8 +64,12 @@ def _optional_number(value, info: ValidationInfo):
 
 
 # The name of the field is the name of the quantity: it decides unit and bounds.
-Number = Annotated[Any, BeforeValidator(_number)]
-OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
+if TYPE_CHECKING:
+    Number = Converted[NumberOrArray, QuantityLike]
+    OptionalNumber = Converted[NumberOrArray | None, QuantityLike | None]
+else:
+    Number = Annotated[Any, BeforeValidator(_number)]
+    OptionalNumber = Annotated[Any, BeforeValidator(_optional_number)]
 Seed = Annotated[int, Field(ge=0, le=2**63 - 1, strict=True, description="a whole number, 0 or more")]
 
 
@@ -68,6 +78,22 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 # Fields that describe the numbers and change no result.
 _SAID_BY_NOTES = ("source", "range")
+
+
+def by_default(value: object) -> Any:
+    """Return the default of a numeric field, as Any: type checkers would compare its type with `Converted`."""
+    return value
+
+
+def plain_number(entry: Any, where: str) -> float:
+    """Return a finite number without a unit; `where`: its place in a case file. Raises InputError."""
+    try:
+        number = float(entry)
+    except OverflowError:  # TOML has whole numbers without end
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(where, entry, "a finite number")
+    return number
 
 
 def require_callable(callback: Any, field: str) -> None:
@@ -110,7 +136,7 @@ class Input(BaseModel):
         except ValidationError as error:
             raise _input_error(error, type(self)) from None
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: object) -> Self:
         """Return a copy of the record with some fields changed; all fields are checked again.
 
         Raises InputError for a bad field.
@@ -124,11 +150,11 @@ class Input(BaseModel):
         fields = type(self).model_fields
         return state | {"__dict__": {name: value for name, value in state["__dict__"].items() if name in fields}}
 
-    def part(self, name: str) -> Any:
+    def part(self, name: str) -> object:
         """Return the field of this name, or None if the record has no such field."""
         return getattr(self, name) if name in type(self).model_fields else None
 
-    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+    def model_copy(self, *, update: Mapping[str, object] | None = None, deep: bool = False) -> Self:
         """Return a copy with the fields in `update` changed and checked as in `replace`."""
         return self.replace(**update) if update else super().model_copy(deep=deep)
 
@@ -169,7 +195,7 @@ class Input(BaseModel):
             _drop_null(entry)
         return schema
 
-    def arrays(self) -> Iterator[tuple[str, Any]]:
+    def arrays(self) -> Iterator[tuple[str, "xarray.DataArray"]]:
         """Yield the dotted name and the xarray.DataArray of every array in this record and its nested records."""
         for name in type(self).model_fields:
             value = getattr(self, name)

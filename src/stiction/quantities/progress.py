@@ -4,8 +4,18 @@ A progress callback takes a label and returns a function that wraps an iterable 
 """
 
 from collections.abc import Callable, Iterable
+from typing import Protocol, TypeVar
 
-Steps = Callable[[Iterable], Iterable]  # wraps a list of steps
+_Step = TypeVar("_Step")
+
+
+class Steps(Protocol):
+    """Wrap an iterable of steps, as `iter` or `tqdm.tqdm` does."""
+
+    def __call__(self, steps: Iterable[_Step], /) -> Iterable[_Step]:
+        """Yield the steps."""
+
+
 Progress = Callable[[str], Steps]  # from a label, what wraps its steps
 
 

@@ -40,7 +40,7 @@ class ValidityWarning:
         excesses = [distance / abs(bound) if bound else distance for bound, distance in ends if math.isfinite(bound)]
         return max(excesses, default=math.nan)
 
-    def as_data(self) -> dict[str, Any]:
+    def as_data(self) -> dict[str, str | float | None]:
         """Return the fields and `beyond` as a table for JSON; without a quantity only `why` and `kind`.
 
         NaN and an open end become null, an infinite value becomes "inf" or "-inf".

@@ -59,8 +59,8 @@ class ReportAnswer(TypedDict):
     working_load_unit: str
     friction_coefficient: float | None
     friction_coefficient_rounded: str | None
-    validity_warnings: list[dict[str, Any]]
-    measured_error: dict[str, Any] | None
+    validity_warnings: list[dict[str, str | float | None]]
+    measured_error: dict[str, str | bool | list[float | None] | None] | None
     not_compared: str
     sources: list[str]
     versions: dict[str, str]

@@ -33,7 +33,7 @@ def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -
     if contact.work_of_adhesion:
         drawn.append(lambda axes: _adhesion(axes, contact, data, load))
     if contact.coating is None:
-        drawn.append(lambda axes: _plasticity(axes, contact, load / contact.nominal_area))
+        drawn.append(lambda axes: _plasticity(axes, contact, load / float(contact.nominal_area)))
     figure, panels = canvas(8.53, 4.8, 1, len(drawn))
     for draw, axes in zip(drawn, panels, strict=True):
         draw(axes)
@@ -59,8 +59,8 @@ def _adhesion(axes: Axes, contact: "Contact", data: "xarray.Dataset", load: floa
         if "touching_asperities" in data
         else 0.0
     )
-    if touching > 0.0:
-        each = load / touching / (np.pi * contact.work_of_adhesion * contact.roughness.asperity_radius)
+    if touching > 0.0 and (work := contact.work_of_adhesion) is not None:
+        each = load / touching / (np.pi * float(work) * float(contact.roughness.asperity_radius))
         axes.plot(tabor, np.clip(each, 1e-3, 1e8), "o", color=RED, markersize=9, label="mean asperity of this contact")
     else:
         axes.axvline(tabor, color=RED, label="this contact")

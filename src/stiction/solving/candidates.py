@@ -43,16 +43,16 @@ def candidates(subject: Subject) -> list[Candidate]:
     """
     models = of_kind(RoughSurface)
     taken = {model.asperity for model in models.values()}
-    found = [
+    listed = [
         _of_map(model, subject) if model.of_map is not None else Candidate(key, Choice(key))
         for key, model in models.items()
         if subject.has_film or not model.on_film
     ]
-    found += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
+    listed += [Candidate(key, Choice(_SUM, asperity=key)) for key in of_kind(AsperityLaw) if key not in taken]
     if not subject.has_film:
         if subject.known("pressure_coefficient") is not None:  # which laws of growth would leave out
-            return found
-        return found + [
+            return listed
+        return listed + [
             Candidate(key, Choice(_SUM, asperity=_FLOWS, tangential=key))
             for key, law in of_kind(TangentialLaw).items()
             if law.yielded == "junction growth"
@@ -62,11 +62,11 @@ def candidates(subject: Subject) -> list[Candidate]:
         _as_one(candidate, models[candidate.choice.model_key], film)
         for film in films.values()
         if film.solved_as_one
-        for candidate in found
+        for candidate in listed
         if models[candidate.choice.model_key].asperity and candidate.choice != Choice(_SUM)  # which is the film by itself
     ]
-    found = [_with_film(candidate, models[candidate.choice.model_key]) for candidate in found] + as_one
-    return found + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
+    listed = [_with_film(candidate, models[candidate.choice.model_key]) for candidate in listed] + as_one
+    return listed + [_alone(film) for film in films.values() if film.interchangeable and film.key != _SUITS_ALL]
 
 
 def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
@@ -119,7 +119,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
     try:
         return Choice.of(find(name, RoughSurface).key, given)
     except InputError as error:
-        known = {one.name: one.choice for one in candidates(subject)}
+        known = {candidate.name: candidate.choice for candidate in candidates(subject)}
         # A film or a sum may be left out of a name: the asperity law alone says enough.
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
@@ -139,6 +139,6 @@ def with_interface(choice: Choice, groups: Groups) -> Choice:
     """
     if choice.tangential is not None or find(choice.model_key, RoughSurface).tangential != "none":
         return choice
-    laws = [one for one in of_kind(TangentialLaw).values() if one.interfacial]
-    known = [one for one in laws if all(groups.knows(name) for name in one.needs)]
-    return replace(choice, tangential=max(known, key=lambda one: len(one.needs)).key if known else "none")
+    laws = [law for law in of_kind(TangentialLaw).values() if law.interfacial]
+    known = [law for law in laws if all(groups.knows(name) for name in law.needs)]
+    return replace(choice, tangential=max(known, key=lambda law: len(law.needs)).key if known else "none")

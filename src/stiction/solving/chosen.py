@@ -57,7 +57,7 @@ class ResolvedLaws:
         """
         if self.tangential is None:
             return ""
-        taken = [one.yielded for one in self.tangential.parts(self.options) if isinstance(one, TangentialLaw)]
+        taken = [law.yielded for law in self.tangential.parts(self.options) if isinstance(law, TangentialLaw)]
         return (taken or [self.tangential.yielded])[0]
 
     def with_option(self, name: str, value: str) -> "ResolvedLaws":
@@ -71,8 +71,8 @@ class ResolvedLaws:
     def records(self) -> list[Record]:
         """Return the records of all laws in use, including those that their options add."""
         asperity = None if self.film is not None and self.film.own_asperity else self.asperity
-        laws = [one for one in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if one is not None]
-        return [record for one in laws for record in (one, *one.parts(self.options))]
+        laws = [law for law in (self.model, asperity, self.tangential, self.film, *self.additions.values()) if law is not None]
+        return [record for law in laws for record in (law, *law.parts(self.options))]
 
 
 def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> ResolvedLaws:
@@ -94,9 +94,9 @@ def resolve_laws(choice: Choice, coated: bool, groups: Groups | None = None) -> 
     additions = _additions(choice, groups, model, tangential, film)
     if choice.film and not coated:
         find(choice.film, FilmLaw)  # one that is known waits for a contact with a film; one that nobody knows is refused
-    for one in (tangential, film, *additions.values()):
-        if one is not None and (reason := incompatibility(one, asperity)):
-            field, value = ("asperity", asperity.key) if choice.asperity else (one.keyword, one.key)
+    for law in (tangential, film, *additions.values()):
+        if law is not None and (reason := incompatibility(law, asperity)):
+            field, value = ("asperity", asperity.key) if choice.asperity else (law.keyword, law.key)
             raise InputError(field, value, f"another law, because {reason}")
     if film is not None and (reason := friction_incompatibility(film, tangential)):
         assert tangential is not None  # without friction there is nothing that could not suit
@@ -113,7 +113,7 @@ def _additions(
 
     Raises InputError for an unknown key, and for a law that does not suit the others.
     """
-    found: dict[str, Addition] = {}
+    additions: dict[str, Addition] = {}
     for keyword, kind in kinds_of_additions().items():
         key = choice.beside.get(keyword)
         if (key is None and (groups is None or not kind.is_stated(groups))) or (key == "none" and kind.default):
@@ -124,8 +124,8 @@ def _additions(
         law = find(key or kind.default, kind)
         if allowed:
             raise InputError(keyword, law.key, allowed)
-        found[keyword] = law
-    return found
+        additions[keyword] = law
+    return additions
 
 
 def _refuse_junctions(film: FilmLaw | None, tangential: TangentialLaw | None, options: Mapping[str, str]) -> None:
@@ -146,7 +146,7 @@ def _ignored(choice: Choice, coated: bool) -> tuple[str, ...]:
 
 
 def _options(choice: Choice, *laws: Record | None) -> dict[str, str]:
-    return resolve_options([one for one in laws if one is not None], choice.options)
+    return resolve_options([law for law in laws if law is not None], choice.options)
 
 
 def _film(choice: Choice, model: RoughSurface) -> FilmLaw:

@@ -36,9 +36,9 @@ class ClosedFormProblem(Problem):
         if self.record.separation_near is not None:
             return self._curve(h[:, None], self.groups[law])[0][:, 0]
         result = np.empty(h.size)
-        for one in np.unique(law):
-            chosen = law == one
-            result[chosen] = self._curve(h[chosen], self.groups[one : one + 1])[0][0]
+        for index in np.unique(law):
+            chosen = law == index
+            result[chosen] = self._curve(h[chosen], self.groups[index : index + 1])[0][0]
         return result
 
     def loads_on_grid(self, h: np.ndarray) -> np.ndarray:
@@ -50,7 +50,7 @@ class ClosedFormProblem(Problem):
     def at(self, h: np.ndarray) -> dict[str, np.ndarray]:
         if self.record.separation_near is not None:
             return self._results(*self._curve(h, self.groups))
-        rows = [self._curve(one, self.groups[i : i + 1]) for i, one in enumerate(h)]
+        rows = [self._curve(separations, self.groups[i : i + 1]) for i, separations in enumerate(h)]
         return self._results(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
 
     def at_load(self, load: np.ndarray) -> dict[str, np.ndarray]:

@@ -150,10 +150,10 @@ def points_outside(problem: Problem, curve: Mapping[str, np.ndarray]) -> np.ndar
 
     curve: normalised results (1, m) by name.
     """
-    found = np.full(curve["load"].shape, WITHIN)
+    status = np.full(curve["load"].shape, WITHIN)
     for rule, _, outside in ranges_left(problem.subject, rules_of(problem), _known(problem, curve)):
-        found = np.maximum(found, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
-    return found[0]
+        status = np.maximum(status, np.where(outside, IMPOSSIBLE if rule.kind == "impossible" else OUTSIDE, WITHIN))
+    return status[0]
 
 
 def rules_of(problem: Problem) -> list[Validity]:
@@ -248,5 +248,5 @@ def without_repeats(warnings: Iterable[ValidityWarning]) -> list[ValidityWarning
     For example, a value above 1 is also above 0.1.
     """
     warnings = list(warnings)
-    worst = {one.quantity for one in warnings if one.kind == "impossible"}
-    return [one for one in warnings if one.kind == "impossible" or one.quantity not in worst]
+    worst = {warning.quantity for warning in warnings if warning.kind == "impossible"}
+    return [warning for warning in warnings if warning.kind == "impossible" or warning.quantity not in worst]

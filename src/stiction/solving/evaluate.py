@@ -99,27 +99,27 @@ def evaluate(
     >>> st.evaluate([0.0, 1.0], theta=40.0, lam=10.0).load.round(4)
     array([0.4191, 0.0638])
     """
-    given: dict[str, Any] = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
+    numbers: dict[str, Any] = {"theta": theta, "lam": lam, "nu": nu, "hardness_to_yield": hardness_to_yield}
     film = {"n_E": n_E, "n_H": n_H, "tau": tau}
     missing = [name for name, value in film.items() if value is None]
     if missing and len(missing) < len(film):
         raise InputError(missing[0], None, "n_E, n_H and tau together, or none of them")
     if not missing:
-        given |= film
+        numbers |= film
     check_threads(threads)
     choice = Choice(options={"variant": variant})
-    columns = [_separations(h), *(_checked(name, value) for name, value in given.items())]
+    columns = [_separations(h), *(_checked(name, value) for name, value in numbers.items())]
     try:
         shape = np.broadcast_shapes(*(column.shape for column in columns))
     except ValueError:
         shapes = ", ".join(str(column.shape) for column in columns)
         raise InputError("h and groups", f"shapes {shapes}", "shapes that NumPy can broadcast together") from None
     columns = [column.reshape((1,) * (len(shape) - column.ndim) + column.shape) for column in columns]
-    separation, laws = columns[0], dict(zip(given, columns[1:], strict=True))
+    separation, laws = columns[0], dict(zip(numbers, columns[1:], strict=True))
     if not missing:
         check_film(*(laws[name] for name in ("theta", "lam", "n_E", "n_H")))
     law_shape = np.broadcast_shapes(*(column.shape for column in laws.values()))
-    own_axes = all(one == 1 or other == 1 for one, other in zip(separation.shape, law_shape, strict=True))
+    own_axes = all(own == 1 or other == 1 for own, other in zip(separation.shape, law_shape, strict=True))
     if own_axes and separation.size > 1:
         return _on_grid(separation, laws, law_shape, shape, choice, threads)
     return _scattered(separation, laws, shape, choice, threads)

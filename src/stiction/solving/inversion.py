@@ -76,8 +76,8 @@ def pull_off(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
         tension, where, holds = problem.largest_tension
         if holds.all():
             return tension, where
-    found = separations_at(problem, np.empty((len(problem.groups), 0)))
-    return found.tension, found.where
+    inversion = separations_at(problem, np.empty((len(problem.groups), 0)))
+    return inversion.tension, inversion.where
 
 
 def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> Inversion:
@@ -89,7 +89,7 @@ def separations_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -
     Chandrupatla's method. Raises Unreachable for a load that cannot be carried; with refuse=False its separation is
     NaN.
     """
-    return _whole([found for found, _, _ in _by_blocks(problem, targets, refuse)])
+    return _whole([inversion for inversion, _, _ in _by_blocks(problem, targets, refuse)])
 
 
 def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tuple[Inversion, dict[str, np.ndarray]]:
@@ -98,10 +98,10 @@ def solved_at(problem: Problem, targets: np.ndarray, refuse: bool = True) -> tup
     Where a load cannot be carried, the results are those at separation 0. The last sums of the search are reused.
     """
     parts, tables = [], []
-    for found, sums, some in _by_blocks(problem, targets, refuse):
-        h = np.where(np.isnan(found.h), 0.0, found.h)
+    for inversion, sums, some in _by_blocks(problem, targets, refuse):
+        h = np.where(np.isnan(inversion.h), 0.0, inversion.h)
         tables.append(some.at(h) if sums is None else some.with_sums(h, sums))
-        parts.append(found)
+        parts.append(inversion)
     return _whole(parts), {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 
 
@@ -172,9 +172,9 @@ def _where(known: np.ndarray, sums: np.ndarray) -> np.ndarray:
 
     known: mask (n, m) of k pairs. sums: (regimes, k, 5).
     """
-    found = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
-    found[:, known] = sums
-    return found
+    table = np.full((len(sums), *known.shape, sums.shape[-1]), np.nan)
+    table[:, known] = sums
+    return table
 
 
 def _polished(problem: AsperitySum, law, h, target, slope, enough) -> tuple[np.ndarray, np.ndarray, np.ndarray, int]:
@@ -285,10 +285,10 @@ def _below_tops(problem: Problem) -> np.ndarray:
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
     about = np.concatenate([steps[::-1], [0.0], -steps])
-    indices = [one for one in (groups.theta, groups.meniscus_index) if one is not None]
+    indices = [index for index in (groups.theta, groups.meniscus_index) if index is not None]
     scales = [one ** (-2.0 / 3.0) for one in indices] + [one for one in (groups.meniscus_height,) if one is not None]
     places = [problem.heights.tops[None, :, None] + scale[:, None, None] * about for scale in scales]
-    every = np.concatenate([one.reshape(len(groups), -1) for one in places], axis=1)
+    every = np.concatenate([table.reshape(len(groups), -1) for table in places], axis=1)
     return -np.sort(-every, axis=1)
 
 
@@ -308,8 +308,8 @@ def largest_tension(load: Callable, h: np.ndarray, loads: np.ndarray) -> tuple[n
 
         law, at = laws[inside], lowest[inside]
         bracket = np.sort([h[law, at + beside] for beside in (-1, 0, 1)], axis=0)
-        found = find_minimum(load, tuple(bracket), args=(law.astype(float),))
-        tension[inside], where[inside] = -found.f_x, found.x
+        minimum = find_minimum(load, tuple(bracket), args=(law.astype(float),))
+        tension[inside], where[inside] = -minimum.f_x, minimum.x
     return tension, where
 
 
@@ -358,7 +358,7 @@ def _roots(problem: Problem, law: np.ndarray, targets: np.ndarray, bracket: tupl
     def excess(x, law, target):
         return problem.load_at(x, law) - target
 
-    found = find_root(excess, bracket, args=(law.astype(float), targets))
-    if not found.success.all():
-        raise ArithmeticError(f"{np.sum(~found.success)} of {targets.size} separations did not converge")
-    return found.x, found.f_x, int(np.max(found.nfev))
+    root = find_root(excess, bracket, args=(law.astype(float), targets))
+    if not root.success.all():
+        raise ArithmeticError(f"{np.sum(~root.success)} of {targets.size} separations did not converge")
+    return root.x, root.f_x, int(np.max(root.nfev))

@@ -45,4 +45,4 @@ def bounded(sums: np.ndarray, regimes: list[Regime], most: np.ndarray) -> np.nda
 
 
 def _of_menisci(regimes: list[Regime]) -> list[int]:
-    return [at for at, regime in enumerate(regimes) if regime.state == MENISCUS]
+    return [index for index, regime in enumerate(regimes) if regime.state == MENISCUS]

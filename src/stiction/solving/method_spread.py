@@ -47,10 +47,10 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
     loads, keep = like["load"].drop_vars(list(like["load"].coords)), (_MU, "load", "touching_asperities")
     try:
-        found = solve_batch(contact, choice, load=loads, keep=keep, heights=heights)
+        batch = solve_batch(contact, choice, load=loads, keep=keep, heights=heights)
     except InputError:
         return np.full((2, *like[_MU].shape), np.nan)
-    tables = {name: xarray.DataArray(values, dims=dims) for name, (dims, values, _) in found.variables.items()}
+    tables = {name: xarray.DataArray(values, dims=dims) for name, (dims, values, _) in batch.variables.items()}
     return _read_off(tables, contact, like[_MU])
 
 
@@ -59,15 +59,15 @@ def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
     return np.broadcast_to(aligned(array, {str(dim): size for dim, size in like.sizes.items()}), like.shape)
 
 
-def _read_off(found: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
+def _read_off(results: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
     """Return friction coefficient and share of touching asperities (2, *shape).
 
     NaN where the load is not compressive, and for results that the model does not have.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
-    touching = _over(found["touching_asperities"], like) if "touching_asperities" in found else np.nan
+    touching = _over(results["touching_asperities"], like) if "touching_asperities" in results else np.nan
     share = np.broadcast_to(quotient(touching, _over(asperities, like)), like.shape)
-    return np.where(_over(found["load"], like) > 0.0, [_over(found[_MU], like), share], np.nan)
+    return np.where(_over(results["load"], like) > 0.0, [_over(results[_MU], like), share], np.nan)
 
 
 def with_method_spread(

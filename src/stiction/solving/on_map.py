@@ -113,14 +113,14 @@ class MapProblem(Problem):
         factors = self.factors
         whole = self.contact.nominal_area / curve.array("nominal_area")  # of the contact over the map
         planes = curve.array("separation")
-        found = {
+        results = {
             "load": load.reshape(-1),
             "contact_area": curve.array("area") * whole / factors["m^2"],
             "contact_area_pixels": curve.array("area_pixels") * whole / factors["m^2"],
             "mean_separation": (planes - self._mean_height()) / factors["m"],
             "plane_separation": planes / factors["m"],
             "contact_stiffness": curve.array("stiffness") * whole / factors["N/m"],
-            **{name: curve.array(own) for name, own in _PLAIN.items()},
+            **{name: curve.array(column) for name, column in _PLAIN.items()},
             **{
                 name: np.full(load.size, value) / factors.get(QUANTITIES[name].scale, 1.0)
                 for name, value in curve.of_map.items()
@@ -128,13 +128,13 @@ class MapProblem(Problem):
             **curve.more,
         }
         if self.menisci:
-            found["load_meniscus"] = -curve.array("pull") * whole / factors["N"]
+            results["load_meniscus"] = -curve.array("pull") * whole / factors["N"]
         if self.adheres:
-            found = {name: table for name, table in found.items() if name not in ("contact_stiffness", *_SOLVED)}
+            results = {name: table for name, table in results.items() if name not in ("contact_stiffness", *_SOLVED)}
         if self.friction:
-            force = np.array([np.nan if one is None else self._friction(one) for one in curve.contacts])
-            found |= with_coefficient(found["load"], force)
-        return {name: table.reshape(load.shape) for name, table in found.items()}
+            force = np.array([np.nan if state is None else self._friction(state) for state in curve.contacts])
+            results |= with_coefficient(results["load"], force)
+        return {name: table.reshape(load.shape) for name, table in results.items()}
 
     def few_of(self, load: np.ndarray) -> np.ndarray:
         """Return a few normalised loads (1, k), from light contact to about a third of full contact or of the hardness."""
@@ -158,58 +158,61 @@ class MapProblem(Problem):
         """Return the mean height of the asperities above the mean plane [m], the origin of all separations."""
         return float(self._measured.mean_heights[self._measured.method])
 
-    def _friction(self, one: "MapContact") -> float:
+    def _friction(self, map_contact: "MapContact") -> float:
         """Return the tangential force of the whole contact, normalised."""
         assert self.chosen.tangential is not None
-        whole = self.contact.nominal_area / one.nominal_area
+        whole = self.contact.nominal_area / map_contact.nominal_area
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
-        if of_points is not None and one.pressure is None:
+        if of_points is not None and map_contact.pressure is None:
             raise InputError(
                 "shear",
                 self.options["shear"],
                 "law, because other values need pressures at points, which are known without adhesion only",
             )
         if of_points is not None:
-            force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, one))
+            force = sum(float(each.sum()) for _, each in of_points(self.contact, self.chosen.tangential.key, map_contact))
             return force * whole / self.factors["N"]
         force, extent = whole / self.factors["N"], whole / self.factors["m^2"]
-        if one.pressure is None:  # the whole load and area stand for those of the points
-            return float(self._sheared(np.array([one.load * force]), one.area * extent, "elastic"))
-        of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(one))
+        if map_contact.pressure is None:  # the whole load and area stand for those of the points
+            return float(self._sheared(np.array([map_contact.load * force]), map_contact.area * extent, "elastic"))
+        of_states = (self._sheared(p * pixel * force, area * extent, state) for state, p, pixel, area in points_of(map_contact))
         return float(sum(of_states))
 
-    def map_friction(self, one: "MapContact") -> float:
+    def map_friction(self, map_contact: "MapContact") -> float:
         """Return the tangential force [N] of the solved map `one` with all its points at full strength."""
-        return self._friction(one) * self.factors["N"] * one.nominal_area / self.contact.nominal_area
+        return self._friction(map_contact) * self.factors["N"] * map_contact.nominal_area / self.contact.nominal_area
 
-    def strengths(self, one: "MapContact") -> np.ndarray:
+    def strengths(self, map_contact: "MapContact") -> np.ndarray:
         """Return the shear strength of every point of a solved map [Pa] (rows, columns), 0 outside of contact.
 
         Raises InputError without a tangential law, and for adhesive contact, where point strengths are unknown.
         """
         if self.chosen.tangential is None:
             raise InputError("tangential", "none", "a tangential law, which gives the shear strength of each point")
-        if one.pressure is None:
+        if map_contact.pressure is None:
             raise InputError(
                 "adhesion", self.options["adhesion"], "left_out, because slip needs contact pressures without adhesion"
             )
-        strength = np.zeros_like(one.pressure)
-        hardness = float(one.pressure.max()) if one.plastic_area > 0.0 else np.inf
-        masks = {"elastic": (one.pressure > 0.0) & (one.pressure < hardness), "plastic": one.pressure >= hardness}
-        pixel = one.nominal_area / strength.size
-        for state, force in self._forces(one):
+        strength = np.zeros_like(map_contact.pressure)
+        hardness = float(map_contact.pressure.max()) if map_contact.plastic_area > 0.0 else np.inf
+        masks = {
+            "elastic": (map_contact.pressure > 0.0) & (map_contact.pressure < hardness),
+            "plastic": map_contact.pressure >= hardness,
+        }
+        pixel = map_contact.nominal_area / strength.size
+        for state, force in self._forces(map_contact):
             strength[masks[state]] = force / pixel
         return strength
 
-    def _forces(self, one: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
+    def _forces(self, map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray]]:
         """Yield each state of points in contact with the tangential force of every point in that state [N]."""
         assert self.chosen.tangential is not None
         of_points = POINT_SHEARS.get(self.options.get("shear", ""))
         if of_points is not None:
-            yield from of_points(self.contact, self.chosen.tangential.key, one)
+            yield from of_points(self.contact, self.chosen.tangential.key, map_contact)
             return
-        whole, unit = self.contact.nominal_area / one.nominal_area, self.factors
-        for state, p, pixel, area in points_of(one):
+        whole, unit = self.contact.nominal_area / map_contact.nominal_area, self.factors
+        for state, p, pixel, area in points_of(map_contact):
             each = self._each_sheared(p * pixel * whole / unit["N"], area * whole / unit["m^2"], state)
             yield state, each * unit["N"] / whole
 

@@ -120,23 +120,23 @@ def _row(record: Record) -> ModelRow:
 def _measured(record: FilmLaw) -> list[str]:
     """Return the measured errors of a film law on a sphere: a line per option and modulus."""
     lines = []
-    for one in summary(record.key):
-        for at, n_E in enumerate(one["n_E"]):
+    for table in summary(record.key):
+        for row, n_E in enumerate(table["n_E"]):
             cells = [
                 f"a/t = {width:g}: {area:+.0%}, {load:+.0%}"
-                for width, area, load in zip(one["a_over_t"], one["area"][at], one["load"][at], strict=True)
+                for width, area, load in zip(table["a_over_t"], table["area"][row], table["load"][row], strict=True)
             ]
-            lines.append(f"{one['options']}, n_E = {n_E:g}: ".removeprefix(", ") + "; ".join(cells))
+            lines.append(f"{table['options']}, n_E = {n_E:g}: ".removeprefix(", ") + "; ".join(cells))
     return lines
 
 
 def _parameters(record: Record) -> dict[str, list[str]]:
     """Return the allowed values of each option of an asperity method as text, the default first; {} for other records."""
-    said: dict[str, list[str]] = {}
+    texts: dict[str, list[str]] = {}
     for name, option in record.parameters.items() if isinstance(record, AsperityMethod) else ():
         others = [str(value) for value in option.values if value != option.default] or [option.allowed]
-        said[name] = others if option.default is None else [f"{option.default}", *others]
-    return said
+        texts[name] = others if option.default is None else [f"{option.default}", *others]
+    return texts
 
 
 def _limit(limit: Limit) -> str:

@@ -16,7 +16,9 @@ def sum_selected(parts: np.ndarray, chosen: list[bool]) -> np.ndarray:
 
 def states_of(regimes: list[Regime]) -> list[str]:
     """Return the states of asperities to report: elastic and plastic, and elastic-plastic if a regime has it."""
-    return list(dict.fromkeys(["elastic", "plastic", *(one.state for one in regimes if one.state == "elastic-plastic")]))
+    return list(
+        dict.fromkeys(["elastic", "plastic", *(regime.state for regime in regimes if regime.state == "elastic-plastic")])
+    )
 
 
 def share_beyond(regimes: list[Regime], parts: np.ndarray) -> np.ndarray:

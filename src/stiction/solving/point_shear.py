@@ -28,19 +28,19 @@ OfPoints = Iterator[tuple[str, np.ndarray]]
 _TABOR = 9.0  # alpha of combined stresses, from his measurements
 
 
-def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
+def points_of(map_contact: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float]]:
     """Yield each group of points of a solved map: state, pressures [Pa], area of a pixel [m2], contact area of each point [m2].
 
     The first group are the points that do not flow, the second those that flow, if there are any. The contact area of a point
     is its pixel minus its share of the excess area at contact edges. That excess is subtracted from the points that do not
     flow; if their area does not suffice, all points are reduced by one factor.
     """
-    assert one.pressure is not None
-    pixel = one.nominal_area / one.pressure.size
-    pressure = one.pressure[one.pressure > 0.0]
-    hardness = float(pressure.max(initial=0.0)) if one.plastic_area > 0.0 else math.inf
-    elastic, wanted = one.area_pixels - one.plastic_area, one.area - one.plastic_area
-    shares = dict.fromkeys(("elastic", "plastic"), one.area / one.area_pixels)
+    assert map_contact.pressure is not None
+    pixel = map_contact.nominal_area / map_contact.pressure.size
+    pressure = map_contact.pressure[map_contact.pressure > 0.0]
+    hardness = float(pressure.max(initial=0.0)) if map_contact.plastic_area > 0.0 else math.inf
+    elastic, wanted = map_contact.area_pixels - map_contact.plastic_area, map_contact.area - map_contact.plastic_area
+    shares = dict.fromkeys(("elastic", "plastic"), map_contact.area / map_contact.area_pixels)
     if elastic > 0.0 and wanted > 0.0:
         shares = {"elastic": wanted / elastic, "plastic": 1.0}
     for state, some in (("elastic", pressure[pressure < hardness]), ("plastic", pressure[pressure >= hardness])):
@@ -48,7 +48,7 @@ def points_of(one: "MapContact") -> Iterator[tuple[str, np.ndarray, float, float
             yield state, some, pixel, pixel * shares[state]
 
 
-def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
+def _lesser(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
     """Yield each state of points with the tangential force of each point [N], by equation (1)."""
     strength, (_, coefficient) = _strength(contact), contact.interface_at()
     if coefficient is None:
@@ -57,11 +57,11 @@ def _lesser(contact: Contact, law: str, one: "MapContact") -> OfPoints:
             None,
             "a number, because shear = lesser is the smaller of shear strength and pressure_coefficient times pressure",
         )
-    for state, pressure, pixel, area in points_of(one):
+    for state, pressure, pixel, area in points_of(map_contact):
         yield state, np.minimum(coefficient * pressure * pixel, strength * area)
 
 
-def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
+def _junction_growth(contact: Contact, law: str, map_contact: "MapContact") -> OfPoints:
     """Yield each group of points, elastic and plastic, with the tangential force of its points [N] by equation (2)."""
     from stiction.contact.pair import Pair
 
@@ -77,7 +77,7 @@ def _junction_growth(contact: Contact, law: str, one: "MapContact") -> OfPoints:
             f"< {contact.show(hardness / math.sqrt(_TABOR), 'interfacial_shear_strength')}, or junctions grow without limit",
         )  # fmt: skip
     bearing = math.sqrt(hardness**2 - _TABOR * strength**2)
-    for state, pressure, pixel, area in points_of(one):
+    for state, pressure, pixel, area in points_of(map_contact):
         yield state, strength * np.maximum(area, pressure * pixel / bearing)
 
 

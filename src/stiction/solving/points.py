@@ -68,8 +68,8 @@ def points_of(problem: Problem, load: Any = None, separation: Any = None) -> Poi
         raise InputError(
             "separation", separation, f"a load instead, because {problem.record.key} does not compute a separation"
         )
-    name, given = ("load", load) if separation is None else ("mean_separation", separation)
-    return points_at(problem, name, requested_points(problem.subject, name, given))
+    name, value = ("load", load) if separation is None else ("mean_separation", separation)
+    return points_at(problem, name, requested_points(problem.subject, name, value))
 
 
 def points_at(problem: Problem, name: str, value: Any) -> Points:
@@ -113,7 +113,7 @@ def coordinates_of(*values: Any) -> dict[str, Any]:
     rows = [value for value in values if hasattr(value, "dims") and not hasattr(value, "coords")]
     named |= {value.dims[0]: coordinate(value.dims[0], value.values) for value in rows}
     results = ("load", "mean_separation")
-    return {name: one for name, one in named.items() if name not in results or one.dims == (name,)}
+    return {name: variable for name, variable in named.items() if name not in results or variable.dims == (name,)}
 
 
 @dataclass(frozen=True)

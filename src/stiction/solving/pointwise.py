@@ -100,7 +100,7 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
     """Solve contacts in parts, so that refused ones have NaN. Raises the last refusal if all contacts are refused."""
     shape, every = points.table.shape, np.arange(len(points.problem.groups))
     tables: dict[str, np.ndarray] = {}
-    found, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
+    inversion, refusal, why_not = None, None, np.full(shape, 1 << REFUSED, dtype=np.uint32)
     for region, part in bisected({"contact": slice(0, len(every))}, lambda some: _taken(points.rows(every[some["contact"]]))):
         rows = every[region["contact"]]
         if isinstance(part, Exception):
@@ -111,10 +111,10 @@ def _in_parts(points: Points) -> tuple[Solved, np.ndarray]:
             tables.setdefault(name, np.full(shape, np.nan))[rows] = table
         if solved.found is not None:
             h, residual, tension, where = (np.full(size, np.nan) for size in (shape, shape, shape[:1], shape[:1]))
-            found = (found or Inversion(h, residual, tension, where)).with_rows(rows, solved.found)
+            inversion = (inversion or Inversion(h, residual, tension, where)).with_rows(rows, solved.found)
     if refusal is not None and not tables:
         raise refusal
-    return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, found), why_not
+    return Solved({name: table.reshape(points.wanted.shape) for name, table in tables.items()}, inversion), why_not
 
 
 def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Region, T | Exception]]:
@@ -127,14 +127,14 @@ def bisected(region: Region, solve: Callable[[Region], T]) -> Iterator[tuple[Reg
     while waiting:
         part = waiting.pop()
         try:
-            found: T | Exception = solve(part)
+            result: T | Exception = solve(part)
         except (InputError, ArithmeticError) as error:
             halves = _halves(part)
             waiting += halves
             if halves:
                 continue
-            found = error
-        yield part, found
+            result = error
+        yield part, result
 
 
 def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
@@ -142,19 +142,19 @@ def tiles(sizes: Mapping[str, int], room: int) -> dict[str, int]:
 
     The last dimensions are kept whole first.
     """
-    found: dict[str, int] = {}
+    lengths: dict[str, int] = {}
     for dim in reversed(list(sizes)):
-        found[dim] = max(1, min(sizes[dim], room))
-        room //= found[dim]
-    return {dim: found[dim] for dim in sizes}
+        lengths[dim] = max(1, min(sizes[dim], room))
+        room //= lengths[dim]
+    return {dim: lengths[dim] for dim in sizes}
 
 
 def pieces(region: Region, room: int) -> Iterator[Region]:
     """Yield a region in parts of at most `room` contacts."""
     steps = tiles({dim: some.stop - some.start for dim, some in region.items()}, room)
     starts = (range(some.start, some.stop, steps[dim]) for dim, some in region.items())
-    for at in product(*starts):
-        yield {dim: slice(start, min(start + steps[dim], region[dim].stop)) for dim, start in zip(region, at, strict=True)}
+    for corner in product(*starts):
+        yield {dim: slice(start, min(start + steps[dim], region[dim].stop)) for dim, start in zip(region, corner, strict=True)}
 
 
 def _halves(region: Region) -> list[Region]:

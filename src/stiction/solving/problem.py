@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -54,7 +55,7 @@ class AsperitySum(Problem):
     @cached_property
     def regimes(self) -> list[Regime]:
         """Return the regimes of the solids, followed by those of additional laws, such as menisci."""
-        return [*self._solids(), *(one for law in self.chosen.additions.values() for one in law.regimes(self.groups))]
+        return [*self._solids(), *(regime for law in self.chosen.additions.values() for regime in law.regimes(self.groups))]
 
     def _solids(self) -> list[Regime]:
         record, film = self.record, self.chosen.film
@@ -228,8 +229,8 @@ class AsperitySum(Problem):
             return results
         friction = sums[..., SLIP_LIMITED] + sums[..., _YIELD_LIMITED]
         if not self.law.interfacial:
-            solid = [at for at, regime in enumerate(regimes) if regime.state != MENISCUS]
-            some = [regimes[at] for at in solid]
+            solid = [index for index, regime in enumerate(regimes) if regime.state != MENISCUS]
+            some = [regimes[index] for index in solid]
             results["load_share_without_friction"] = share_without(some, loads[solid], friction[solid])
         results |= with_coefficient(results["load"], friction.sum(axis=0))
         results["friction_slip_limited"] = total[..., SLIP_LIMITED]
@@ -305,13 +306,14 @@ def make_problem(subject: Subject, choice: Choice, heights: Heights | str | None
     if not (heights is None or isinstance(heights, str | Heights)):
         raise InputError("heights", type(heights).__name__, "a height distribution or its name, e.g. gaussian")
     subject, asked = as_subject(subject), (choice, heights, threads)
-    for earlier, problem in tuple(subject.prepared):
+    prepared: list[Any] = subject.prepared
+    for earlier, problem in tuple(prepared):
         if earlier == asked:
             return problem
     problem = _prepared(subject, *asked)
     if isinstance(problem, AsperitySum) and len(problem.groups) <= _FEW and subject.measured is None:
-        subject.prepared.append((asked, problem))
-        del subject.prepared[:-_KEPT]
+        prepared.append((asked, problem))
+        del prepared[:-_KEPT]
     return problem
 
 
@@ -321,7 +323,7 @@ def _prepared(subject: Subject, choice: Choice, heights: Heights | str | None, t
     own_heights = heights is None
     if heights is None:
         name, parameters = subject.heights
-        heights = height_distribution(name, **parameters)
+        heights = height_distribution(name, **parameters)  # type: ignore[arg-type]
     elif isinstance(heights, str):
         heights = height_distribution(heights)
     groups, dims = Groups.of(subject.unlabelled.indices())

@@ -76,14 +76,14 @@ _RESIDUAL = {
 }
 
 
-def _pull_off(points: Points, found: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
+def _pull_off(points: Points, inversion: Inversion | None, refused: np.ndarray | None) -> dict[str, tuple]:
     """Return the largest tension of each contact, and its separation.
 
     found: the inversion of the problem, or None.
     """
     problem, apart = points.problem, points.problem.on_branch("unloading")
-    if found is not None and apart is problem:
-        tension, where = found.tension, found.where
+    if inversion is not None and apart is problem:
+        tension, where = inversion.tension, inversion.where
     else:
         tension, where = np.full((2, len(problem.groups)), np.nan)
         taken = slice(None) if refused is None else np.flatnonzero(~refused)
@@ -133,7 +133,7 @@ def _change_by_junctions(problem: Problem, tables: Mapping[str, np.ndarray]) -> 
     words = [f"yielded junctions follow {problem.options[JUNCTIONS]}, not the published law"]
     if known.any():
         mu, published = mu[known], published[known]
-        ends = [span((one.min(), one.max())) for one in (mu, published)]
+        ends = [span((coefficients.min(), coefficients.max())) for coefficients in (mu, published)]
         words.append(f"mu is {ends[0]}, by the published law {ends[1]}")
         if (published > 0.0).all():
             ratio = mu / published
@@ -158,12 +158,15 @@ def _description(subject: Subject, problem: Problem) -> dict[str, str]:
     """Return the attributes of results that depend only on the problem: title, laws, sources."""
     records = problem.records()
     used = dict.fromkeys(source.key for record in records for source in record.sources)
-    laws = {kind: next((one.key for one in records if one.kind == kind), "none") for kind in ("asperity", "tangential", "film")}
+    laws = {
+        kind: next((record.key for record in records if record.kind == kind), "none")
+        for kind in ("asperity", "tangential", "film")
+    }
     return {
         "title": f"Static friction after {problem.record.key}",
         "model": problem.record.key,
         **laws,
-        **{one.kind: one.key for one in records if isinstance(one, Addition)},
+        **{record.kind: record.key for record in records if isinstance(record, Addition)},
         **problem.options,
         "options": " ".join(problem.options),
         "heights": problem.heights_taken,

@@ -56,7 +56,7 @@ def slide_on_map(problem: MapProblem, points: Points, move: Move) -> "xarray.Dat
     if shifts.min() < 0.0:
         raise InputError("displacement", problem.contact.show(float(shifts.min()), "displacement"), "0 or more")
     paths = [moving.path(index, shifts, weakening) for index in range(len(moving.contacts))]
-    whole = problem.contact.nominal_area / moving.nominal_area
+    whole = float(problem.contact.nominal_area) / moving.nominal_area
     ends = _ends(moving, paths, whole, factors) | moving.results(paths)
     if weakening is not None:
         ends["points_in_weakening"] = _points_in_loss(problem, moving, weakening)
@@ -102,7 +102,7 @@ def _moving(problem: MapProblem, loads: np.ndarray) -> MovingMap:
 
 def _contacts(problem: MapProblem, loads: np.ndarray) -> "tuple[MapContact, ...]":
     """Return the contacts of the map at normalised loads (m,). Raises InputError if one is not solved."""
-    contacts = tuple(one for one in problem.curve(loads).contacts if one is not None)
+    contacts = tuple(state for state in problem.curve(loads).contacts if state is not None)
     if len(contacts) < loads.size:
         raise InputError("load", f"{loads.size - len(contacts)} loads without a solution", "loads that the solver can solve")
     return contacts
@@ -118,7 +118,7 @@ def _uncoupled(problem: MapProblem, moving: MovingMap, loads: np.ndarray, why: s
         dry = problem.without_attraction()
         change = effect_of_coupling(dry, _contacts(dry, loads))
         remark += f": friction may be wrong by {100.0 * change:.2g} %"
-    return replace(moving, remark="; ".join(one for one in (moving.remark, remark) if one))
+    return replace(moving, remark="; ".join(text for text in (moving.remark, remark) if text))
 
 
 def _displacements(problem: MapProblem, moving: MovingMap, weakening: "Weakening | None", move: Move) -> Any:
@@ -153,7 +153,7 @@ def used_by_sliding(problem: Problem, names: tuple[str, ...]) -> dict[str, str]:
 
     names: inputs that sliding uses, which are not listed.
     """
-    return as_attributes(one for one in unused_inputs(problem) if one.input not in names)
+    return as_attributes(unused for unused in unused_inputs(problem) if unused.input not in names)
 
 
 def _way(elastic: float, weakening: "Weakening | None") -> np.ndarray:
@@ -200,11 +200,11 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
         raise InputError("load", f"{len(moving.strengths)} loads", "one load together with tangential_force")
     contact, strength = problem.contact, moving.strengths[0]
     forces = np.atleast_1d(np.asarray(problem.subject.read(move.tangential_force, "tangential_force"), dtype=float))
-    most = float(strength.sum()) * moving.pixel(0) * contact.nominal_area / moving.nominal_area
+    most = float(strength.sum()) * moving.pixel(0) * float(contact.nominal_area) / moving.nominal_area
     if not ((forces >= 0.0) & (forces < most)).all():
         shown = contact.show(float(forces.max()), "tangential_force"), contact.show(most, "tangential_force")
         raise InputError("tangential_force", shown[0], f"0 to less than the summed strength of the points, {shown[1]}")
-    part = moving.nominal_area / contact.nominal_area
+    part = moving.nominal_area / float(contact.nominal_area)
     return np.array([at_force(moving.operator, strength, float(force) * part, pixel=moving.pixel(0)).shift for force in forces])
 
 
@@ -260,7 +260,10 @@ def _points_in_loss(problem: MapProblem, moving: MovingMap, weakening: "Weakenin
 
     surface = problem.surface()
     return np.array(
-        [weakening_length(moving.operator, float(one.max()), weakening) / max(surface.pitch) for one in moving.strengths]
+        [
+            weakening_length(moving.operator, float(strength.max()), weakening) / max(surface.pitch)
+            for strength in moving.strengths
+        ]
     )
 
 
@@ -274,4 +277,9 @@ def _said(
     settled = all(state.converged for path in paths for state in path.states)
     remarks = [known["remarks"], moving.remark_on(paths), "" if settled else "the force did not converge at some displacements"]
     title = f"Tangential force up to sliding after {known['model']}"
-    return {"title": title, "residual_strength": residual, "sliding": how, "remarks": "; ".join(one for one in remarks if one)}
+    return {
+        "title": title,
+        "residual_strength": residual,
+        "sliding": how,
+        "remarks": "; ".join(text for text in remarks if text),
+    }

@@ -47,26 +47,26 @@ def spread_on_map(problem: MapProblem, loads: np.ndarray) -> tuple[np.ndarray, n
 
     contact, surface = problem.contact, problem.surface()
     bodies = bodies_of(contact)
-    largest = _HEAVIEST * contact.contact_modulus * waves(surface.heights, surface.size, surface.periodic).gradient
+    largest = _HEAVIEST * float(contact.contact_modulus) * waves(surface.heights, surface.size, surface.periodic).gradient
     if bodies.hardness is not None:
         largest = min(largest, _OF_HARDNESS * bodies.hardness)
     least, most = (float(load) / contact.nominal_area for load in (loads.min(), loads.max()))
     steps = min(math.ceil(math.log(most / least * _BEYOND**2) / math.log(_STEP)), _MOST)
     near = np.geomspace(least / _BEYOND, most * _BEYOND, steps + 1)
     curve = curve_of_map(surface, bodies, [*near[near < largest].tolist(), largest], sampled=True)
-    solved = [one for one in curve.contacts if one is not None]
+    solved = [state for state in curve.contacts if state is not None]
     heights, size = every_point(surface.heights, surface.size, curve.every)
     boundary = PeriodicShear if surface.periodic else MirroredShear
     operator = boundary(shear_compliance_of(contact), heights.shape, size)
-    share = [one.area / one.nominal_area for one in solved]
-    return np.array([*share, 1.0]), np.array([*(_spread(operator, one) for one in solved), 0.0])
+    share = [state.area / state.nominal_area for state in solved]
+    return np.array([*share, 1.0]), np.array([*(_spread(operator, state) for state in solved), 0.0])
 
 
-def _spread(operator: "ShearOperator", one: "MapContact") -> float:
+def _spread(operator: "ShearOperator", state: "MapContact") -> float:
     """Return the standard deviation s of the spots' displacement over the strength tau_p [m/Pa], on one solved map.
 
     All points in contact bear the same stress. It is reduced by the excess area of edge points.
     """
-    assert one.pressure is not None
-    spots = one.pressure > 0.0
-    return float(np.std(operator(spots[None] * (one.area / one.area_pixels))[0][spots]))
+    assert state.pressure is not None
+    spots = state.pressure > 0.0
+    return float(np.std(operator(spots[None] * (state.area / state.area_pixels))[0][spots]))

@@ -50,20 +50,20 @@ def state_of(problem: Problem, results: Mapping[str, np.ndarray]) -> dict[str, n
     pulled = results.get("load_meniscus")
     wet = None if pulled is None else -np.asarray(pulled).reshape(n, -1)
     some = expected_share(area) if share is None else share
-    found = _by_asperity(problem, load, area, share, some, _bearing(problem, load, results), wet)
+    state = _by_asperity(problem, load, area, share, some, _bearing(problem, load, results), wet)
     if groups.roughness_parameter is not None:
         density = math.pi * groups.roughness_parameter[:, None]
-        found["area_fraction"] = area_fraction(groups, area)
-        found["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
+        state["area_fraction"] = area_fraction(groups, area)
+        state["nominal_pressure_over_hardness"] = density * load / (groups.eta * _softest(groups))[:, None]
         count = number_of_asperities(groups)
         if count is not None:
-            found["touching_asperities"] = count * some
+            state["touching_asperities"] = count * some
     of_surface = _of_the_surface(groups) | (
         _of_attraction(groups, getattr(problem, "map", None)) if problem.record.adheres else {}
     )
     known = {} if problem.subject is None else of_the_map(problem.subject)
     of_map = {name: np.full((n, 1), value) for name, value in known.items()}
-    return found | {name: value[:, None] for name, value in of_surface.items()} | of_map
+    return state | {name: value[:, None] for name, value in of_surface.items()} | of_map
 
 
 def area_fraction(groups: Groups, area: np.ndarray) -> np.ndarray:
@@ -78,18 +78,18 @@ def _of_the_surface(groups: Groups) -> dict[str, np.ndarray]:
     Rms slope: sqrt(2 m2), of a Gaussian surface with m4 = (3/8)^2 pi/R^2 and N = m4/(6 pi sqrt(3) m2) (Nayak 1971;
     McCool 1986).
     """
-    found = {}
+    quantities = {}
     if groups.sharpness is not None and groups.roughness_parameter is not None:
         slope_squared = 2.0 * (9.0 / 64.0) / (6.0 * math.sqrt(3.0)) / groups.roughness_parameter
-        found["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
+        quantities["rms_slope"] = groups.sharpness * np.sqrt(slope_squared)
     if groups.sharpness is not None and groups.has_film and groups.film_aspect is not None:
-        found["thickness_over_radius"] = groups.film_aspect * groups.sharpness
+        quantities["thickness_over_radius"] = groups.film_aspect * groups.sharpness
     if groups.has_film and groups.film_aspect is not None and groups.roughness_parameter is not None:
         from stiction.laws.rough_surface.rough_on_film import STIFF, thickness_over_wave  # which a bare contact does without
 
         whole = groups.resolved()
-        found["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
-    return found
+        quantities["stiff_film_over_wave"] = np.where(whole.n_E >= STIFF, thickness_over_wave(whole), np.nan)
+    return quantities
 
 
 def of_the_map(subject: Subject) -> dict[str, float]:
@@ -104,7 +104,7 @@ def of_the_map(subject: Subject) -> dict[str, float]:
     from stiction.solvers.boundary_elements.map_area import map_area  # which a contact of numbers does without
 
     names = "points_in_shortest_wave", "longest_waves_on_a_side"
-    return {name: min(getattr(map_area(one).waves, name) for one in maps) for name in names}
+    return {name: min(getattr(map_area(surface).waves, name) for surface in maps) for name in names}
 
 
 def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.ndarray]:
@@ -115,10 +115,10 @@ def _of_attraction(groups: Groups, surface: "HeightMap | None") -> dict[str, np.
     from stiction.laws.criterion.pastewka_robbins_2014 import range_over_gap, stickiness
     from stiction.laws.criterion.persson_tosatti_2001 import elastic_over_adhesion
 
-    found = {"elastic_over_adhesion": elastic_over_adhesion(groups, surface)}
+    quantities = {"elastic_over_adhesion": elastic_over_adhesion(groups, surface)}
     if groups.tabor_parameter is None:
-        return found
-    return found | {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
+        return quantities
+    return quantities | {"range_over_gap": range_over_gap(groups), "stickiness_ratio": stickiness(groups)}
 
 
 def _by_asperity(
@@ -137,21 +137,21 @@ def _by_asperity(
     groups = problem.groups
     compressed = np.where(load > 0.0, load, np.nan)
     pressure = quotient(load, groups.eta[:, None] * hardness * area)
-    found = {"mean_pressure_over_hardness": pressure} | _grown(groups, pressure)
+    quantities = {"mean_pressure_over_hardness": pressure} | _grown(groups, pressure)
     if share is not None:
-        found["touching_share"] = share
+        quantities["touching_share"] = share
         if not groups.has_film:
             yielded = critical_interference(groups.eta, hardness_coefficient(groups.nu))[:, None]
-            found["asperity_area_over_yield"] = quotient(area, share * yielded)
-    found |= _below_film(groups, load, area, touching)
-    found |= _of_menisci(groups, area, share, pull_of_menisci)
+            quantities["asperity_area_over_yield"] = quotient(area, share * yielded)
+    quantities |= _below_film(groups, load, area, touching)
+    quantities |= _of_menisci(groups, area, share, pull_of_menisci)
     per_theta = np.zeros(len(groups)) if groups.theta is None else _DMT / groups.theta  # 0 of what does not adhere
     pull = per_theta if groups.n_g is None else per_theta * groups.n_g
-    found["adhesion_share"] = pull[:, None] * touching / compressed
+    quantities["adhesion_share"] = pull[:, None] * touching / compressed
     if groups.meniscus_index is not None and groups.meniscus_height is not None:
         held = _held_by_menisci(touching, groups.meniscus_height[:, None])
-        found["meniscus_share"] = (2.0 * math.pi / groups.meniscus_index)[:, None] * held / compressed
-    return found
+        quantities["meniscus_share"] = (2.0 * math.pi / groups.meniscus_index)[:, None] * held / compressed
+    return quantities
 
 
 def _grown(groups: Groups, pressure: np.ndarray) -> dict[str, np.ndarray]:
@@ -214,14 +214,16 @@ def _of_menisci(groups: Groups, area: np.ndarray, share: np.ndarray | None, pull
     if groups.meniscus_height is None or groups.meniscus_index is None or share is None or pull is None:
         return {}
     height = groups.meniscus_height[:, None]
-    found = {"penetration_over_meniscus": quotient(area, share * height)}
+    quantities = {"penetration_over_meniscus": quotient(area, share * height)}
     if groups.roughness_parameter is not None:
         ring = 2.0 * math.pi * groups.roughness_parameter[:, None] * height
         bridged = np.maximum(pull * groups.meniscus_index[:, None] / (2.0 * math.pi), share)
         free = 1.0 - math.pi * groups.roughness_parameter[:, None] * area
         flooded = ring * bridged >= free * (1.0 - 1e-9)
-        found["meniscus_coverage"] = ring * np.where(flooded, np.maximum(bridged, _held_by_menisci(share, height)), bridged)
-    return found
+        quantities["meniscus_coverage"] = ring * np.where(
+            flooded, np.maximum(bridged, _held_by_menisci(share, height)), bridged
+        )
+    return quantities
 
 
 def _softest(groups: Groups) -> np.ndarray | float:

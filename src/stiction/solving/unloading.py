@@ -197,7 +197,7 @@ class _Way:
 
         rows: index of the contact at each point. nearest: smallest separation. distance: increase of the separation since then.
         """
-        row, apart, h = (one.reshape(-1) for one in (rows, distance, nearest + distance))
+        row, apart, h = (table.reshape(-1) for table in (rows, distance, nearest + distance))
 
         def summed(some: slice) -> dict[str, np.ndarray]:
             found = self.apart(row[some], apart[some]).at(h[some, None])
@@ -303,8 +303,10 @@ def _apart(subject: Subject, nearest: np.ndarray, wanted: np.ndarray, unit: np.n
             name, subject.show(farthest, "mean_separation"), f"within {FARTHEST:g} sigma of the smallest separation"
         )
     if short.any():
-        at = tuple(np.argwhere(short)[0])
-        given, pressed = (subject.show(one[at] * unit[at], "mean_separation") for one in (wanted, nearest))
+        point = tuple(np.argwhere(short)[0])
+        given, pressed = (
+            subject.show(separations[point] * unit[point], "mean_separation") for separations in (wanted, nearest)
+        )
         if is_increase:
             raise InputError("separation_increase", given, "0 or more")
         raise InputError("separation", given, f"{pressed} or more, the smallest separation during loading")
@@ -315,9 +317,9 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
     """Return the smallest separation, the largest tension during unloading, and the separation of zero load."""
     tables = {"pull_off_force": np.zeros(nearest.shape)}
     if way.pressed.adheres:
-        found = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
+        tension = _tension(way, way.rows(nearest.shape).reshape(-1), nearest.reshape(-1))
         names = "pull_off_force", "pull_off_separation", "zero_load_separation"
-        tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, found, strict=True)}
+        tables |= {name: table.reshape(nearest.shape) for name, table in zip(names, tension, strict=True)}
     own = {name: tables.pop(name) for name in _DESCRIBED if name in tables}
     if "min_separation" not in dims:  # there it is a coordinate
         own["min_separation"] = nearest
@@ -350,10 +352,10 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
     turns = (loads[:, 0] > 0.0) & (loads.min(axis=1) < 0.0)
     if turns.any():
         pair, at = every[turns], np.argmax(loads < 0.0, axis=1)[turns]
-        found = find_root(load, (distance[pair, at - 1], distance[pair, at]), args=(pair.astype(float),))
-        if not found.success.all():
-            raise ArithmeticError(f"{np.sum(~found.success)} of {pair.size} separations of no load did not converge")
-        zero[turns] = found.x
+        root = find_root(load, (distance[pair, at - 1], distance[pair, at]), args=(pair.astype(float),))
+        if not root.success.all():
+            raise ArithmeticError(f"{np.sum(~root.success)} of {pair.size} separations of no load did not converge")
+        zero[turns] = root.x
     return tension, nearest + where, nearest + zero
 
 

@@ -58,19 +58,19 @@ def unused_inputs(problem: Problem) -> list[Unused]:
         spoken_of.add(_OF_FILM)
     if (problem.adheres and not one_body) or (_OF_FILM in spoken_of and _OF_FILM not in given.values()):
         spoken_of.add(_ADHESION)
-    plastic = [one for one in problem.records() if not (isinstance(one, TangentialLaw) and one.interfacial)]
+    plastic = [record for record in problem.records() if not (isinstance(record, TangentialLaw) and record.interfacial)]
     if any(name in ("lam", "hardness_group", "n_H") for record in plastic for name in record.needs):
         spoken_of.add("hardness")
     ratio = problem.groups.strength_over_bodies
     if "shear_strength" in spoken_of and ratio is not None and np.any(ratio >= 1.0 - 1e-12):  # capped by the bodies' yield
         spoken_of |= {"hardness", "hardness_to_yield"}
-    found = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
+    listed = [Unused(name, why="this contact has no film") for name in problem.chosen.ignored]
     for name, group in given.items():
         if not group:
-            found.append(Unused(name, why="the values of the bodies are used for the film too"))
+            listed.append(Unused(name, why="the values of the bodies are used for the film too"))
         elif group not in spoken_of:
-            found.append(Unused(name, _laws_that_use(group, problem)))
-    return found
+            listed.append(Unused(name, _laws_that_use(group, problem)))
+    return listed
 
 
 def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
@@ -82,7 +82,7 @@ def refuse_ignored_strength(problem: Problem, choice: Choice) -> None:
     names = [name for name, group in given.items() if group in _STRENGTH]
     if choice.model is not None or choice.tangential is not None or not names:
         return
-    ignored = [one.input for one in unused_inputs(problem) if one.input in names]
+    ignored = [unused.input for unused in unused_inputs(problem) if unused.input in names]
     if ignored:
         inputs = dict(problem.subject.inputs())
         value = InWords(inputs.get(ignored[0]) or inputs.get(f"{ignored[0]}.name", "given"))
@@ -96,23 +96,23 @@ def _laws_that_use(group: str, problem: Problem) -> dict[str, list[str]]:
     chosen = problem.chosen
     asperity = chosen.asperity  # None of a theory in closed form
     known = problem.groups
-    others = [one for one in (chosen.tangential, chosen.film) if one is not None]
+    others = [law for law in (chosen.tangential, chosen.film) if law is not None]
     asperities: Iterable[AsperityLaw] = of_kind(AsperityLaw).values() if asperity is not None else ()
-    found = {
+    records = {
         "tangential": [
-            one.key
-            for one in of_kind(TangentialLaw).values()
-            if _uses(one, group, known)
-            and (one.interfacial if asperity is None else not incompatibility(one, asperity))
-            and not (chosen.film is not None and friction_incompatibility(chosen.film, one))
+            law.key
+            for law in of_kind(TangentialLaw).values()
+            if _uses(law, group, known)
+            and (law.interfacial if asperity is None else not incompatibility(law, asperity))
+            and not (chosen.film is not None and friction_incompatibility(chosen.film, law))
         ],
         "asperity": [
-            one.key
-            for one in asperities
-            if _uses(one, group, known) and not any(incompatibility(other, one) for other in others)
+            law.key
+            for law in asperities
+            if _uses(law, group, known) and not any(incompatibility(other, law) for other in others)
         ],
     }
-    return {kind: keys for kind, keys in found.items() if keys}
+    return {kind: keys for kind, keys in records.items() if keys}
 
 
 def _uses(record: Record, group: str, known: Groups) -> bool:
@@ -124,11 +124,11 @@ def _uses(record: Record, group: str, known: Groups) -> bool:
     return group in record.needs or group in record.takes
 
 
-def as_attributes(found: Iterable[Unused]) -> dict[str, str]:
+def as_attributes(listed: Iterable[Unused]) -> dict[str, str]:
     """Return attributes of a result that list unused inputs, in words and as JSON, so that a netCDF file keeps them."""
-    found = list(found)
-    data = json.dumps([asdict(one) for one in found], ensure_ascii=False)
-    return {"inputs_not_used": "; ".join(map(str, found)), "unused_inputs": data}
+    listed = list(listed)
+    data = json.dumps([asdict(unused) for unused in listed], ensure_ascii=False)
+    return {"inputs_not_used": "; ".join(map(str, listed)), "unused_inputs": data}
 
 
 def unused_of(data: "xarray.Dataset") -> list[Unused]:

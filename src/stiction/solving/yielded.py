@@ -20,7 +20,7 @@ def require_states(problem: Problem, name: str) -> AsperitySum:
         allowed = "a model of asperities, e.g. greenwood_williamson_1966, which counts yielded ones"
         raise InputError(name, problem.record.key, allowed)
     film = problem.chosen.film
-    if name != YIELDED[0] and film is not None and not any(one.body == "substrate" for one in problem.regimes):
+    if name != YIELDED[0] and film is not None and not any(regime.body == "substrate" for regime in problem.regimes):
         raise InputError(name, film.key, "sequential or printed, the film laws that treat film and substrate separately")
     return problem
 
@@ -36,6 +36,7 @@ def yielded_shares(problem: Problem, h: np.ndarray, name: str) -> np.ndarray:
     regimes, of_all = sums.regimes, name == YIELDED[0]
     loads = np.abs(sums.sums_at(h)[..., LOAD])
     counted = [
-        one.state not in ("elastic", MENISCUS) and (of_all or film is None or one.body == "substrate") for one in regimes
+        regime.state not in ("elastic", MENISCUS) and (of_all or film is None or regime.body == "substrate")
+        for regime in regimes
     ]
-    return quotient(sum_selected(loads, counted), sum_selected(loads, [one.state != MENISCUS for one in regimes]), 0.0)
+    return quotient(sum_selected(loads, counted), sum_selected(loads, [regime.state != MENISCUS for regime in regimes]), 0.0)

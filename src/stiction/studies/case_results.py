@@ -154,9 +154,10 @@ def with_groups(data: "xarray.Dataset", subject: Subject) -> "xarray.Dataset":
 
     A single number becomes an attribute. An array becomes a variable, unless it is a coordinate already.
     """
+    groups: dict[str, Any] = subject.all_groups()
     swept = {
         name: (value.dims, value.values, subject.attributes(name))
-        for name, value in subject.all_groups().items()
+        for name, value in groups.items()
         if hasattr(value, "dims") and name not in data.variables
     }
     return data.assign(swept).assign_attrs(subject.groups())

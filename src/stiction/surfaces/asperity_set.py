@@ -1,7 +1,7 @@
 """The asperities of a surface in the form that every finding method returns."""
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -104,7 +104,9 @@ def of_numbers(surface: "Roughness") -> Asperities:
 
     Heights are measured from their own mean.
     """
-    deviation, radius, density = surface.asperity_height_deviation, surface.asperity_radius, surface.asperity_density
+    density: Any = surface.asperity_density
+    deviation: Any = surface.asperity_height_deviation
+    radius: Any = surface.asperity_radius
     return Asperities("numbers", density, deviation, radius, 0.0, 0.0, "as given")
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from stiction.quantities.errors import InputError, InWords, field_named
-from stiction.quantities.inputs import Input, OptionalNumber, as_text
+from stiction.quantities.inputs import Input, OptionalNumber, as_text, by_default
 from stiction.quantities.ranges import range_in_words
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
@@ -45,12 +45,12 @@ class Finished(Input):
     """
 
     finish: Annotated[str, BeforeValidator(_finish)] = Field(description="a finish, e.g. ground, lapped or polished")
-    rms_height: OptionalNumber = None
-    mean_height: OptionalNumber = None
+    rms_height: OptionalNumber = by_default(None)
+    mean_height: OptionalNumber = by_default(None)
     kind: str | None = Field(default=None, description="gaussian, skewed, worn, lay, two-scale or a finish")
-    skewness: ShapeNumber = None
-    kurtosis: ShapeNumber = None
-    texture_aspect_ratio: ShapeNumber = None
+    skewness: ShapeNumber = by_default(None)
+    kurtosis: ShapeNumber = by_default(None)
+    texture_aspect_ratio: ShapeNumber = by_default(None)
 
     @model_validator(mode="before")
     @classmethod

@@ -3,7 +3,7 @@
 import warnings
 from dataclasses import dataclass, replace
 from numbers import Real
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from stiction.quantities.units import to_si
 
 if TYPE_CHECKING:
     import xarray
+    from SurfaceTopography import Topography, UniformLineScan
 
 _LEAST, _MOST = 1e-60, 1e60  # of a side [m]: squares and fourth powers of pitches are still numbers
 
@@ -109,7 +110,7 @@ class HeightMap:
         attributes = {"long_name": "height", "units": "m", "history": "\n".join(self.history)}
         return xarray.DataArray(heights, dims=dims, coords={one: places[one] for one in dims}, name=self.name, attrs=attributes)
 
-    def to_topography(self) -> Any:
+    def to_topography(self) -> "Topography | UniformLineScan":
         """Return the map as a topography of the library SurfaceTopography.
 
         Lengths are in m. Missing points are masked. Raises InputError if the optional library is not installed.

@@ -1,13 +1,22 @@
 """The rough surface of a contact, described by asperities that are stated or found in scans."""
 
-from typing import Annotated, Any, ClassVar, Self
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_validator
 
 from stiction.quantities.errors import InputError, InWords, field_named
-from stiction.quantities.inputs import Input, Number, OptionalNumber
+from stiction.quantities.inputs import Input, Number, OptionalNumber, by_default
 from stiction.surfaces.finishes import surface_kind_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from stiction.quantities.arguments import QuantityLike
+    from stiction.quantities.keywords import Converted
+    from stiction.surfaces.heightmap import HeightMap
+    from stiction.surfaces.measured import Measured
 
 
 def _parameter(value):
@@ -24,20 +33,22 @@ def _kind(value):
     return value
 
 
-_Parameter = Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=float | list[float])]
-
-
-# Statistics of a surface that tell it from a Gaussian isotropic one, where they are stated.
-SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
-
-
 def _single(value: Any) -> float | None:
     if hasattr(value, "dims"):
         raise InputError("", InWords(f"{value.size} values"), "one number, without a range or a list")
     return value
 
 
-ShapeNumber = Annotated[OptionalNumber, AfterValidator(_single)]
+if TYPE_CHECKING:
+    _Parameters = Converted[dict[str, float | list[float]], Mapping[str, ArrayLike]]
+    ShapeNumber = Converted[float | None, QuantityLike | None]
+else:
+    _Parameters = dict[str, Annotated[Any, BeforeValidator(_parameter, json_schema_input_type=float | list[float])]]
+    ShapeNumber = Annotated[OptionalNumber, AfterValidator(_single)]
+
+
+# Statistics of a surface that tell it from a Gaussian isotropic one, where they are stated.
+SHAPE = ("skewness", "kurtosis", "texture_aspect_ratio")
 
 
 def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -> None:
@@ -48,6 +59,9 @@ def refuse_impossible_kurtosis(skewness: float | None, kurtosis: float | None) -
 
 # Metres in the units in which heights may be listed, and how far their deviation may differ from the stated one.
 _UNITS, _SAME = np.array([1.0, 1e-3, 1e-6, 1e-9, 1e-10]), 0.01
+
+
+_NO_PARAMETERS: Any = Field(default_factory=dict)
 
 
 class Roughness(Input):
@@ -101,19 +115,19 @@ class Roughness(Input):
     asperity_radius: Number
     asperity_density: Number
     height_distribution: str = "gaussian"
-    height_parameters: dict[str, _Parameter] = Field(default_factory=dict)
+    height_parameters: _Parameters = _NO_PARAMETERS
     kind: Annotated[str | None, BeforeValidator(_kind)] = Field(
         default=None, description="gaussian, skewed, worn, lay, two-scale or a finish"
     )
-    skewness: ShapeNumber = None
-    kurtosis: ShapeNumber = None
-    texture_aspect_ratio: ShapeNumber = None
+    skewness: ShapeNumber = by_default(None)
+    kurtosis: ShapeNumber = by_default(None)
+    texture_aspect_ratio: ShapeNumber = by_default(None)
     surface: "Roughness | None" = Field(default=None, description="a table with sigma, R and N of a Gaussian surface")
     _measured: Any = PrivateAttr(None)
     _map: Any = PrivateAttr(None)
     _finished: Any = PrivateAttr(None)
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: object) -> Self:
         """Return a copy with these fields replaced.
 
         A roughness made from a finish also accepts another finish, height or body. Raises InputError.
@@ -123,7 +137,7 @@ class Roughness(Input):
         changed = self._finished.replace if changes.keys() & {"first", "second"} else self._finished.with_first
         return changed(**changes).roughness()
 
-    def part(self, name: str) -> Any:
+    def part(self, name: str) -> object:
         """Return the field of this name; for "first" or "second", what the finish of that body states.
 
         The result is None if there is no such field, or no finish.
@@ -138,7 +152,7 @@ class Roughness(Input):
         """
         return () if self._finished is None else self._finished.unknowns
 
-    def drawn(self, levels: Any) -> tuple[Any, Any, Any]:
+    def drawn(self, levels: "ArrayLike") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return sigma [m], R [m] and N [1/m^2], (n,) each, at quantile levels of the quantities that a finish leaves open.
 
         Parameters
@@ -159,7 +173,7 @@ class Roughness(Input):
             raise InputError("levels", InWords(f"{len(np.atleast_1d(rows))} rows"), allowed)
         return self._finished.asperities(dict(zip(self.unknowns, rows, strict=True)))
 
-    def attached(self, **what: Any) -> "Roughness":
+    def attached(self, **what: object) -> "Roughness":
         """Return a copy with the same numbers that also stores their origin.
 
         Keywords: measured (surfaces.measured.Measured), map (a HeightMap) and finished (surfaces.finished.FinishedBodies).
@@ -192,7 +206,7 @@ class Roughness(Input):
         return self.surface if self.surface is None or not more else self.surface.replace(**more)
 
     @property
-    def shape(self) -> dict[str, Any]:
+    def shape(self) -> dict[str, float]:
         """Return the stated statistics of the surface, by their names in SHAPE."""
         return {name: value for name in SHAPE if (value := getattr(self, name)) is not None}
 
@@ -202,7 +216,7 @@ class Roughness(Input):
         return None if self.kind is None else surface_kind_of(self.kind)
 
     @property
-    def measured(self) -> Any:
+    def measured(self) -> "Measured | None":
         """Return the results of all methods for the scans (surfaces.measured.Measured).
 
         The result is None if the numbers do not come from scans.
@@ -214,7 +228,7 @@ class Roughness(Input):
         return self.replace() if self.surface is None else self.replace(surface=self.surface.as_numbers())
 
     @property
-    def map(self) -> Any:
+    def map(self) -> "HeightMap | None":
         """Return the HeightMap that represents both surfaces of the contact.
 
         The result is None if the numbers do not come from scans, or the scans cannot be combined into one map.

@@ -57,6 +57,7 @@ from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance
 from stiction.solvers.shear.mode_mixity import MODE_MIXITIES
 
 if TYPE_CHECKING:
+    from stiction.quantities.arguments import NumberOrArray
     from stiction.solvers.boundary_elements.curve import MapCurve
     from stiction.surfaces.heightmap import HeightMap
 
@@ -69,7 +70,7 @@ def bodies_of(contact: Contact) -> Bodies:
                       hardness=Pair(contact.first, contact.second).hardness)  # fmt: skip
     if coating.bodies == "both":
         film, counter = (_film(coating.material, 0.5 * coating.thickness, body) for body in (contact.first, contact.second))
-        return Bodies(inf, film, counter, coating.material.hardness)
+        return Bodies(inf, film, counter, float(coating.material.hardness))
     coated, other = (contact.first, contact.second) if coating.bodies == "first" else (contact.second, contact.first)
     film = _film(coating.material, coating.thickness, coated)
     return Bodies(1.0 / compliance_of(other), film, hardness=Pair(coating.material, other).hardness)
@@ -110,9 +111,9 @@ def _elastic_bodies(contact: Contact) -> tuple[Film | HalfSpace, Film | HalfSpac
     return _film(coating.material, coating.thickness, getattr(contact, coating.bodies)), bare[other]
 
 
-def _film(material: Material, thickness: float, substrate: Material) -> Film:
-    elastic = material.youngs_modulus, material.poissons_ratio
-    return Film(thickness, *elastic, substrate.youngs_modulus, substrate.poissons_ratio)
+def _film(material: Material, thickness: "NumberOrArray", substrate: Material) -> Film:
+    elastic = (number for body in (material, substrate) for number in (body.youngs_modulus, body.poissons_ratio))
+    return Film(*map(float, (thickness, *elastic)))
 
 
 def of_map(
@@ -163,7 +164,7 @@ def attraction_of(surface: "HeightMap", contact: Contact, bodies: Bodies, adhesi
         raise InputError("work_of_adhesion", contact.work_of_adhesion, f"> 0 J/m^2 with adhesion = {adhesion}")
     if adhesion == "atomic_range":
         return float(work), EQUILIBRIUM_DISTANCE
-    return float(work), max(shortest_range(surface, bodies, work), EQUILIBRIUM_DISTANCE)
+    return float(work), max(shortest_range(surface, bodies, float(work)), EQUILIBRIUM_DISTANCE)
 
 
 RECORD = RoughSurface(

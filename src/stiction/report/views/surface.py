@@ -192,7 +192,8 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
     loads = _ends(data) if friction is not None and data is not None else []
     rows = []
     for method, item in measured.by_method.items():
-        cells = _cells(item.asperity_height_deviation, item.asperity_radius, item.asperity_density)
+        numbers = item.asperity_height_deviation, item.asperity_radius, item.asperity_density
+        cells = _cells(*map(float, numbers))
         mu: Any = [] if friction is None else friction.sel(asperity_method=method).values.ravel()[[index for index, _ in loads]]
         rows.append([method, *cells, item.height_distribution, *(short(value, 3) for value in mu)])
     table = _table(rows, "heights", *(f"mu at\n{shown(load, 'load', 3)}" for _, load in loads))

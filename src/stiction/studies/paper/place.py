@@ -9,6 +9,7 @@ a line in the plane: lambda = [3 pi/(4 psi)/eta(theta, 1)]^4.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -39,7 +40,7 @@ def place_of(subject: Subject) -> Place:
     Raises InputError if the contact has no adhesion or has array parameters.
     """
     subject.require_single("one number, for one place")
-    groups = subject.indices().resolved()
+    groups: Any = subject.indices().resolved()
     if groups.theta is None:
         raise InputError("work_of_adhesion", None, "above 0 J/m^2; without adhesion both indices are infinite")
     film = groups.film() if groups.has_film else None

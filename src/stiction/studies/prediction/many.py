@@ -155,11 +155,11 @@ def _one_finish(case: Case, numbers: Mapping) -> dict[tuple[str, ...], Any]:
     one by one.
     """
     finished = isinstance(case.subject, Contact) and case.subject.roughness.unknowns
-    found = dict(numbers)
+    rows = dict(numbers)
     for path, value in numbers.items():
         if finished and path[:2] == ("contact", "roughness") and getattr(value, "size", 0) == 1:
-            found[path] = value.item()
-    return found
+            rows[path] = value.item()
+    return rows
 
 
 def predict_swept(case: Case, level: float = 0.9) -> "xarray.Dataset":

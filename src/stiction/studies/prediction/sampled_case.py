@@ -228,4 +228,4 @@ def _faint(case: Case) -> Case:
 
     Adhesion then has no effect, but adhesive models, which refuse 0, still apply.
     """
-    return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(_contact(case).work_of_adhesion))})
+    return _changed(case, {"work_of_adhesion": _FAINT * float(np.mean(np.asarray(_contact(case).work_of_adhesion)))})
