@@ -176,7 +176,7 @@ class Subject(Input):
 
 
 def as_subject(given: Any) -> Subject:
-    """Return the subject unchanged; raise InputError for anything else."""
+    """Return a Contact or Indices unchanged; raise InputError for anything else."""
     if not isinstance(given, Subject):
         raise InputError("contact", type(given).__name__, "a stiction.Contact or stiction.Indices")
     return given

@@ -359,7 +359,7 @@ def select_options(record: Record, options: Mapping[str, str]) -> dict[str, str]
 
 
 def resolve_options(known: Iterable[Record], options: Mapping[str, str | None]) -> dict[str, str]:
-    """Return all options of these records with their values, using defaults for those not given.
+    """Return the values of all options that the `known` records have: those in `options`, else the defaults.
 
     Raises InputError for an unknown option or value.
     """

@@ -107,7 +107,7 @@ def _alone(film: FilmLaw) -> Candidate:
 
 
 def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> Choice:
-    """Return the choice that a name stands for, with these laws and options.
+    """Return the choice that a name stands for, with the laws and options in `given`.
 
     name: the key of a rough-surface model, or a name that a comparison shows for this contact; None for the default
     model. Raises InputError for an unknown name.

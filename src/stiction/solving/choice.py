@@ -71,7 +71,7 @@ class Choice:
 
     @classmethod
     def of(cls, model: str | None, given: Mapping[str, Any]) -> "Choice":
-        """Return the choice of a model from keyword arguments: names of laws, and options."""
+        """Return the choice of a model from the keyword arguments `given`: names of laws, and options."""
         words = dict(given)
         laws = {name: words.pop(name) for name in _OF_MODEL[1:] if name in words}
         beside = {name: key for name in LAWS if (key := words.pop(name, None)) is not None}

@@ -65,7 +65,10 @@ class ResolvedLaws:
         return replace(self, options={**self.options, name: value})
 
     def without(self, keyword: str, **changes: Any) -> "ResolvedLaws":
-        """Return the same laws without the addition of this keyword, and with other fields changed."""
+        """Return the same laws without the addition (menisci, ageing ...) that this keyword of `solve` selects.
+
+        changes: other fields to replace.
+        """
         return replace(self, additions={name: law for name, law in self.additions.items() if name != keyword}, **changes)
 
     def records(self) -> list[Record]:

@@ -55,14 +55,14 @@ def _at_loads(contact: Contact, like: "xarray.Dataset", choice: Choice, heights:
 
 
 def _over(array: Any, like: "xarray.DataArray") -> np.ndarray:
-    """Return the values of a labelled array, broadcast to the shape of another."""
+    """Return the values of a labelled array, broadcast to the shape of `like`."""
     return np.broadcast_to(aligned(array, {str(dim): size for dim, size in like.sizes.items()}), like.shape)
 
 
 def _read_off(results: Mapping, contact: Contact, like: "xarray.DataArray") -> np.ndarray:
-    """Return friction coefficient and share of touching asperities (2, *shape).
+    """Return friction coefficient and fraction of touching asperities as one array (2, *shape of `like`).
 
-    NaN where the load is not compressive, and for results that the model does not have.
+    results: arrays by name. NaN where the load is not compressive, and for results that the model does not have.
     """
     asperities = contact.roughness.asperity_density * contact.nominal_area
     touching = _over(results["touching_asperities"], like) if "touching_asperities" in results else np.nan

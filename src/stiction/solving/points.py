@@ -51,7 +51,7 @@ class Points:
         return self.problem.coords | coordinates_of(self.value)
 
     def rows(self, rows: np.ndarray) -> "Points":
-        """Return the points of selected contacts, along one dimension."""
+        """Return the points of the contacts at these indices, along one dimension."""
         some = self.table[rows]
         problem = replace(self.problem.with_groups(rows), dims={"contact": len(rows)})
         return replace(self, problem=problem, wanted=some, narrow=some)

@@ -71,7 +71,7 @@ class Problem(ABC):
         return self.chosen.records()
 
     def with_groups(self, rows: slice | np.ndarray) -> "Problem":
-        """Return the problem of selected contacts; the same object if all are selected."""
+        """Return the problem of the contacts at these indices; the same object if all are selected."""
         groups = self.groups[rows]
         return self if isinstance(rows, slice) and len(groups) == len(self.groups) else replace(self, groups=groups)
 

@@ -154,7 +154,7 @@ def slide(
 
 
 def _residual(subject: Subject, given: Any) -> float:
-    """Return the residual strength: the stated one, else that of the contact, else 1."""
+    """Return the residual strength, a fraction: `given` if stated, else the value of the contact, else 1."""
     stated = getattr(subject, "residual_strength", None) if given is None else given
     value = floats(1.0 if stated is None else stated, "residual_strength", "a number from 0 to 1")
     if value.ndim or not 0.0 <= value <= 1.0:

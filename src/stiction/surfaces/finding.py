@@ -98,7 +98,7 @@ SPOKEN_OF: dict[str, Callable[[Asperities], float]] = {
 
 
 def _outside(record: AsperityMethod, found: Asperities) -> list[str]:
-    """Return one sentence for each validity range of the method that the asperities violate."""
+    """Return one sentence for each validity range of a method that the asperities `found` violate."""
     values = {rule: SPOKEN_OF[rule.quantity](found) for rule in record.validity}
     return [
         f"{QUANTITIES[rule.quantity].meaning} is {value:.3g}, valid range {rule.range}: {rule.why}"

@@ -58,7 +58,7 @@ def _is_pair(value: Any) -> bool:
 
 
 def _made(heights: np.ndarray, size: tuple[float, float], what: str, history: tuple[str, ...], name: str = "") -> HeightMap:
-    """Return a HeightMap after the checks that also apply to files."""
+    """Return a HeightMap after the checks that files also undergo; `what`: its origin, for the history."""
     surface = HeightMap(heights, size, history=(f"taken from {what}", *history), name=name or what)
     check_numbers(surface.heights, surface.name)
     check_scale(surface.heights, surface.size, surface.name)

@@ -182,7 +182,7 @@ def _unit(count: int) -> np.ndarray:
 
 
 def _gram(there: np.ndarray | None, along_x: np.ndarray, along_y: np.ndarray, terms) -> np.ndarray:
-    """Return the matrix of sums of products of all pairs of terms P_i(x) P_j(y), over points with heights."""
+    """Return the matrix of sums of products of all pairs of terms P_i(x) P_j(y), over the points of the mask `there`."""
     n = along_x.shape[1]
     pairs_x = (along_x[:, :, None] * along_x[:, None, :]).reshape(-1, n * n)
     pairs_y = (along_y[:, :, None] * along_y[:, None, :]).reshape(-1, n * n)

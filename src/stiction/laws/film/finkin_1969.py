@@ -62,9 +62,10 @@ def normal(w, stiffness, power, widening):
 
 
 def stiffness(groups: Groups, bound: str) -> np.ndarray:
-    """Return the factor (n,) of the load, which is stiffness times displacement to the power of the bound.
+    """Return the load over w^power (n,), with the displacement w and the power of this bound.
 
-    With E'_f = E_f/(1 - nu^2) of the film itself, over K: M = E'_f (1 - nu)^2/(1 - 2 nu), G = E'_f (1 - nu)/2.
+    bound: key of BOUNDS. It takes the film's modulus M = E'_f (1 - nu)^2/(1 - 2 nu) or G = E'_f (1 - nu)/2, over K, with
+    E'_f = E_f/(1 - nu^2).
     """
     resolved = groups.resolved()
     nu, film = resolved.layer_nu, 0.75 * resolved.film_modulus
@@ -75,9 +76,9 @@ def stiffness(groups: Groups, bound: str) -> np.ndarray:
 
 
 def regimes(groups: Groups, law, bound: str) -> list[Regime]:
-    """Return the regimes of a coated surface.
+    """Return the regimes of a coated surface under the tangential law of `law`, which must describe the interface.
 
-    Of `law` only the tangential law is used, which must describe the interface.
+    bound: key of BOUNDS.
     """
     laws = len(groups)
     _, power, widening = BOUNDS[bound]

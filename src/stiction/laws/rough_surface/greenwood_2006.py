@@ -30,8 +30,8 @@ from stiction.surfaces.theory.summits import Shapes
 def spheres() -> Shapes:
     """Return the spherical contacts that replace elliptic ones, tabulated against the asymmetry t of the summit's curvatures.
 
-    The curvature is g = kappa sqrt(1 - t^2), the area pi w / g and the load (4/3) E* w^(3/2) / sqrt(g). The places are Gauss
-    points in (1 - t)^(1/4).
+    A summit of mean curvature kappa becomes a sphere of curvature g = kappa sqrt(1 - t^2). Compressed by w, its area is
+    pi w / g and its load (4/3) E* w^(3/2) / sqrt(g). The values of t are Gauss points in (1 - t)^(1/4).
     """
     node, weight = np.polynomial.legendre.leggauss(120)
     root = (1.0 + node) / 2.0

@@ -33,7 +33,7 @@ def resistance(u, w, load, area, eta, shear_strength, pressure_coefficient):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a segment; it has a kink at zero load."""
+    """Return the resistance on a segment; it has a kink at zero load, below which pressure adds no strength."""
     turns = zero_load(segment)
     parameters = groups.eta, groups.shear_strength, groups.pressure_coefficient
     return TangentialResistance(resistance, parameters, None if turns is None else turns[:, None])

@@ -224,10 +224,9 @@ def resistance(u, w, load, area, *row):
 
 
 def series_for(nu: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the parameters of `resistance` for each Poisson's ratio nu (n,).
+    """Return the last five numbers (5, n) and the series coefficients (INSIDE + BELOW, n) that `resistance` takes.
 
-    They are inside_until, below_from, end, to_inside and to_below (5, n), and the coefficients of both series (INSIDE + BELOW,
-    n).
+    nu: Poisson's ratio of each law (n,).
     """
     known, which = np.unique(nu, return_inverse=True)
     steps, series = _series_for(known.tobytes())

@@ -67,7 +67,7 @@ def resistance(u, w, load, area, unit, size_over_burgers):
 
 
 def tangential_resistance(segment: NormalSegment, groups: Groups) -> TangentialResistance:
-    """Return the resistance on a segment; it has kinks at the two sizes, and is split between them."""
+    """Return the resistance on a segment, split at contact sizes between SMALL and LARGE, where the strength falls."""
     places = np.geomspace(SMALL, LARGE, _PIECES + 1)
     kinks = [coordinates_at_area(segment, (place / groups.size_over_burgers) ** 2) for place in places]
     unit = 0.75 * math.pi * (1.0 - groups.nu) / groups.sharpness

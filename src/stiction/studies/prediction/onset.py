@@ -131,7 +131,7 @@ class Onset:
 
 
 def _drawn(column: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Return these rows of sampled inputs; a single row is repeated."""
+    """Return the sampled inputs at these indices (len(rows), m); a column with a single row is repeated."""
     return column[rows % len(column)]
 
 

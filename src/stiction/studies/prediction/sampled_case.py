@@ -126,13 +126,13 @@ class SampledCase:
 
     @cached_property
     def is_gaussian(self) -> np.ndarray:
-        """Return a mask (m,) of the points at which the asperity density is at least that of a Gaussian surface."""
+        """Return a mask (m,) of the points at which N R sigma is at least the smallest value of a Gaussian surface."""
         rough = self.contact.roughness
         numbers = self.column(rough.asperity_density * rough.asperity_radius * rough.asperity_height_deviation)[0]
         return np.broadcast_to(numbers >= LEAST_DENSITY, self.loads.shape)
 
     def as_gaussian(self) -> "SampledCase":
-        """Return the case with the asperity density raised to the lowest that a Gaussian surface can have."""
+        """Return the case with the asperity density raised to the smallest that a Gaussian surface of this R and sigma has."""
         path, rough = ("contact", "roughness", "asperity_density"), self.contact.roughness
         least = LEAST_DENSITY * (1.0 + 1e-9) / (rough.asperity_radius * rough.asperity_height_deviation)
         density: dict[Address, Any] = {path: np.maximum(rough.asperity_density, least)}
@@ -202,7 +202,7 @@ def _contact(case: Case) -> Contact:
 
 
 def _without(case: Case, names: Sequence[str]) -> Case:
-    """Return the case without these fields of its contact and their uncertain numbers."""
+    """Return the case without the named fields of its contact, and without their uncertain numbers."""
     return _changed(case, dict.fromkeys(names))
 
 

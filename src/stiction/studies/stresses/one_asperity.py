@@ -82,7 +82,8 @@ def _bare(groups: Groups, radius: float, traction: float) -> OneAsperity:
 def _coated(groups: Groups, radius: float, traction: float) -> OneAsperity:
     """Compute the stresses under an asperity on a coated body; if both bodies are coated, in the first one.
 
-    The film thickness is the total thickness divided by the number of films.
+    radius: contact radius over sqrt(R sigma). traction: shear stress over pressure. Each of two films has half the total
+    thickness.
     """
     over_film = radius / float(groups.film_aspect[0] / groups.films[0])
     require_proportion(over_film)

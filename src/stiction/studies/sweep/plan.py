@@ -97,7 +97,7 @@ class Plan:
         return found
 
     def _drawn(self, some: slice) -> dict[Address, Any]:
-        """Return the array parameters of the sampled contacts in a slice, by address.
+        """Return the array parameters of the sampled contacts `some`, a slice, by address.
 
         Parameters with the same dimension name take the same sampled position, so they vary together.
         """
@@ -124,7 +124,7 @@ def _plain(value: Any) -> Any:
 
 
 def _shares(sample: Sample, columns: int, some: slice) -> np.ndarray:
-    """Return the sample points (n, columns) of a slice, each coordinate from 0 to 1.
+    """Return the sample points `some` (n, columns), a slice of all, each coordinate from 0 to 1.
 
     A coordinate is a position between the start (0) and the stop (1) of a range.
     """

@@ -37,7 +37,7 @@ _PANELS, _NODES, _STEPS = 120, 16, 8
 
 @dataclass(frozen=True)
 class _Table:
-    """Store ln q at the ends of panels, from light to full contact, and the integral J there."""
+    """Store ln q at the ends of panels, from light to full contact, and the integral J(q) of `_integral` from q on."""
 
     log_q: np.ndarray
     J: np.ndarray
@@ -61,7 +61,7 @@ def area_share(pressure: np.ndarray, rate: Rate) -> np.ndarray:
 
 
 def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
-    """Return q with J(q) = wanted (n,), by Newton's method in the logarithms of both, in which J is almost linear."""
+    """Return the lower limits q (n,) at which the integral J equals `wanted` (n,), by Newton's method in ln q and ln J."""
     panel = np.searchsorted(-table.J, -wanted)  # J falls along the table; this is the first that is not above
     log_q = np.interp(np.log(wanted), np.log(table.J[::-1]), table.log_q[::-1])
     for _ in range(_STEPS):
@@ -72,7 +72,7 @@ def _solved(wanted: np.ndarray, table: _Table, rate: Rate) -> np.ndarray:
 
 
 def _integral(low: np.ndarray, high: np.ndarray, rate: Rate) -> np.ndarray:
-    """Return Int dt / (t^3 S(erf t)) between arrays of ln t."""
+    """Return the integral of 1/(t^3 S(erf t)) over t, S the rate; low, high: ln t at its limits (n,)."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     half = (high - low) / 2.0
     t = np.exp((low + half)[:, None] + half[:, None] * nodes)
