@@ -64,7 +64,7 @@ def rim(w, pressure, tau):
 def regimes(groups: Groups, law: Law, rim_pressure: str) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Of `law` only the tangential law is used, which must describe the interface: it gives the shear of the film.
+    law: only its tangential law is used, which must describe the interface: it gives the shear of the film.
     """
     laws = len(groups)
     tau, none = np.broadcast_to(groups.tau, laws), np.zeros(laws)

@@ -179,7 +179,7 @@ def segments(groups: Groups, modulus: str, hardness: str, soft_film_exponent: st
 def regimes(groups: Groups, law, modulus: str, hardness: str, soft_film_exponent: str) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Of `law` only the tangential law is used, which must describe the interface.
+    law: only its tangential law is used, which must describe the interface.
     """
     return [law.join(segment, groups, body=body) for segment, body in segments(groups, modulus, hardness, soft_film_exponent)]
 

@@ -184,7 +184,7 @@ def segments(groups: Groups) -> list[tuple[NormalSegment, str]]:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Of `law` only the tangential law is used, which must describe the interface.
+    law: only its tangential law is used, which must describe the interface.
     """
     tau = parameters(groups)[0]
     as_wide = 0.5 * groups.film_aspect**2  # a = t

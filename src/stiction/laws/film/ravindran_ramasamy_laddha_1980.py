@@ -79,7 +79,7 @@ def rise(groups: Groups) -> np.ndarray:
 def regimes(groups: Groups, law: Law) -> list[Regime]:
     """Return the regimes of a coated surface.
 
-    Of `law` only the tangential law is used, which must describe the interface.
+    law: only its tangential law is used, which must describe the interface.
     """
     laws = len(groups)
     n_H, q = np.broadcast_to(np.minimum(groups.n_H, 1.0), laws), rise(groups)

@@ -107,7 +107,9 @@ RECORD = FilmLaw(
     needs=("n_E", "n_H", "tau"),
     validity=(
         DEEP_FILM,
-        Validity("load_share_substrate", 0.0, 0.1, "the law keeps area and shear force of a film that is pressed through"),
+        Validity(
+            "load_share_substrate", 0.0, 0.1, "where the film is pressed through, area and shear force stay those of the film"
+        ),
     ),
     load_falls=False,
     own_options={"film_shear": ("added", "in_series")},
