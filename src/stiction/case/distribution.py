@@ -18,7 +18,7 @@ from stiction.quantities.units import show
 
 # The share of a distribution that may be beyond the bounds of its quantity; it is cut off there.
 _BEYOND = 0.025
-# Shares are kept so far from 0 and 1: there the tails of a distribution are infinite.
+# Least distance of quantile levels from 0 and 1, where the tails of a distribution are infinite.
 _LEAST_SHARE = 1e-12
 
 

@@ -153,7 +153,7 @@ class Contact(Subject):
 
     def known(self, name: str) -> object:
         """Return the property or dimensionless group of this name; None if the contact does not determine it."""
-        is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only where one of them is asked
+        is_group = name in Indices.model_fields or hasattr(Indices, name)  # groups are computed only if one is requested
         return self.indices().known(name) if is_group and not hasattr(self, name) else super().known(name)
 
     def _groups(self) -> dict[str, Any]:

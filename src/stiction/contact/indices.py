@@ -16,7 +16,7 @@ from stiction.quantities.table import QUANTITIES
 if TYPE_CHECKING:
     from stiction.quantities.arguments import NumberOrArray, QuantityLike, Values
 
-# H/Y where no material says otherwise: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
+# H/Y without a yield stress: 2.8 as in Chang, Etsion & Bogy 1987; Tabor's would be 3.
 HARDNESS_TO_YIELD = 2.8
 
 _FILM = (

@@ -27,7 +27,7 @@ class Interface(Input):
     modulus is relative to the softer body, or to the film if it touches the other body. pressure_coefficient: median of
     alpha; if absent, the strength does not depend on pressure. range: 5 and 95 % quantiles; a number without a range is
     exact. source, grade: of each number, see data_files.GRADES. pairs: prior weight for each pair of material classes,
-    "metal, ceramic" or "polymer, any"; 0: used only if the user states it. only_with: materials, one of which is
+    "metal, ceramic" or "polymer, any"; 0: used only if the user states it. only_with: materials; at least one is
     required. of_film: whether pairs of weight 0 need a film. not_for: where the state must not be used.
 
     The strength of the bodies does not cap these values. Raises InputError.

@@ -92,7 +92,7 @@ def evaluating(along: Callable, parameters: int, values: int = 6) -> Any:
     """Return the kernel that evaluates a law at integration nodes.
 
     along: formula of the law, as in `Regime`. parameters: number of parameters of the law. values: number of values to store,
-    the first 4 or all 6 of those that `along` returns.
+    the first 4 or all 6 that `along` returns.
     """
 
     @lazy_kernel(worth=400_000)

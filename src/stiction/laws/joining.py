@@ -18,7 +18,7 @@ from stiction.records.registry import AsperityLaw, TangentialLaw, select_options
 
 # Nearer to an end of a segment than this, relative to it, a kink is at the end.
 _AT_END = 4e-15
-# No contact that is asked for is wider than at this coordinate.
+# Largest coordinate of any requested contact.
 _FARTHEST = 1e100
 
 

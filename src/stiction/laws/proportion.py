@@ -6,7 +6,7 @@ from stiction.contact.subject import Subject
 from stiction.laws.validity import warnings_about
 from stiction.records.claims import Validity
 
-# Beyond these what is given is no rough surface; said where it is read.
+# Outside these bounds the numbers describe no rough surface; the rules are checked on input.
 OUT_OF_PROPORTION = (
     Validity("sharpness", 0.0, 1.0, "asperities are higher than their tips are wide: are sigma and R swapped?", "impossible"),
     Validity("roughness_parameter", 1e-5, 10.0, "asperities of this density and radius overlap or are far apart", "impossible"),

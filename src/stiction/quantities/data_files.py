@@ -4,7 +4,7 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-# What the grade of a number says of where it comes from.
+# Meaning of the grades of numbers.
 GRADES = {
     "A": "measured on such an interface or surface; the printed number was read",
     "B": "derived from printed numbers that were read; the spread is a judgement",

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 
-_LONGEST = 80  # of a longer value the two ends are shown: of a path, the end says most
+_LONGEST = 80  # characters; a longer value is shown by both ends, because the end of a path matters most
 
 
 class InWords(str):
@@ -93,7 +93,7 @@ def nearest(word, known: Iterable[str]) -> str:
     known = list(known)
     plain = {name.casefold(): name for name in known}
     part = str(word).casefold()
-    holding = [name for name in plain if part in name.split("_")]  # "glass" in "soda_lime_glass" says more than "brass"
+    holding = [name for name in plain if part in name.split("_")]  # "glass" suggests "soda_lime_glass" rather than "brass"
     close = [plain[name] for name in holding[:3] or difflib.get_close_matches(part, plain, n=3, cutoff=0.5)]
     if len(known) > _MANY:
         return " or ".join(close) if close else f"{', '.join(known[:3])} and {len(known) - 3} more"

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 def floats(value: Any, field: str, allowed: str) -> np.ndarray:
     """Return numbers without unit as an array of floats of the same shape; bounds are not checked.
 
-    Raises InputError for dates, bytes, complex numbers and booleans, some of which NumPy would convert.
+    Raises InputError for dates, bytes, complex numbers and booleans; NumPy would convert some of them.
     """
     try:
         array = np.asarray(value)
@@ -145,7 +145,7 @@ class Input(BaseModel):
         return type(self)(**fields | changes)
 
     def __getstate__(self) -> dict[Any, Any]:
-        """Return what is pickled and copied: the fields, without cached values, some of which cannot be pickled."""
+        """Return what is pickled and copied: the fields, without cached values, because some cannot be pickled."""
         state = super().__getstate__()
         fields = type(self).model_fields
         return state | {"__dict__": {name: value for name, value in state["__dict__"].items() if name in fields}}

@@ -10,7 +10,7 @@ import numpy as np
 
 from stiction.quantities.cache import cache_folder, keep_file
 
-_MOST = 20_000_000  # bytes of all points that are kept
+_MOST = 20_000_000  # bytes of all stored points
 
 
 def spread_rows(count: int, most: int) -> np.ndarray:
@@ -46,7 +46,7 @@ def sobol_points(columns: int, count: int, seed: int | np.random.SeedSequence) -
         if points.shape == (count, columns):
             return points
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-        pass  # not kept yet, or damaged
+        pass  # not stored yet, or damaged
     from scipy.stats import qmc  # slow to import
 
     points = qmc.Sobol(columns, rng=np.random.default_rng(seed)).random(count)

@@ -300,7 +300,7 @@ def _from_labelled(array, quantity: Quantity):
         if unit not in (quantity.unit, quantity.unit or "1"):  # xarray users write "1" where there is no unit
             values = values * float(_factor(unit, quantity, unit))
     result = without_indexes(array).copy(deep=False, data=np.asarray(values))
-    result.attrs = {}  # they would travel into products with other quantities; the field says what it is
+    result.attrs = {}  # they would travel into products with other quantities; the field defines the quantity
     return result
 
 

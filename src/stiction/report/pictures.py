@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-# Okabe and Ito's colours, told apart by colour-blind readers too.
+# Okabe and Ito's colours, which colour-blind readers can distinguish.
 BLUE, ORANGE, GREEN, RED, SKY, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777"
 COLOURS = (BLUE, RED, GREEN, ORANGE, SKY, "black")
 COLOUR_MAP = "viridis"
@@ -284,7 +284,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
                 sizes += [np.min(sign * y[drawn]), np.max(sign * y[drawn])]
     axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
     if axes.lines:
-        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # but for rounding: matplotlib finds no limits, and says so
+        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # apart from rounding: matplotlib finds no limits, and warns
         axes.set_autoscaley_on(not alike)
         axes.set_yscale("log")
         if alike:

@@ -66,7 +66,7 @@ class Table:
 
     @property
     def heads(self) -> list[str]:
-        """Return the heads of the columns, each of which may be empty."""
+        """Return the heads of the columns; each may be empty."""
         return [column.head for column in self.columns]
 
     def few(self, most: int) -> "Table":

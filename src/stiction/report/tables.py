@@ -256,7 +256,7 @@ def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:
 
 # The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.
 _LINE_ENDS = re.compile(r"^([^\s|].*)\n(?=[^\s|-])", re.MULTILINE)
-# What a record says in full, besides its options: the name of the entry and how it is called.
+# Entries of a record that are shown in full, with their headings.
 _IN_FULL = {
     "source": "source", "verified": "checked against", "jumps": "jumps", "departures": "in the limit",
     "traits": "marked", "validity": "valid for", "limits": "becomes", "needs": "depends on", "notes": "note",

@@ -20,7 +20,7 @@ from stiction.solving.choice import RECOMMENDED, Choice
 
 # Greenwood & Williamson's sum takes any asperity law, and this film law any of them.
 _SUM, _SUITS_ALL = "greenwood_williamson_1966", "sequential"
-# The asperity law under laws of junctions that grow: one that flows, and of which solved surfaces measured a small error.
+# The asperity law used with laws of growing junctions: it flows, and its error on benchmark surfaces is small.
 _FLOWS = "zhao_maietta_chang_2000"
 # Of a map that is solved at some loads in a few seconds.
 _POINTS = 300_000
@@ -79,7 +79,7 @@ def _of_map(model: RoughSurface, subject: Subject) -> Candidate:
 
 def _with_film(candidate: Candidate, model: RoughSurface) -> Candidate:
     if not model.asperity:
-        return candidate  # it will say itself that it knows no films
+        return candidate  # its own error states that it supports no films
     film = model.default_film or _SUITS_ALL
     return Candidate(f"{candidate.name} + {film}", replace(candidate.choice, film=film))
 
@@ -120,7 +120,7 @@ def choice_of(name: str | None, given: Mapping[str, Any], subject: Subject) -> C
         return Choice.of(find(name, RoughSurface).key, given)
     except InputError as error:
         known = {candidate.name: candidate.choice for candidate in candidates(subject)}
-        # A film or a sum may be left out of a name: the asperity law alone says enough.
+        # A name may omit film or sum, because the asperity law alone identifies the candidate.
         known |= {key: Choice(_SUM, asperity=key) for key in of_kind(AsperityLaw)} if name not in known else {}
         if name not in known:
             if name == RECOMMENDED:

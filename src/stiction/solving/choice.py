@@ -10,7 +10,7 @@ from stiction.records.additions import names_of_additions
 _OF_MODEL = ("model", "asperity", "tangential", "film")
 LAWS = (*_OF_MODEL, *names_of_additions())  # keywords of the kinds of records that a user chooses
 
-# The model that answers where none is named, and the name under which the prediction is asked for in place of a model.
+# The default model, and the name that selects the prediction in place of a model.
 DEFAULT_MODEL, RECOMMENDED = "soft_coating_2015", "recommended"
 
 

@@ -1,7 +1,7 @@
 """Check validity conditions that apply to the results of every model, besides the ranges that authors claim.
 
 A rule limits a quantity of `solving.state`, of the results, or of the contact, and names the problems to which it
-applies. The bounds are round numbers. The text of each rule says what fails beyond them. An "impossible" result is
+applies. The bounds are round numbers. The text of each rule states what fails beyond them. An "impossible" result is
 never recommended.
 """
 

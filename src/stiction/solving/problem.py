@@ -32,7 +32,7 @@ from stiction.solving.unused import refuse_ignored_strength
 _RESOLVED = 1e-6  # of a load: what is carried may differ by less without a word
 _ROUNDING = 1e-14  # of the pull of menisci
 _KEPT = 8  # problems of a contact: a few models at a time
-_FEW = 16  # contacts of a problem that is kept: more hold much memory, and take longer to solve than to prepare
+_FEW = 16  # contacts of a cached problem: more need much memory, and take longer to solve than to prepare
 _COUNT, LOAD, _AREA, SLIP_LIMITED, _YIELD_LIMITED = range(5)  # as summation.QUANTITIES
 
 

@@ -247,7 +247,7 @@ class Sliding:
         )
         force, loss = self.at(h, displacement)
         sticking = quotient(self._summed(h, displacement, sticking_area_law)[0], area)
-        # What the branches of a cycle are like when asperities have let go is not known.
+        # The branches of a cycle after asperities have separated are unknown.
         lost = {"energy_loss": loss} if self.residual == 1.0 else {}
         return {"tangential_force": force, "sticking_share": sticking} | lost
 

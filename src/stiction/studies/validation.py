@@ -255,7 +255,7 @@ def _answer(name: str, values: Measurements, subjects: list[tuple[Subject, np.nd
             data = solve(subject, load=values.load[rows], model=name)
         except InputError as error:
             why = reason_of(error)
-            if len(rows) > 1 and error.field == "load":  # one that is not carried says nothing of the others
+            if len(rows) > 1 and error.field == "load":  # one load that cannot be carried does not affect the others
                 waiting += [(subject, rows[index : index + 1]) for index in range(len(rows))]
             continue
         for place, row in enumerate(rows):

@@ -18,7 +18,7 @@ from stiction.quantities.table import QUANTITIES
 SurfaceKind = Literal["gaussian", "skewed", "worn", "lay", "two-scale"]
 SURFACE_KINDS: tuple[str, ...] = get_args(SurfaceKind)
 
-# What a finish says of a surface: Sq, asperity radius, rms slope and N R sigma.
+# Numbers that a finish states of a surface: Sq, asperity radius, rms slope and N R sigma.
 NUMBERS = ("rms_height", "asperity_radius", "rms_slope", "roughness_parameter")
 
 

@@ -41,7 +41,7 @@ from stiction.surfaces.targets import SelfAffine
 
 Spectrum = Callable[[np.ndarray], np.ndarray]
 
-_BLOCK = 2**19  # waves that are filtered at once: little memory beside that of the map
+_BLOCK = 2**19  # waves filtered at once: they need little memory compared to the map
 _WORKERS = 2
 _LEAST_POINTS = 8
 _ARRAYS = 3  # as large as the map, alive while one is made

@@ -117,7 +117,7 @@ class HeightMap:
         """
         try:
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # what the library says of its own libraries
+                warnings.simplefilter("ignore")  # warnings of the library about its own dependencies
                 from SurfaceTopography import Topography, UniformLineScan
         except ImportError:
             raise InputError(

@@ -319,7 +319,7 @@ def _smooth(heights: np.ndarray, pitch: tuple[float, float], cutoff: float) -> n
 
 
 _REACH = 1.5  # cutoffs; there the weight is 1e-14 of the largest, and 1e-3 for cutoffs of 2 or 3 pitches, whose weights ring
-_AT_ONCE = 1 << 21  # numbers transformed together: the memory that a filter takes beside the map
+_AT_ONCE = 1 << 21  # numbers transformed together, which bounds the memory of a filter
 
 
 def _convolve(values: np.ndarray, axis: int, cutoff: float) -> None:

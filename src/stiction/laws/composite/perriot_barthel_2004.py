@@ -18,7 +18,7 @@ from stiction.engine.compiled import formula
 from stiction.records.registry import Composite, Validity
 from stiction.records.sources import Source
 
-# The authors' exponent varies with the moduli, from 1.06 to 1.32 as the NIMS toolbox says; this is the value most quoted.
+# The authors' exponent varies with the moduli, from 1.06 to 1.32 according to the NIMS toolbox; this is the value most quoted.
 EXPONENT = 1.27
 
 

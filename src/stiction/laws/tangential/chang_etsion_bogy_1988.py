@@ -51,7 +51,7 @@ from stiction.laws.tangential.shared.plastic_junctions import LAWS, beyond, of_w
 from stiction.records.registry import NO_JUNCTIONS, TangentialLaw, Validity
 from stiction.records.sources import Source
 
-# Both come from Y/H = 0.354 and are kept as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
+# Both come from Y/H = 0.354, as rounded in print: 0.354/sqrt(3) and 4.5 (0.354)^2 would be 0.20438 and 0.56392.
 _ON_AXIS, _AT_EDGE = 0.2045, 0.56
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from stiction.studies.sweep.store import Store
 
 
-_MOST = 1_000_000  # points of a store that are read to be told
+_MOST = 1_000_000  # largest number of points of a store to read for the text
 
 
 def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View:

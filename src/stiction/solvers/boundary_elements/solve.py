@@ -273,7 +273,7 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
 
 
 def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows; each new row is the mean of the two rows beside it."""
+    """Return a map with twice as many rows; each new row is the mean of its two neighbours."""
     fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
     fine[::2] = coarse
     fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])

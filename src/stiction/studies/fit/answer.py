@@ -17,12 +17,12 @@ from stiction.studies.fit.model import ForwardModel
 from stiction.studies.fit.search import CONFIDENCE, FAR, Best, Profile, Residuals, profiles, search
 
 _BELIEVED = 0.99  # quantile of chi square up to which stated errors are believed
-_HIDES = 5.0  # how many times farther a number may go if another goes with it, for the two not to be told apart
+_HIDES = 5.0  # two numbers are indistinguishable if one moves this many times farther when the other moves too
 _LIKE = 0.25  # of the rate at which one goes, at which the other does, in their logarithms
 _WIDE = 3.0  # interval of a number that is badly determined: high over low
 _AT_END = 1e-3  # of the way between the ends
 _SMALL = 1e-3  # of the largest value: errors that are smaller are made larger for the search
-_FAR_OFF = 0.5  # of the size of the values: a scatter, where no errors were given, that says that the model is not near them
+_FAR_OFF = 0.5  # of the size of the values: without stated errors, a larger scatter means that the model does not fit
 
 
 @dataclass(frozen=True)

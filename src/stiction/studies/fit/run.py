@@ -123,7 +123,7 @@ def plan_of_fit(case: Any, data: Any) -> FitPlan:
 
 
 def run_fit(plan: FitPlan, progress: Progress, keep_on_interrupt: bool = True) -> FitResult:
-    """Fit, predict and compare models as a plan says.
+    """Fit, predict and compare models as a plan states.
 
     An interruption (Ctrl-C) after the case's own model is fitted returns the results so far, unless keep_on_interrupt is
     False.

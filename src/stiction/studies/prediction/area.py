@@ -30,7 +30,7 @@ from stiction.studies.prediction.sampled_case import SampledCase
 
 _SUM, _FEWEST = "greenwood_williamson_1966", "roughness_parameter"
 _ON_FILM = ((Choice("rough_on_film", tangential="none"), 1.0),)
-# A film that the area law refuses: no solved surface is near, and the width says so.
+# A film that the area law refuses: no benchmark surface is near, and the interval widens.
 _OTHER_FILMS = (
     (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="layered", tangential="none"), 0.5),
     (Choice(_SUM, asperity="zhao_maietta_chang_2000", film="sequential", tangential="none"), 0.5),

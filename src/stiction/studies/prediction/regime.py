@@ -20,7 +20,7 @@ _FEW = 10.0
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
 _DECIDES = 0.05  # share of the variance from which on a part is worth a warning
 _ATOM = 1e-19  # m^2, some 0.3 nm squared
-_MANY = 0.05  # share of draws that cannot be, from which on it is said
+_MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
 def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:

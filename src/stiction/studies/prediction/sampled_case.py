@@ -20,7 +20,7 @@ from stiction.solving.choice import Choice
 from stiction.studies.uncertainty.drawing import Variant, draw
 from stiction.surfaces.theory.moments import LEAST_DENSITY
 
-# What pulls on a contact beside its load, and what its interface resists: drawn by parts of their own.
+# Inputs of attraction and of interface strength, which other parts of the prediction sample.
 PULLS = ("work_of_adhesion", "liquid")
 _INTERFACE = (
     "interface",

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from stiction.quantities.arguments import QuantityLike
 
-# What is kept of each set of asperities: (name of the field, meaning, unit).
+# Stored numbers of each set of asperities: (name of the field, meaning, unit).
 _KEPT = {
     "sigma": ("deviation", "asperity deviation", "m"),
     "R": ("radius", "asperity radius", "m"),

@@ -65,7 +65,7 @@ def _estimated(values: np.ndarray) -> tuple[np.ndarray, int]:
     if np.ptp(used) <= 1e-12 * np.abs(used).max():
         return np.zeros((2, len(values) - 2)), count
     inputs = len(values) - 2
-    mixed = used[2:] if inputs > 1 else np.concatenate([used[2:], used[2:]])  # scipy knows no function of one number alone
+    mixed = used[2:] if inputs > 1 else np.concatenate([used[2:], used[2:]])  # scipy does not support a function of one number
     found = estimated(func={"f_A": used[None, 0], "f_B": used[None, 1], "f_AB": mixed[:, None]}, n=count)
     return np.array([found.first_order[:inputs], found.total_order[:inputs]]), count
 

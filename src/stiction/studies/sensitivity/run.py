@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 METHOD_INPUT, MODEL_INPUT = "asperity_method", "model"
-_LOADS = 9  # at most so many of the loads of a case
+_LOADS = 9  # largest number of loads of a case
 _ENDS = (0.025, 0.975)  # shares of a distribution between which effects are taken
 _PER_TRAJECTORY = 16  # points of the indices for each trajectory
 
@@ -194,7 +194,7 @@ def _with_log_sensitivities(said: "xarray.Dataset", slopes: LogSensitivities) ->
     variables: dict[str, Any] = {}
     for name, table in slopes.tables.items():
         if name in said.coords:
-            continue  # what is asked for
+            continue  # requested results
         text = f"elasticity of the {said[name].attrs.get('long_name', name)}, d ln y/d ln x"
         dims = ("number", *slopes.dims[name])
         variables[f"{name}_log_sensitivity"] = (dims, table, {"units": "1", "long_name": text})

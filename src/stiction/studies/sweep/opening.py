@@ -150,7 +150,7 @@ def _fill(path: Path, plan: Plan, first: Any, attributes: Mapping[str, str]) -> 
         if name not in names:
             raise InputError("sweep.keep", name, nearest(name, names))
     dims, bits = solved.validity_warnings
-    names = [name for name in plan.sweep.keep or names if name not in dims]  # what is asked for is a coordinate
+    names = [name for name in plan.sweep.keep or names if name not in dims]  # the requested name is a coordinate
     points = {dim: size for dim, size in zip(dims, bits.shape, strict=True) if dim not in plan.dims}
     points |= {"load": case.load.size} if "load" in points else {}
     layout = {name: tuple(dim for dim in (*plan.dims, *points) if dim in solved.variables[name][0]) for name in names}

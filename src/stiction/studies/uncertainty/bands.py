@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 # Scramblings of the sequence, each on its own: their scatter is the error of the sampling.
 _PARTS = 8
 _LEAST_KNOWN = 0.5  # the share of the points that must be known for a quantile of them
-_MANY = 0.05  # the share of impossible draws from which on a warning says so
+_MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
 def levels(coverage: float) -> np.ndarray:

@@ -21,10 +21,10 @@ from stiction.solving.conditions import excludes
 from stiction.solving.pointwise import WHY_NOT, BatchResult, meanings_of
 from stiction.studies.evaluate_many import evaluate_many, evaluate_together
 
-# What is asked of contacts that are drawn.
+# Results that are computed for samples.
 OUTPUTS = ("friction_coefficient", "contact_area", "load", "pull_off_force")
 _AT_ONCE = 65_536  # points that are solved at once: bounds the memory
-_MOST = 50_000_000  # points that are kept
+_MOST = 50_000_000  # largest number of stored points
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@ r"""Peaks of profiles: points higher than both neighbours along a row or a colum
 A profile hardly ever crosses a summit: it passes over its shoulders. So its peaks are lower than the summits and, on a smooth
 Gaussian surface, blunter: their mean curvature is sqrt(pi m4/2), for summits it is (8/3) sqrt(m4/pi), 1.20 times as large
 (Nayak 1971). Where there are ever smaller waves, three points see ever smaller and sharper peaks as the pitch shrinks, a fixed
-share of all points, whatever carries the load. That is Greenwood's doubt about three-point peaks (Greenwood & Wu 2001): they
+share of all points, whatever carries the load. That is Greenwood's objection to three-point peaks (Greenwood & Wu 2001): they
 are here to be compared with.
 
 *Assumes*: an asperity is a sampled point of a profile that is higher than both neighbours. *Source*:
@@ -49,7 +49,7 @@ def _peaks(lines: np.ndarray, pitch: float) -> tuple[np.ndarray, np.ndarray, flo
     lines: heights (lines, points) [m]. The places are two arrays (n,): index of the line, index of the point.
     """
     middle = lines[:, 1:-1] - rounding(lines)
-    peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never beside NaN
+    peak = (middle > lines[:, :-2]) & (middle > lines[:, 2:])  # never next to NaN
     line, point = np.nonzero(peak)
     heights = lines[line, point + 1]
     curvatures = (2.0 * heights - lines[line, point] - lines[line, point + 2]) / (pitch * pitch)

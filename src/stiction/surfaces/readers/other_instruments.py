@@ -17,7 +17,7 @@ def read(path: Path, channel) -> RawScan | None:
         import gwyddionpy
 
         found = gwyddionpy.load(str(path)).channels
-    except Exception:  # not installed, or whatever the converter says of a file that it cannot read
+    except Exception:  # not installed, or the converter cannot read the file
         return None
     channels = {name: one for name, one in found.items() if one.si_unit_xy == one.si_unit_z == "m"}
     if not channels:

@@ -1,7 +1,7 @@
 """Statistics of n-point asperities of a Gaussian profile with exponential autocorrelation.
 
 Hariri, Zu & Ben Mrad (2006) define an asperity as n neighbouring sampled points whose n - 2 middle ones are above a level.
-The closer the surfaces are, the more points an asperity has. Their abstract says that height and curvature of such an
+The closer the surfaces are, the more points an asperity has. Their abstract states that height and curvature of such an
 asperity are defined and that their distributions are derived, with the exponential autocorrelation as an example. It does not
 say how. This module is a reconstruction:
 

@@ -11,7 +11,7 @@ from stiction.engine.compiled import formula, lazy_kernel, unpack
 from stiction.engine.regime import columns
 from stiction.laws.segment import NormalSegment
 
-# Steps in ln u that are looked at, up to so many times the first coordinate.
+# Number of steps in ln u, and the end of the search over the first coordinate.
 _STEPS, _FARTHEST = 200, 1e5
 
 

@@ -21,7 +21,7 @@ def check_packed(path: Path) -> None:
     """
     try:
         held = _held(path)
-    except Exception:  # of a damaged file; what is wrong with it, its reader says better
+    except Exception:  # of a damaged file; its reader states better what is wrong
         return
     if held > max(_HARMLESS, _DENSEST * path.stat().st_size):
         told = f"{path.name}: {path.stat().st_size} bytes that unpack to {held}"
