@@ -242,9 +242,10 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
 
 
 def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
-    """Return the values `low` and `high` of a table in SI units.
+    """Return the numbers `low` and `high` of the table `given` in SI units.
 
-    Raises InputError if `low` is not below `high`, or not positive with logarithmic spacing.
+    quantity: key of QUANTITIES. where: address for errors. Raises InputError if `low` is not below `high`, or not positive
+    with logarithmic spacing.
     """
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
@@ -288,7 +289,7 @@ def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
 
 
 def _check_spacing(where: str, given: Any, **ends: float) -> None:
-    """Raise InputError if an end of a logarithmic range is not positive."""
+    """Raise InputError if an end of the range `given` is not positive and its spacing is logarithmic."""
     for end, number in ends.items():
         if given.spacing == "log" and number <= 0.0:
             raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 with spacing = "log"')

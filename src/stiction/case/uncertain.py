@@ -185,7 +185,10 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
-    """Return the normal distribution of text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %"."""
+    """Return the normal distribution that text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %" states.
+
+    where: address for errors. Raises InputError.
+    """
     match = _ERROR.fullmatch(text)
     if match is None:
         raise InputError(where, text, f'a number and its standard deviation, e.g. "{_example(quantity)}"')
@@ -211,7 +214,7 @@ def _example(quantity: str) -> str:
 
 
 def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
-    """Return the samples (n,) of a file in SI units. Raises InputError."""
+    """Return the samples (n,) of a file in SI units; `where`: address for errors. Raises InputError."""
     rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
     column = _column(heads, table.column, len(rows[0]), where)
@@ -236,7 +239,10 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """Return the cells of each line of a text file, as lists, without comments and empty lines."""
+    """Return the cells of each line of a text file, without comments and empty lines.
+
+    where, name: address and name of the file for errors. Raises InputError.
+    """
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
     rows = [re.split(r"[,;\t]\s*|\s+", line) for line in lines if line]

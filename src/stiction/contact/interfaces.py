@@ -87,9 +87,9 @@ class Interface(Input):
         return self._quantile("pressure_coefficient", level, median)
 
     def at(self, level: Any, first: Material, second: Material) -> tuple[Any, Any]:
-        """Return tau_0 [Pa] and alpha between two bodies at quantile levels; alpha is None if the state has none.
+        """Return shear strength [Pa] and pressure coefficient between two bodies at quantile levels.
 
-        Raises InputError for a level that is not between 0 and 1.
+        The pressure coefficient is None if the state has none. Raises InputError for a level that is not between 0 and 1.
         """
         softer = first_is_softer(first, second)
         hardness = choose(softer, first.hardness, second.hardness)

@@ -225,7 +225,7 @@ def _from_tables(problem: ClosedFormProblem, targets: np.ndarray) -> tuple[Inver
 
 
 def _log_of(share: np.ndarray) -> np.ndarray:
-    """Return the natural logarithm of an array; minus infinity where the value is 0."""
+    """Return the natural logarithm of an array; minus infinity where a value is 0."""
     with np.errstate(divide="ignore"):
         return np.log(share)
 
@@ -277,16 +277,17 @@ def _tension_past(problem: Problem, h: np.ndarray, loads: np.ndarray, size: np.n
 
 
 def _below_tops(problem: Problem) -> np.ndarray:
-    """Return descending separations (n, m) around the highest asperities, where the largest tension may lie.
+    """Return descending separations (n, m), over sigma, around the highest asperities, where the largest tension may lie.
 
-    A few asperities adhere there before many are compressed. The range is theta^(-2/3), and for menisci their height
-    and the range in which compression overcomes their pull.
+    A few asperities adhere there before many are compressed. The separations span multiples of theta^(-2/3). With menisci
+    they also span multiples of the meniscus height and of the distance at which compression overcomes the pull.
     """
     groups = problem.groups
     steps = 2.0 ** np.arange(-3.0, 6.0, 0.25)
     about = np.concatenate([steps[::-1], [0.0], -steps])
     indices = [index for index in (groups.theta, groups.meniscus_index) if index is not None]
-    scales = [one ** (-2.0 / 3.0) for one in indices] + [one for one in (groups.meniscus_height,) if one is not None]
+    heights = [] if groups.meniscus_height is None else [groups.meniscus_height]
+    scales = [index ** (-2.0 / 3.0) for index in indices] + heights
     places = [problem.heights.tops[None, :, None] + scale[:, None, None] * about for scale in scales]
     every = np.concatenate([table.reshape(len(groups), -1) for table in places], axis=1)
     return -np.sort(-every, axis=1)

@@ -209,7 +209,10 @@ def _at_forces(problem: MapProblem, moving: MovingMap, move: Move) -> np.ndarray
 
 
 def _through_spring(problem: MapProblem, paths: "list[SlidingPath]", whole: float, stiffness: Any) -> dict[str, np.ndarray]:
-    """Return the normalised displacement of the drive, and a mask of the states that are reached."""
+    """Return the normalised displacement of the drive, and a mask of the states that are reached.
+
+    whole: nominal area of the contact over the area of the map. stiffness: of the spring, as the user states it.
+    """
     from stiction.solvers.shear.path import through_spring
 
     of_map = float(problem.subject.read(stiffness, "spring_stiffness")) / whole
@@ -224,7 +227,8 @@ def _ends(moving: MovingMap, paths: "list[SlidingPath]", whole: float, factors: 
     """Return, for each load (m,): stiffness at rest, largest force, its displacement, and efficiency.
 
     The efficiency is the largest force over the sum of strengths. If the strength stays constant, the displacement is where
-    99 % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`.
+    99 % of the largest force is reached, and NaN if it is not reached. The first three are divided by `factors`. whole:
+    nominal area of the contact over the area of the map.
     """
     from stiction.solvers.shear.path import stuck_stiffness
 

@@ -332,9 +332,9 @@ def _ends(way: _Way, nearest: np.ndarray, factors: Mapping[str, Any], dims: dict
 
 
 def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the largest tension, its separation, and the separation of zero load.
+    """Return the largest tension, its separation, and the separation of zero load, each (m,).
 
-    Each is (m,), for m pairs of a contact index and its smallest separation.
+    rows, nearest: index of the contact and its smallest separation (m,).
     """
     from scipy.optimize.elementwise import find_root
 
@@ -360,7 +360,7 @@ def _tension(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> tuple[np.ndarr
 
 
 def _reach(way: _Way, rows: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """Return the distances (m,) at which almost none of the contact area is left."""
+    """Return the increases of separation (m,) at which almost none of the contact area is left; arguments as in `_tension`."""
 
     def area(distance):
         return way.at(rows, nearest, distance, "contact_area")["contact_area"]

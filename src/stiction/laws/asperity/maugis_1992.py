@@ -186,7 +186,7 @@ def _fill_displacement(s, g, lam, out):
 
 
 def segments(groups: Groups, branch: str) -> list[NormalSegment]:
-    """Return the contact in loading (from w = 0) or in unloading (from dw/ds = 0).
+    """Return the segments of the contact in loading (from w = 0) or in unloading (from dw/ds = 0).
 
     An edge is placed at s = 4, because the functions of the ring vary on another scale beyond it.
     """

@@ -131,7 +131,7 @@ def _with_methods(data: "xarray.Dataset", contacts: Mapping[str, Subject], load:
 
 
 def _separations(given: Iterable[float]) -> np.ndarray:
-    """Return the separations of the curves, divided by sigma, as a checked array (n,). Raises InputError."""
+    """Return the separations `given`, over sigma, as a checked array (n,). Raises InputError."""
     allowed = f"a sequence of numbers, over sigma, from {-FARTHEST:g} to {FARTHEST:g}"
     try:
         row = list(given)

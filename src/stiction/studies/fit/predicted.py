@@ -56,7 +56,8 @@ def _between(path: tuple[str, ...], low: float, high: float, spacing: str) -> di
 def fitted_case(given: Any, case: Case, found: "xarray.Dataset", out: Path) -> str:
     """Return the text of a case file whose free numbers have their fitted intervals.
 
-    out: folder of the new file. found: the prediction with measured values, as from `fit_prediction`.
+    given: path or tables of the original case. out: folder of the new file. found: prediction with measured values, as from
+    `fit_prediction`.
     """
     numbers = {}
     for one in case.uncertain:

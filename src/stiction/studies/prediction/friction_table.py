@@ -82,9 +82,9 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
 
 
 def _predicted(case: Case, stated: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads [N] (n,) and mu (n,) at these loads.
+    """Return loads [N] (n,) and the quantile `level` of mu (n,) at these loads.
 
-    The loads cover the range of the stated ones, or decades around a single one, up to the load that the hardness allows.
+    The loads cover the range of the `stated` ones, or decades around a single one, up to the load that the hardness allows.
     """
     end = "" if level == 0.5 else "_low" if level < 0.5 else "_high"
     interval = abs(1.0 - 2.0 * level) or None

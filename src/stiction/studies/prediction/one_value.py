@@ -75,7 +75,7 @@ def predict_value(output: str, *pairs: str | float) -> float:
 
 @lru_cache(maxsize=1024)
 def _predicted(given: tuple[tuple[str, Any], ...], changed: int) -> "xarray.Dataset":
-    """Return the prediction for these names and values.
+    """Return the prediction for the names and values in `given`.
 
     changed: modification time of the case file, so that the cache does not answer for an older version of it.
     """

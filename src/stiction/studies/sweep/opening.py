@@ -88,7 +88,7 @@ def _attributes(store: Store, path: Path) -> Mapping[str, Any]:
 
 
 def _difference(one: Any, other: Any, path: str = "") -> str:
-    """Return the dotted key at which two nested tables first differ."""
+    """Return the dotted key at which two nested tables first differ; `path`: key of both tables."""
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         for key in [*one, *(key for key in other if key not in one)]:
             if one.get(key) != other.get(key):
