@@ -32,7 +32,7 @@ class Scales:
     nominal_area: Any = None
 
     def factors(self) -> dict[str, Any]:
-        """Return the factor for results of each scale, which is an SI unit or "count"."""
+        """Return the factor that converts dimensionless results to each SI unit, or to "count", by unit."""
         pressure = {} if self.nominal_area is None else {"Pa": self.load * self.asperities / self.nominal_area}
         return pressure | {
             "N": self.load * self.asperities,

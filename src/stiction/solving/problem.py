@@ -279,7 +279,7 @@ def lost_in_rounding(carried: np.ndarray, asked: np.ndarray) -> np.ndarray:
 
 
 def _published(load: np.ndarray, friction: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the friction coefficient of the published law from its forces, under the name of that result."""
+    """Return friction_coefficient_published, the friction over the load of the published law, as a dict."""
     return {"friction_coefficient_published": with_coefficient(load, friction)["friction_coefficient"]}
 
 

@@ -176,7 +176,7 @@ def curve(h: np.ndarray, density: np.ndarray, shapes: Callable[[], Shapes]) -> t
 
 @cache
 def _tables_of_means() -> tuple[np.ndarray, np.ndarray]:
-    """Return Chebyshev coefficients (2, terms) of F_3/2 and F_1, above and below 0."""
+    """Return Chebyshev coefficients (2, terms) of the truncated means of powers 3/2 and 1, above and below 0."""
     above, below = zip(_truncated_tables(1.5), _truncated_tables(1.0), strict=True)
     return np.stack(above), np.stack(below)
 
