@@ -136,7 +136,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
         yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
     for number, (what, (total, parts)) in enumerate(stacks(data).items()):
         if pressing < _FEW or _the_one(data, parts):
-            continue  # said in words
+            continue  # described in words
         names = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
         words = f"Shares of the {what}, over the load: {names}" + (

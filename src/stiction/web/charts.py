@@ -107,7 +107,7 @@ def add_cells(
         " shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
         " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
     )
-    # Not progressive: a picture in parts says something else.
+    # Not progressive: a partly drawn picture would mislead.
     points = [[float(x[i]), float(y[j]), float(values[i, j])] for i, j in np.argwhere(np.isfinite(values))]
     cells = {"name": name, "type": "custom", ":renderItem": draw, "progressive": 0, "data": points, "clip": True, "z": 1,
              "encode": {"x": 0, "y": 1}}  # fmt: skip

@@ -14,7 +14,7 @@ from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import NOT_STATED, Number, as_written, value_at, with_points
 
-# What a field is called beside it; others by their meaning, which is also what a pointer shows of all of them.
+# Labels of fields; other fields are labelled by their meaning, which a tooltip shows for all of them.
 _LABELS = {
     "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
     "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",

@@ -25,7 +25,7 @@ from stiction.solving.accuracy.solved_near import (
 from stiction.solving.accuracy.solved_set import SolvedSet
 
 ELASTIC = 3.0  # hardness over E* h' from which on nothing flows
-LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the quantiles that are kept
+LEVELS = (0.05, 0.25, 0.5, 0.75, 0.95)  # of the stored quantiles
 NORMAL_SCORES = (-1.6449, -0.6745, 0.0, 0.6745, 1.6449)  # of a normal number at LEVELS, in standard deviations
 # Times the lightest pressure: how errors change up to there is how they go on below, down to one over the second, to which it
 # was solved (truth/light.csv: as far on smooth plateaus and skewed surfaces, a third as far on plateaus that are rough again).

@@ -43,7 +43,7 @@ FAR = 2.0  # distance beyond which nothing near was measured
 _MOST_ADHESION = 0.1  # pull-off forces over the load, in the set there are none
 _FULL = 1.0  # pull over a load that is none
 _LEAST_SHARE = 0.8  # of the compliance that is the coated body's: in the set the other is rigid
-_MOST_POINTS = 200  # whose errors are told beside the results of a model; a prediction uses those of all
+_MOST_POINTS = 200  # largest number of points whose errors are reported with a result; a prediction uses all points
 # Standard deviation of ln of the solved area of a map of 8 points in its shortest wave, by the width of its points: of one
 # point in contact, and the power of their number by which it falls (truth/points.csv); of many, as other solvers find on maps
 # with a lay and with plateaus (calibration.md, where truth/points.csv alone has .4 %; an outside audit: .6 to 1.4 %).

@@ -30,7 +30,7 @@ _PRESSURE = 1.4  # ln of the pressure above those of the set, a distance of 1
 # hardness over E* h'.
 _LIGHTER, _FLOWING = 7.0, 0.1
 FILM_SCALES = (0.7, 0.8)  # ln of the modulus over the substrate's, of the thickness over sqrt(m2/m4)
-_SAID = 0.25  # share of the squared distance from which on a difference is said
+_SAID = 0.25  # smallest fraction of the squared distance for which a difference is reported
 _NAMES = {
     "alpha": "Nayak's alpha",
     "skewness": "skewness",

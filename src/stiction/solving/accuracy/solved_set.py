@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 FILE = Path(__file__).parent / "solved_set.npz"
-# What is kept of each surface: Nayak's alpha; of its heights; root of the ratio of the eigenvalues of the gradient tensor; rms
+# Features of each surface: Nayak's alpha; of its heights; root of the ratio of the eigenvalues of the gradient tensor; rms
 # gradient of the highest 5 % over that of all; sqrt(m2/m4) [m].
 FEATURES = ("alpha", "skewness", "kurtosis", "lay", "top", "wave")
 # Kind of surface that a contact states -> kinds of the set. A periodic surface is a wave along x with roughness on it.

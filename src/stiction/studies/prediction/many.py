@@ -28,7 +28,7 @@ PREDICTED = tuple(
     f"{name}{end}" for name in ("friction_coefficient", "friction_force", "contact_area") for end in ("", "_low", "_high")
 )
 _CONTACTS = "contacts along sample"  # in place of SAMPLE, along which every contact has its draws
-_AT_ONCE = 128  # points: bounds the memory; and the errors of laws on solved surfaces are known for so many at once
+_AT_ONCE = 128  # points of a batch, which bounds the memory; errors on benchmark surfaces are computed for as many at once
 
 
 def count_of(points: int) -> int:

@@ -44,7 +44,7 @@ _KEPT = {
 }
 _FRICTION = "mu"
 
-# Of default_cutoffs: how many beside 0, and how many of the longest are to go into the size: with fewer there are too few
+# Of default_cutoffs: their number besides 0, and how many of the longest must fit into the map: with fewer there are too few
 # asperities on the map to count.
 _CUTOFFS = 7
 _WAVES_IN_SIZE = 10

@@ -139,7 +139,7 @@ def done_on_cluster(store: "Store", blocks: list[int], address: str) -> Iterator
 
         running = as_completed(submitted())
         try:
-            for batch in running.batches():  # many at a time, and no result is asked for: each would be a message of its own
+            for batch in running.batches():  # many at a time; requested results would be a message each
                 done = [waiting.pop(future.key) for future in batch]
                 running.update(submitted())
                 for future, block in zip(batch, done, strict=True):

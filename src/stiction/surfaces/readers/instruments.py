@@ -9,7 +9,7 @@ from stiction.surfaces.raw_scan import RawScan, Reader, ends_in_a_line
 from stiction.surfaces.readers.shared.topography import on_grid, quiet_library
 
 # Formats without a mark of their own, which the library sees in any file of a fitting length, and arrays, which it takes with
-# the first index along x: to be told by the ending of the name, or not at all.
+# the first index along x: recognised by the ending of the name, or not at all.
 _BY_NAME = ("hgt", "nms", "npy", "npz")
 _DENSEST = 32  # points per byte of a file, beyond which its header is wrong: compressed heights have about one
 

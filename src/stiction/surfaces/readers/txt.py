@@ -31,7 +31,7 @@ def read(path: Path, channel) -> RawScan | None:
     return replace(scan, heights=heights, unit=lateral) if scan.size else None
 
 
-# Gwyddion's remarks above columns; what has a colon otherwise is said by somebody whose words are not known here.
+# Gwyddion's remarks above columns; other lines with a colon come from unknown programs.
 _REMARK = re.compile(r"#\s*(Channel|Lateral units|Value units):\s*(.*?)\s*")
 
 
