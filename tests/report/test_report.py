@@ -302,12 +302,13 @@ def test_that_a_case_is_read_is_shown_while_it_is(tmp_path):
     assert said == ["Reading the case"]
 
 
-def test_the_first_page_is_the_card_with_six_inputs_and_one_line_of_validity(tmp_path):
-    """What is printed before the first page break: card, picture, inputs, validity; a named model has its number as large."""
-    case = small(tmp_path, OXIDISED.replace('["1 N"]', '["0.1 N", "1 N", "10 N"]'))
+def test_the_first_page_is_the_card_with_the_main_inputs_and_one_line_of_validity(tmp_path):
+    """What is printed before the first page break: card, pictures, inputs, validity; a named model has its number as large."""
+    case = small(tmp_path, OXIDISED)
     write_report(case, tmp_path / "report.html")
     first, second, appendix = (tmp_path / "report.html").read_text(encoding="utf-8").split('<div class="page"></div>')
-    assert 'class="card"' in first and first.count("<svg") == 2 and first.count('scope="row"') == 6
+    assert 'class="card"' in first and first.count("<svg") == 3 and first.count('scope="row"') == 7
+    assert "mu against load." in first and "Samples of mu" not in first  # though the case has one load
     assert "Next step" in first and first.count("Validity.</strong>") == 1
     assert "Why" in second and "Models compared" in second and "Inputs" in appendix and "Sources" in appendix
     named = small(tmp_path, OXIDISED + 'model = "greenwood_williamson_1966"\n', "named.toml")

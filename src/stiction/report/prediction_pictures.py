@@ -28,17 +28,23 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     return figure
 
 
-def first_page_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Draw mu against load next to the main sources of the prediction interval.
+def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
+    """Draw mu against load with the prediction at its working load, or the samples of mu at a single load.
 
     data: result of the model that the user named, or the prediction itself.
     """
-    figure, (along, rests) = canvas(9.6, 3.4, 1, 2, width_ratios=(1.5, 1.0))
+    figure, (axes,) = canvas(5.0, 3.4)
     if _MU in data and (data is not prediction or data["load"].size > 1):
-        _band(along, data, prediction)
+        _band(axes, data, prediction)
     else:
-        _histogram(along, prediction)
-    rests_panel(rests, prediction)
+        _histogram(axes, prediction)
+    return figure
+
+
+def sources_figure(prediction: "xarray.Dataset") -> Figure:
+    """Draw the interval of mu, and the interval that each of its main sources would cause alone."""
+    figure, (axes,) = canvas(5.0, 3.4)
+    rests_panel(axes, prediction)
     return figure
 
 
@@ -75,8 +81,8 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     axes.set(ylim=(len(names) - 0.5, -0.5))
     axes.set_xlabel(MU_LABEL)
     scale_friction(axes, np.array([low, high]), "x")
-    axes.set_yticks(range(len(names)), names, fontsize=8)
-    finish(axes, title="Sources of the interval")
+    axes.set_yticks(range(len(names)), names, fontsize=9)
+    finish(axes)
 
 
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
@@ -94,7 +100,7 @@ def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> N
     finish(axes, legend=False)
     if legend := axes.get_legend():
         legend.remove()
-    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False, fontsize=8)
+    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
 
 
 def _histogram(axes: Axes, data: "xarray.Dataset") -> None:

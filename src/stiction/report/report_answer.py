@@ -7,6 +7,7 @@ import numpy as np
 from stiction.contact.contact import Contact
 from stiction.laws.validity import warnings_of
 from stiction.quantities.table import QUANTITIES
+from stiction.quantities.units import show
 from stiction.records.validity_warning import ValidityWarning
 from stiction.report import answer
 from stiction.report.significant_digits import rounded
@@ -14,6 +15,7 @@ from stiction.report.swept_tables import coordinates_along, of_point, of_value, 
 from stiction.report.table import with_powers, with_unit
 from stiction.solving.choice import RECOMMENDED
 from stiction.studies.report_data import ReportData
+from stiction.surfaces.finished import Finished
 
 if TYPE_CHECKING:
     import xarray
@@ -64,7 +66,20 @@ def question(findings: ReportData) -> str:
     between = f", interface: {subject.interface.name}" if subject.interface is not None else ""
     bodies = f"{plain_name(subject.first.name)} against {plain_name(subject.second.name)}{film}{between}"
     area = with_powers(dict(subject.listed())["nominal_area"])
-    return f"What is the {what} of {bodies}, rough, with a nominal area of {area}, {_where(findings)}?"
+    return f"What is the {what} of rough {bodies}, with a nominal area of {area}, {_where(findings)}?"
+
+
+def stated_roughness(contact: Contact) -> str:
+    """Return which finishes and scans the roughness of a contact comes from; "" if it states sigma, R and N."""
+    bodies = {name: body for name in ("first", "second") if isinstance(body := contact.roughness.part(name), Finished)}
+    stated = [f"{name} body " * (len(bodies) > 1) + _finish_in_words(body) for name, body in bodies.items()]
+    if contact.measured is not None:
+        stated += [f"scan of the {name} body" for name in contact.measured.history]
+    return ", ".join(stated)
+
+
+def _finish_in_words(body: Finished) -> str:
+    return body.finish if body.height is None else f"{body.finish}, Sq = {show(float(body.height), 'rms_height', 3)}"
 
 
 def _where(findings: ReportData) -> str:

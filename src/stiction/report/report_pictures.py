@@ -16,7 +16,7 @@ from stiction.report.answer import at_working_load
 from stiction.report.method_pictures import method_spread_figure
 from stiction.report.model_pictures import models_figure
 from stiction.report.pictures import panel_of_curve, panels, uncertainty_figure
-from stiction.report.prediction_pictures import first_page_figure
+from stiction.report.prediction_pictures import answer_figure, sources_figure
 from stiction.report.report_answer import value_in_words
 from stiction.report.share_pictures import part_in_words, share_figure, shares_of, stacks
 from stiction.report.surface_pictures import asperity_figure, map_figure, spectrum_figure
@@ -173,11 +173,14 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield the picture of the first page if there is a prediction: mu against load, and the sources of its interval."""
-    data, prediction = findings.data, findings.recommended
-    if prediction is not None:
-        caption = "mu against load, and the interval that each main source of uncertainty would cause alone."
-        yield _picture(lambda: first_page_figure(data, prediction), "answer", caption, wide=True)
+    """Yield the pictures of the first page if there is a prediction: mu against load, and the sources of its interval."""
+    data, prediction = findings.data if findings.curve is None else findings.curve, findings.recommended
+    if prediction is None:
+        return
+    drawn = "mu against load" if data is not prediction or data["load"].size > 1 else "Samples of mu"
+    yield _picture(lambda: answer_figure(data, prediction), "answer", f"{drawn}.")
+    caption = "The interval of mu, and the part of it that each main source of uncertainty would cause alone."
+    yield _picture(lambda: sources_figure(prediction), "answer-sources", caption)
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:

@@ -21,7 +21,7 @@ from stiction.records.validity_warning import ValidityWarning
 from stiction.report.answer import PREDICTION_HEADS, answer_lines, grade_line, main_sources, model_line, part_name
 from stiction.report.card import card_of
 from stiction.report.html_words import letters, on_page
-from stiction.report.report_answer import headline, load_in_words, plain_name, value_in_words, warnings_here
+from stiction.report.report_answer import headline, load_in_words, plain_name, stated_roughness, value_in_words, warnings_here
 from stiction.report.swept_tables import swept_table
 from stiction.report.table import Column, Table, numbers, with_powers
 from stiction.report.tables import HEADS, curve_table, group_in_words, run_notes
@@ -172,7 +172,7 @@ def card(findings: ReportData, name: str) -> Markup:
 
 
 def main_inputs(findings: ReportData) -> Table | None:
-    """Return a table of the six main inputs; None for a contact that is given by dimensionless groups."""
+    """Return a table of the main inputs; None for a contact that is given by dimensionless groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return None
@@ -189,17 +189,19 @@ def main_inputs(findings: ReportData) -> Table | None:
     rows = [("first body", body("first", subject.first.name)), ("second body", body("second", subject.second.name))]
     if (film := subject.coating) is not None:
         rows.append(("film", f"{body('coating.material', film.material.name)}, {in_short('coating.', 'thickness')}"))
-    else:
-        rows.append(("nominal area", texts["nominal_area"]))
+    rows.append(("nominal area", texts["nominal_area"]))
     sizes = in_short("roughness.", "asperity_height_deviation", "asperity_radius", "asperity_density")
-    rows.append(("roughness", ", ".join(filter(None, [sizes, texts.get("roughness.kind")]))))
+    stated = stated_roughness(subject)
+    sizes, kind = f"{stated}: {sizes}" if stated else sizes, "" if stated else texts.get("roughness.kind")
+    rows.append(("roughness", ", ".join(filter(None, [sizes, kind]))))
     rows.append(("interface", getattr(subject.interface, "name", "") or in_short("", strength) or "not stated"))
+    rows += [("work of adhesion", texts["work_of_adhesion"])] if "work_of_adhesion" in texts else []
     rows.append(("load", load_in_words(findings) if findings.load is not None else "the loads or separations of the case"))
     cells = [
         (name, letters(with_powers(_LONG.sub(lambda match: f"{float(match[0]):.3g}", text))).replace("e+", "e"))
         for name, text in rows
     ]
-    return Table([Column("input"), Column("stated")], cells, "Six main inputs; the appendix lists all inputs", stacked=True)
+    return Table([Column("input"), Column("value")], cells, "Main inputs; the appendix lists all inputs", stacked=True)
 
 
 def validity_line(findings: ReportData) -> str:
@@ -210,7 +212,7 @@ def validity_line(findings: ReportData) -> str:
     if findings.prediction is not None:
         checked = findings.prediction.attrs["checked_against"]
         known = f"Checked against {checked}." if checked else "Not checked against any measurement."
-        return f"{letters(known)} No friction was measured on a contact with measured roughness."
+        return f"{letters(known)} Not tested on a contact whose friction, roughness and interface were all measured."
     warnings = warnings_of(findings.data)
     if not warnings:
         return "The whole curve is within the range that the authors of the model claim."

@@ -15,7 +15,8 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.progress import Progress, silent
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
-from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
+from stiction.studies.prediction.around import predict_with_curve
+from stiction.studies.prediction.predict import is_predicted, prediction_of
 
 if TYPE_CHECKING:
     import xarray
@@ -31,7 +32,8 @@ class ReportData:
     of the case. load: working load in N, or dimensionless for [indices]; None if no load is above 0. working_results: results
     of a named model at the working load. comparison: comparison of all models at the working load, or None. not_compared: why
     models are not compared; "" if they are. analyses: analysis of the scan of each body. input_warnings: warnings of unlikely
-    inputs. recommended: the prediction, also if the case names a model; None for swept numbers and [indices].
+    inputs. recommended: the prediction, also if the case names a model; None for swept numbers and [indices]. curve: the
+    prediction over load, also around a single load; None if the case names a model.
     """
 
     case: Case
@@ -44,6 +46,7 @@ class ReportData:
     analyses: "Mapping[str, Analysis]" = field(default_factory=dict)
     input_warnings: tuple[str, ...] = ()
     recommended: "xarray.Dataset | None" = None
+    curve: "xarray.Dataset | None" = None
 
     @property
     def prediction(self) -> "xarray.Dataset | None":
@@ -68,9 +71,9 @@ def collect_report_data(case: Case, text: str = "", *, load: Any = None, progres
     at_load = None if case.is_swept else working_load(case, load)
     why = "the case has array parameters, and models are compared for a single contact" if case.is_swept else ""
     why = why or ("" if at_load is not None else "no load of the case is above 0, and models are compared at a load above 0")
-    at_working_load = None
+    at_working_load = curve = None
     if is_predicted(case) and (at_load is not None or case.is_swept):
-        data = predict(case) if load is None or at_load is None else predict(case, load=[at_load])
+        data, curve = predict_with_curve(case if load is None else replace(case, separation=None, load=np.array([at_load])))
     else:
         data = solve_case(case, progress=progress)
         if at_load is not None:
@@ -81,7 +84,7 @@ def collect_report_data(case: Case, text: str = "", *, load: Any = None, progres
     comparison = None if at_load is None else compare_case(case, at_load, progress)
     warnings = tuple(str(warning) for warning in input_warnings(case.subject))
     return ReportData(
-        case, text, data, at_load, at_working_load, comparison, why, _analyses(case, progress), warnings, predicted
+        case, text, data, at_load, at_working_load, comparison, why, _analyses(case, progress), warnings, predicted, curve
     )
 
 

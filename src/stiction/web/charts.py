@@ -127,12 +127,14 @@ def _positive(values: Any) -> np.ndarray:
 def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = False) -> tuple[float, dict[str, Any]]:
     """Return the factor from SI to the unit of an axis, and its options; the axis is logarithmic by `is_log`.
 
-    values: arrays to be shown, in SI. tight: whether a logarithmic axis ends at the values, not at round numbers.
+    values: arrays to be shown, in SI; the first is the line, which decides the unit. tight: whether a logarithmic axis ends at
+    the values, not at round numbers.
     """
     known = np.concatenate([each[np.isfinite(each)] for each in map(np.ravel, values)])
     name, factor = axis_name(variable), 1.0
     if (unit := variable.attrs.get("units", "1")) != "1":
-        factor, prefixed = prefix(str(variable.name), float(np.max(np.abs(known), initial=0.0)))
+        line = values[0][np.isfinite(values[0])]
+        factor, prefixed = prefix(str(variable.name), float(np.max(np.abs(line), initial=0.0)))
         name = name.replace(f"[{with_powers(unit)}]", f"[{prefixed}]")
     if not is_log(known):
         return factor, {"name": name}

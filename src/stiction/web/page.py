@@ -35,6 +35,7 @@ _STYLE = """
 .text-3xl { font-size: 1.875rem; line-height: 1.2 } .font-bold { font-weight: 700 } .font-mono { font-family: monospace }
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
 .of-three > :first-child { grid-column: 1 / -1 }
+@container (min-width: 701px) { .of-three > * { height: 250px !important } }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 20px } .legend svg { vertical-align: -2px }
 .frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
 .q-page { padding: 8px 12px }
@@ -50,7 +51,7 @@ _STYLE = """
 .knobs .q-field__control { padding: 0 8px } .knobs .q-item { min-height: 26px; padding: 0 4px }
 .knobs .q-expansion-item__content { padding: 2px 0 } .knobs .nicegui-expansion-content { padding: 2px 0; gap: 3px }
 .card { display: grid; grid-template-columns: minmax(280px, 4fr) minmax(0, 5fr); gap: 2px 24px; margin-top: 4px }
-.card > p, .card > svg { grid-column: 1; margin: 0 } .card svg { width: 100% }
+.card > p > span { margin-right: .3em } .card > p, .card > svg { grid-column: 1; margin: 0 } .card svg { width: 100% }
 .card > dl { grid-column: 2; grid-row: 1 / span 3; margin: 0; align-self: center }
 .card dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 12px } .card dd { margin: 0 }
 .knobs { position: sticky; top: 56px; align-self: start; max-height: calc(100vh - 64px); overflow-y: auto; flex-wrap: nowrap }

@@ -23,7 +23,8 @@ from stiction.solving.candidates import candidates
 from stiction.solving.choice import LAWS
 from stiction.studies.case_results import compare_case, solve_case
 from stiction.studies.comparison.compare import working_load
-from stiction.studies.prediction.predict import is_predicted, predict, prediction_of
+from stiction.studies.prediction.around import predict_with_curve
+from stiction.studies.prediction.predict import is_predicted, prediction_of
 from stiction.web.address import refuse_other_files
 from stiction.web.fields import INTERFACE, with_points, with_value_at
 
@@ -54,12 +55,14 @@ class Query:
 class Answer:
     """Hold the result of a query.
 
-    data: a prediction or, if the case names a model, the result of that model. input_warnings: texts about improbable inputs.
+    data: a prediction or, if the case names a model, the result of that model. curve_data: the same; for a prediction at a
+    single load, the prediction at loads around it. input_warnings: texts about improbable inputs.
     """
 
     query: Query
     case: Case
     data: xarray.Dataset
+    curve_data: xarray.Dataset
     input_warnings: list[str]
 
     @property
@@ -73,8 +76,8 @@ class Answer:
 
         For a parameter sweep, the curve is that of the first value of each array.
         """
-        *arrays, along = self.data["load"].dims or (None,)
-        curve = self.data.isel(dict.fromkeys(arrays, 0))
+        *arrays, along = self.curve_data["load"].dims or (None,)
+        curve = self.curve_data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve
 
     def at(self, point: int) -> xarray.Dataset:
@@ -121,8 +124,8 @@ def _without_folders(error: InputError, query: Query) -> InputError:
 def solved(query: Query) -> Answer:
     """Predict the case of a query or, if it names a model, solve it. Raises InputError."""
     case = read_query(query)
-    data = predict(case) if is_predicted(case) else solve_case(case)
-    return Answer(query, case, data, list(map(str, input_warnings(case.subject))))
+    data, curve = predict_with_curve(case) if is_predicted(case) else (solve_case(case),) * 2
+    return Answer(query, case, data, curve, list(map(str, input_warnings(case.subject))))
 
 
 def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:

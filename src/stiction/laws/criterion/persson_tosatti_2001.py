@@ -3,7 +3,7 @@ r"""Criterion for full contact by adhesion, and the effective work of adhesion: 
 *Assumes*: elastic half-spaces in full contact, and small slopes. *Source*: [persson_tosatti_2001], as commonly quoted,
 derived again here. Full contact gains the work of adhesion $\gamma$ on the area of the rough face, which is $1+h'^2/2$ times
 the nominal area, and needs the elastic energy $U$ per nominal area of the model
-[`persson_tosatti_2001`](../rough_surface/persson_tosatti_2001.py). The effective work of adhesion per nominal area is
+`persson_tosatti_2001` of rough surfaces. The effective work of adhesion per nominal area is
 
 $$
 \gamma_\mathrm{eff}=\gamma\left(1+\tfrac12\int q^2C(q)\,d^2q\right)-\frac{E^*}4\int q\,C(q)\,d^2q

@@ -22,7 +22,7 @@ def _plan(case: Path, out: Path | None = None) -> tuple[Any, ...]:
 def _run(plan: tuple[Any, ...], callback: Callable[[str], None]) -> tuple[Any, ...]:
     from stiction.studies.design.run import run_design
 
-    callback("DesignSearch")
+    callback("Designing")
     return run_design(plan[0], lambda count, text: callback(f"Designing: {count} designs {text}")), plan[1]
 
 
