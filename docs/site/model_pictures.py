@@ -50,7 +50,8 @@ def contact(sigma: float = 48e-9, film: bool = False, energy: float = 1.0, **mor
     silver = st.material("silver", hardness="0.4 GPa")
     return st.Contact(
         first=STEEL, second=STEEL, nominal_area=1e-6, interfacial_shear_strength=200e6, pressure_coefficient=0.05,
-        work_of_adhesion=energy, coating=st.Coating(material=silver, thickness=200e-9, bodies="first") if film else None,
+        burgers_vector=0.25e-9, work_of_adhesion=energy,
+        coating=st.Coating(material=silver, thickness=200e-9, bodies="first") if film else None,
         roughness=more.pop("roughness", None)
         or st.Roughness(asperity_height_deviation=sigma, asperity_radius=RADIUS, asperity_density=1.7e10),
     )  # fmt: skip
