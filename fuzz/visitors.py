@@ -60,17 +60,27 @@ async def visit(session: aiohttp.ClientSession, address: str, state: str = "", s
     """Return the page of a visitor who opens its websocket and leaves after some seconds."""
     async with session.get(address, params={"s": state} if state else None) as answer:
         page = await answer.text()
-    client = re.findall(r"""client_id['"]: ?['"]([^'"]+)""", page)[0]
+    said = await greeting(session, address, client_of(page), stays)
+    if not said.startswith("40"):
+        raise RuntimeError(f"the server does not take the visitor: {said}")
+    return page
+
+
+def client_of(page: str) -> str:
+    """Return the name under which the server knows the visitor of a page."""
+    return re.findall(r"""client_id['"]: ?['"]([^'"]+)""", page)[0]
+
+
+async def greeting(session: aiohttp.ClientSession, address: str, client: str, stays: float = 0.0) -> str:
+    """Open the websocket of a visitor, stay some seconds, and return the server's greeting: 40 if the visitor is let in."""
     asked = {"EIO": "4", "transport": "websocket", "client_id": client, "tab_id": str(uuid.uuid4())}
     asked |= {"document_id": str(uuid.uuid4()), "next_message_id": "0", "implicit_handshake": "true"}
     async with session.ws_connect(f"{address}/_nicegui_ws/socket.io/", params=asked, max_msg_size=0) as stream:
         await stream.receive_str()
         await stream.send_str("40")
         said = await stream.receive_str()
-        if not said.startswith("40"):
-            raise RuntimeError(f"the server does not take the visitor: {said}")
         await asyncio.sleep(stays)
-    return page
+    return said
 
 
 async def leave_within(session: aiohttp.ClientSession, address: str, state: str = "") -> None:

@@ -5,6 +5,7 @@ import multiprocessing
 import random
 import sys
 import threading
+import uuid
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -42,6 +43,23 @@ def _asked(server, *states, leaves=()):
             return await asyncio.gather(*asked)
 
     return asyncio.run(together())
+
+
+def test_a_guessed_visitor_is_not_let_in(server):
+    """Who visits is a random number of 122 bits; nothing of a page is sent to another one, and nothing is taken from it."""
+
+    async def guessed():
+        async with visitors.browser() as session:
+            async with session.get(server[0], params={"s": encoded(OTHER)}) as answer:
+                client = uuid.UUID(visitors.client_of(await answer.text()))
+            guess = str(uuid.uuid4())
+            async with session.post(f"{server[0]}/_nicegui/client/{guess}/upload/5", data={"file": "content"}) as upload:
+                status = upload.status
+            return client, [await visitors.greeting(session, server[0], name) for name in (str(client), guess)], status
+
+    client, (own, other), status = asyncio.run(guessed())
+    assert client.version == 4 and own.startswith("40")
+    assert other.startswith("44") and status == 404
 
 
 def test_who_leaves_within_a_computation_does_not_change_the_answer_of_another(server):

@@ -85,6 +85,8 @@ class Progress:
         The function is interrupted when the study is stopped or times out. The time limit starts here, not while other studies
         run. Raises KeyboardInterrupt.
         """
+        import numba  # noqa: F401  Interrupted, its import could not be repeated in this process.
+
         self._end = time.monotonic() + self._seconds
         late = threading.Timer(self._seconds, self._interrupt)
         late.daemon = True
