@@ -7,6 +7,7 @@ import json
 import math
 import warnings
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -146,6 +147,15 @@ def test_expected_share_against_integrals():
         h = brentq(lambda at, area=area: math.log(moment(at, 1) / area), -4.0, 8.0)
         assert expected_share(np.array([area]))[0] == pytest.approx(moment(h, 0), rel=1e-4)
     assert expected_share(np.array([0.0]))[0] == 0.0
+
+
+@pytest.mark.parametrize("h", [11.9, 12.1, 16.0, 30.0])
+def test_expected_share_where_next_to_nothing_touches(h):
+    """F_1 = phi(h) - h F_0(h), which loses all digits of a double there."""
+    with mpmath.workdps(60):
+        share = mpmath.erfc(mpmath.mpf(h) / mpmath.sqrt(2)) / 2
+        area = mpmath.npdf(h) - h * share
+    assert expected_share(np.array([float(area)]))[0] == pytest.approx(float(share), rel=1e-3, abs=0.0)
 
 
 SWAPPED = {"48 nm": "50 um", "50 um": "48 nm"}

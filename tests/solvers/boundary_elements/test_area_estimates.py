@@ -43,6 +43,20 @@ def test_slopes_of_two_crossed_waves(first, second):
     assert slopes.squares.mean() == pytest.approx(1.0, rel=1e-9) and slopes.ranks[-1] == 1.0
 
 
+def test_slopes_of_a_paraboloid_that_is_not_periodic():
+    """a x^2 + b y^2 + c, whose differences of fourth order are exact; c must not count."""
+    x = np.arange(24) / 24
+    a, b = 0.03, 0.02
+    slopes = map_slopes(a * x[:, None] ** 2 + b * x**2 + 0.4, UNIT, periodic=False)
+    between, inner = np.mean(((x[1:-2] + x[2:-1]) / 2.0) ** 2), x[2:-2]
+    along, across, both = 4.0 * a * a * between, 4.0 * b * b * between, 4.0 * a * b * inner.mean() ** 2
+    variance = (a * a + b * b) * np.var(inner**2)
+    assert slopes.gradient == pytest.approx(math.sqrt(along + across), rel=1e-9)
+    assert slopes.alpha == pytest.approx(1.5 * variance * (2.0 * (a + b)) ** 2 / (along + across) ** 2, rel=1e-9)
+    least, most = np.linalg.eigvalsh([[along, both], [both, across]])
+    assert slopes.lay == pytest.approx(math.sqrt(most / least), rel=1e-9)
+
+
 def test_light_and_heavy_loads():
     assert widened(1e-9, 0.5) == pytest.approx(math.sqrt(8.0 / math.pi) * 1.5e-9, rel=1e-3)
     assert widened(3.0, 0.5) == pytest.approx(1.0, abs=1e-8)
