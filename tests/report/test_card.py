@@ -8,7 +8,7 @@ from scipy.stats import norm
 
 import stiction as st
 from stiction.quantities.units import show
-from stiction.report.answer import at_working_load, main_sources, working_load_in_words
+from stiction.report.answer import at_working_load, confidence, main_sources, working_load_in_words
 from stiction.report.card import Card, card_of, shortened
 from stiction.studies.prediction.measured import interval_after_measuring
 
@@ -51,8 +51,8 @@ def test_the_card_is_short(predicted):
 
 @pytest.mark.parametrize(("low", "high", "word"), [(0.9, 1.1, "high"), (0.5, 2.0, "fair"), (0.1, 10.0, "low")])
 def test_confidence_is_by_the_width(low, high, word):
-    card = Card(1.0, low, high, 0.9, "1 N", "", "", "", [])
-    assert card.confidence.split(":")[0] == word
+    assert confidence(1.0, low, high) == word
+    card = Card(1.0, low, high, 0.9, "1 N", word, "", "", "", [])
     centre, start, width = (
         float(re.findall(rf'{name}="([\d.]+)"', card.bar())[-1]) for name in ("<line x1", "<rect x", " width")
     )
@@ -60,7 +60,7 @@ def test_confidence_is_by_the_width(low, high, word):
 
 
 def test_an_interval_that_begins_at_nothing_has_a_bar():
-    assert "nan" not in Card(1e-4, 0.0, 50.0, 0.9, "1 N", "", "", "", []).bar()
+    assert "nan" not in Card(1e-4, 0.0, 50.0, 0.9, "1 N", "low", "", "", "", []).bar()
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_an_interval_that_begins_at_nothing_has_a_bar():
     [
         "12% of the samples are physically impossible and are excluded.",
         "The stated interface is 0.95 times as strong as the weaker body, and junctions grow: if its strength changes.",
-        "The map is only 3 of its longest wavelengths wide, fewer than 6: it may not represent the surface.",
+        "The map may be too small to represent the surface: 3 of its longest wavelengths wide, 6 wanted. Measure a larger area.",
         "word " * 30,
     ],
 )
@@ -77,7 +77,7 @@ def test_a_warning_has_twelve_words_at_most(warning):
 
 
 def test_the_load_of_several_has_their_range(predicted):
-    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (loads 100 mN to 10 N)"
+    assert card_of(predicted).load == working_load_in_words(predicted) == "1 N (curve: 100 mN to 10 N)"
     assert working_load_in_words(predicted.isel(load=0)) == "100 mN"
 
 

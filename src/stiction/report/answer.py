@@ -30,6 +30,7 @@ PREDICTION_HEADS = {
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
 _MUCH_WIDER = 1.5  # than at both ends of the loads: the widest interval is then printed, too
 _LEAST, _MOST_SOURCES = 0.05, 3  # share of the variance that is named, and number of parts that are
+_ENOUGH = 2 / 3  # of handbook contacts
 _CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
 _NAMES = {
     "interface": "interface strength",
@@ -64,6 +65,17 @@ def confidence(mu: float, low: float, high: float) -> str:
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
 
 
+def confidence_in(data: "xarray.Dataset") -> str:
+    """Return the confidence in mu of a prediction at its working load: "high", "fair" or "low".
+
+    It is low if intervals of this interface hold fewer than two of three handbook contacts. Measured friction in the prediction
+    replaces the strength of the interface, so that handbook contacts no longer count.
+    """
+    held, contacts = data.attrs["in_handbooks"]
+    mu, low, high = ends_of_mu(data)
+    return confidence(mu, low, high) if "measured" in data.attrs or held >= _ENOUGH * contacts else "low"
+
+
 class PredictionAnswer(TypedDict):
     """Define the JSON answer of a prediction at its working load, in SI units.
 
@@ -81,6 +93,7 @@ class PredictionAnswer(TypedDict):
     contact_area_interval: list[float]
     efficiency: float | None
     regime: str
+    lowered_by: str
     shares: dict[str, float]
     warnings: list[str]
     inputs_not_used: list[str]
@@ -116,13 +129,14 @@ def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
         "friction_coefficient": float(point[_MU]),
         "interval": ends(_MU),
         "level": data.attrs["level"],
-        "confidence": confidence(float(point[_MU]), *ends(_MU)),
+        "confidence": confidence_in(data),
         "friction_force": float(point[_FORCE]),
         "friction_force_interval": ends(_FORCE),
         "contact_area": float(point[_AREA]),
         "contact_area_interval": ends(_AREA),
         "efficiency": float(point["friction_efficiency"]) if "friction_efficiency" in point else None,
         "regime": data.attrs["regime"],
+        "lowered_by": data.attrs["lowered_by"],
         "shares": dict(data.attrs["shares"]),
         "warnings": list(data.attrs["warnings"]),
         "inputs_not_used": list(data.attrs["inputs_not_used"]),
@@ -170,15 +184,6 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
     return f"{show(low, quantity, 2)} to {show(high, quantity, 2)}"
 
 
-def confidence_in_words(mu: float, low: float, high: float) -> str:
-    """Return the confidence in mu as a word, with the factors by which mu may be lower or higher.
-
-    low, high: ends of the prediction interval.
-    """
-    word = confidence(mu, low, high)
-    return f"{word}: mu may be {number(mu / low)} times lower or {number(high / mu)} times higher" if low > 0.0 else word
-
-
 def headline(data: "xarray.Dataset") -> str:
     """Return one line with mu at the working load of a prediction, and its interval."""
     point = at_working_load(data)
@@ -190,7 +195,7 @@ def working_load_in_words(data: "xarray.Dataset") -> str:
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
     )
-    return load if data["load"].size < 2 else f"{load} (loads {' to '.join(ends)})"
+    return load if data["load"].size < 2 else f"{load} (curve: {' to '.join(ends)})"
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
@@ -206,7 +211,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
-    warnings, sure = attrs["warnings"], confidence(*ends_of_mu(data))
+    warnings, sure = attrs["warnings"], confidence_in(data)
     at = f"at {working_load_in_words(data)}; confidence: {sure}"
     rows = [
         (f"mu = {number(float(point[_MU]))}", f"{attrs['level']:.0%} interval {span(point, _MU)}, {at}"),
@@ -214,10 +219,11 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("along the load", _along(data)),
         ("measured", _of_measured(data)),
         ("state", attrs["regime"]),
+        ("lower mu by", attrs["lowered_by"]),
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("bare metal", _bare(attrs["bare_metal"])),
+        ("worn through", worn_through(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
@@ -285,11 +291,11 @@ def models_in_words(names: Iterable[str]) -> str:
     return f"{len(texts)} combined: {'; '.join(texts)}" if len(texts) > 1 else "".join(texts)
 
 
-def _bare(interval: list[float]) -> str:
+def worn_through(interval: list[float]) -> str:
+    """Format the interval of mu of bare metals; the text is empty if it does not apply."""
     if not interval:
         return ""
-    ends = f"{number(interval[0])} to {number(interval[1])}"
-    return f"mu = {ends}, as of clean metals, if the oxide or film wears through; not counted in the interval"
+    return f"mu = {number(interval[0])} to {number(interval[1])} of the clean metals; not counted in the interval above"
 
 
 def part_name(name: str) -> str:
@@ -319,7 +325,8 @@ def next_in_words(data: "xarray.Dataset") -> str:
     step = data.attrs["next_step"]
     if not ends or "measure mu once" not in step:
         return step
-    return f"{step}; {number(float(point[_MU]))} with {USUAL_ERROR:.0%} error would give {number(ends[0])} to {number(ends[1])}"
+    found = f"{number(float(point[_MU]))} +- {USUAL_ERROR:.0%}"
+    return f"{step}; if you find {found}, the interval becomes {number(ends[0])} to {number(ends[1])}"
 
 
 def model_line(used: Mapping[str, Any]) -> str:

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from stiction.quantities import html
 from stiction.report.answer import (
     answer_lines,
-    confidence,
-    confidence_in_words,
+    confidence_in,
     ends_of_mu,
     next_in_words,
     number,
     sources_in_words,
     working_load_in_words,
+    worn_through,
 )
 
 if TYPE_CHECKING:
@@ -26,9 +26,9 @@ _WIDTH, _DECADES, _BLUE = 320, (-2, 1), "var(--mark, #0072B2)"  # of the bar, wh
 class Card(NamedTuple):
     """Store the content of the answer card of a prediction, at its working load.
 
-    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. decides: main sources of
-    uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that the user named,
-    in words; "" if none was named.
+    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. confidence: a word. decides:
+    main sources of uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that
+    the user named, in words; "" if none was named. worn_through: mu without oxide or film. lowered_by: what lowers mu.
     """
 
     mu: float
@@ -36,12 +36,14 @@ class Card(NamedTuple):
     high: float
     level: float
     load: str
+    confidence: str
     decides: str
     warning: str
     next_step: str
     rows: list[tuple[str, str]]
     named: str = ""
     worn_through: str = ""
+    lowered_by: str = ""
 
     @property
     def interval(self) -> str:
@@ -49,18 +51,9 @@ class Card(NamedTuple):
         return f"{number(self.low)} to {number(self.high)}"
 
     @property
-    def confidence(self) -> str:
-        """Return the confidence in mu as a word, with the factors by which mu may be lower or higher.
-
-        The factors are omitted if the user named a model.
-        """
-        ends = self.mu, self.low, self.high
-        return confidence(*ends) if self.named else confidence_in_words(*ends)  # a named model has two numbers already
-
-    @property
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
-        rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides)]
+        rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides), ("Lower mu by", self.lowered_by)]
         rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
@@ -111,12 +104,12 @@ def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     mu, low, high = ends_of_mu(data)
     decides = sources_in_words(attrs["shares"])
     warning = shortened(next(iter(attrs["warnings"]), ""))
-    bare = attrs["bare_metal"]
-    worn = f"mu = {number(bare[0])} to {number(bare[1])}, as of clean metal" if bare else ""
+    worn = worn_through(attrs["bare_metal"])
     rows = answer_lines(data)
     return Card(
-        mu, low, high, attrs["level"], working_load_in_words(data), decides, warning, next_in_words(data), rows, named, worn
-    )
+        mu, low, high, attrs["level"], working_load_in_words(data), confidence_in(data), decides, warning, next_in_words(data),
+        rows, named, worn, attrs["lowered_by"],
+    )  # fmt: skip
 
 
 def shortened(warning: str) -> str:

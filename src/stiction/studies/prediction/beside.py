@@ -59,11 +59,17 @@ def checked_against(mixture: Mixture, index: int) -> str:
         )
     else:
         area = "no solved surface near it"
+    held, contacts = in_handbooks(mixture)
+    if not contacts:
+        return f"{area}, never against measured friction"
+    return f"{area}; right for {held} of {contacts} handbook contacts with this interface"
+
+
+def in_handbooks(mixture: Mixture) -> tuple[int, int]:
+    """Return how many handbook contacts with this interface agree with their 90 % interval, and how many there are."""
     stated = mixture.sampled.contact.interface
     printed = {} if stated is None else printed_contacts().get(stated.name, {})
-    if not printed:
-        return f"{area}, never against measured friction"
-    return f"{area}; right for {printed['held']} of {printed['contacts']} handbook contacts with this interface"
+    return printed.get("held", 0), printed.get("contacts", 0)
 
 
 def _half_width(mixture: Mixture, law: AreaLaw, index: int) -> float:

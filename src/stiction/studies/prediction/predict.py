@@ -14,7 +14,7 @@ from stiction.contact.contact import Contact
 from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.solving.choice import RECOMMENDED
-from stiction.studies.prediction.beside import bare_metal, checked_against
+from stiction.studies.prediction.beside import bare_metal, checked_against, in_handbooks
 from stiction.studies.prediction.finish import with_finish
 from stiction.studies.prediction.levels import Levels, draw_levels
 from stiction.studies.prediction.measured import Measured, chosen_draws, interval_after_measuring, read_measured
@@ -293,9 +293,11 @@ def _attributes(
 ) -> dict[str, Any]:
     strength = np.quantile(samples.strength, [0.5, 0.5 - 0.5 * level, 0.5 + 0.5 * level])
     mu = samples.force[:, working_index] / mixture.sampled.loads[working_index]
+    regime, lowered_by = regime_of(mixture, samples, working_index)
     return {
         "level": level,
-        "regime": regime_of(mixture, samples, working_index),
+        "regime": regime,
+        "lowered_by": lowered_by,
         "shares": dict(shares),
         "strength": strength.tolist(),
         "warnings": warnings_of(mixture, samples, working_index, shares, by_state),
@@ -307,4 +309,5 @@ def _attributes(
         "excluded": float(np.mean(~np.isfinite(samples.force))),
         "bare_metal": bare_metal(mixture, level),
         "checked_against": checked_against(mixture, working_index),
+        "in_handbooks": list(in_handbooks(mixture)),
     }

@@ -23,24 +23,23 @@ _ATOM = 1e-19  # m^2, some 0.3 nm squared
 _MANY = 0.05  # fraction of impossible samples above which a warning is issued
 
 
-def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
-    """Return one or two sentences on the contact regime, e.g. how plastic the contact spots are.
+def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]:
+    """Return one or two sentences on the contact regime, e.g. how plastic the contact spots are, and what lowers mu in it.
 
     index: position of the load in `loads`.
     """
-    sampled = mixture.sampled
     area, pull, growth, pressure = (
         float(np.nanmedian(np.broadcast_to(table, samples.area.shape)[:, index]))
         for table in (samples.area, samples.pull, samples.growth, samples.pressure)
     )
-    nominal = float(np.median(sampled.drawn.nominal_area))
-    touching = float(mixture.touching[index])
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
-    if pull > _STICKS:
-        sentences.append("Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu.")
-    if area > _FLAT * nominal:
+    if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
+        lever = "more load, a smaller nominal area or a weaker interface"
         sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P{added}.")
     elif pressure > _PLASTIC:
+        lever = "a weaker interface"
+        if not mixture.strength.is_relative_to("shear_strength"):
+            lever += f" or a higher hardness of the {_softer(mixture)}"
         grows = (", times the growth of junctions under shear" if growth > _GROWN else "") + added
         elastic = np.nanmean(samples.pressure[:, index] < _PLASTIC) if samples.pressure.ndim == 2 else 0.0
         if elastic > _SOME:
@@ -48,17 +47,24 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> str:
         else:
             sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
-        sentences.append(_of_pressure(mixture, pressure, index, added))
+        sentence, lever = _of_pressure(mixture, pressure, index, added)
+        sentences.append(sentence)
+    if pull > _STICKS:
+        lever = "less adhesion or a weaker interface"
+        sentences.insert(
+            0, "Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu."
+        )
+    touching = float(mixture.touching[index])
     if touching < _FEW:
         count = round(max(touching, 1.0))
         sentences.append(
             f"About {count} {'asperity touches' if count == 1 else 'asperities touch'}: mu varies from one place to the next."
         )
-    return " ".join(sentences[:2])
+    return " ".join(sentences[:2]), lever
 
 
-def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> str:
-    """Return a sentence on the mean pressure of contact spots, or on yielding of the body below a film.
+def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> tuple[str, str]:
+    """Return a sentence on the mean pressure of contact spots, or on yielding of the body below a film, and what lowers mu.
 
     pressure: mean pressure over the hardness of the softer surface. index: position of the load in `loads`. added: words for
     what is added to tau_0 over the pressure.
@@ -66,17 +72,26 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> s
     contact, hardness = mixture.sampled.contact, float(np.median(mixture.sampled.bodies.hardness))
     carried = min(float(np.median(law.yields_at[:, index])) for law in mixture.laws)
     if contact.coating is None or not carried < hardness or pressure * hardness < _PLASTIC * carried:
-        return (
-            f"The mean pressure of the spots is {100.0 * pressure:.2g}% of the hardness: mu is tau_0 over that pressure{added}."
-        )
+        softer = _softer(mixture)
+        sentence = f"mu = tau_0/p{added}: the spots bear p, {100.0 * pressure:.2g}% of the {softer}'s hardness."
+        stiffer = "" if mixture.strength.is_relative_to("strength_over_shear_modulus") else "stiffer or "
+        return sentence, f"a weaker interface, or {stiffer}rougher surfaces"
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
-    softer = "film" if contact.softer_counterbody is None else "counterbody"
-    return (
+    sentence = (
         f"The body below the film yields{'' if below.name == 'unnamed' else f', {below.name}'}: contacts bear "
-        f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the {softer}'s. "
-        f"mu is tau_0 over that pressure{added}."
+        f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the "
+        f"{_softer(mixture)}'s. mu is tau_0 over that pressure{added}."
     )
+    return sentence, "a weaker interface or a harder body below the film"
+
+
+def _softer(mixture: Mixture) -> str:
+    """Return what the hardness of the contact is that of, in one or two words."""
+    contact = mixture.sampled.contact
+    if contact.coating is None:
+        return "softer body"
+    return "film" if contact.softer_counterbody is None else "counterbody"
 
 
 def warnings_of(
@@ -152,8 +167,8 @@ def _kind_is_missing(mixture: Mixture) -> bool:
 def _of_few_waves(mixture: Mixture) -> list[str]:
     """Return a list with a warning if a height map contains only a few of its longest wavelengths; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
-    few = f"The map is only {waves:.2g} of its longest wavelengths wide, fewer than {LEAST_WAVES:g}:"
-    return [f"{few} it may not represent the surface."] if waves < LEAST_WAVES else []
+    few = f"{waves:.2g} of its longest wavelengths wide, {LEAST_WAVES:g} wanted"
+    return [f"The map may be too small to represent the surface: {few}. Measure a larger area."] if waves < LEAST_WAVES else []
 
 
 _MUCH = 0.2  # share of the variance that is worth a word in the case

@@ -55,6 +55,13 @@ class Strength:
         """Return whether a pressure coefficient adds to friction; it is stated or belongs to a state."""
         return self.grows_with_pressure or bool(np.any(self.coefficient > 0.0))
 
+    def is_relative_to(self, name: str) -> bool:
+        """Return whether tau_0 of a possible state is a fraction of a property of the softer body.
+
+        name: "shear_strength" for its hardness, "strength_over_shear_modulus" for its shear modulus.
+        """
+        return any(state.strength == name for state, _ in self.states)
+
     @property
     def over_body(self) -> float:
         """Return the median of the stated strength, after ageing, over the shear strength of the weaker body.
