@@ -12,6 +12,7 @@ from stiction.contact.indices import Indices
 from stiction.contact.interfaces import OptionalState, check_interface
 from stiction.contact.liquid import Liquid
 from stiction.contact.materials import Material
+from stiction.contact.optional_inputs import optional_inputs
 from stiction.contact.pair import Pair, choose, compliance_of, more_compliant
 from stiction.contact.size_effect import at_radius, size_notes, size_ratio
 from stiction.contact.subject import Scales, Subject
@@ -225,25 +226,7 @@ class Contact(Subject):
         return self.roughness.height_distribution, self.roughness.height_parameters
 
     def optional_inputs(self) -> dict[str, str]:
-        own = ("pressure_coefficient", "peeling", "hardness_to_yield", "ageing_rate", "strength_variation", "weakening_slip")
-        names = {"work_of_adhesion": "adhesion", "interfacial_shear_strength": "shear_strength"}
-        names |= {name: name for name in (*own, "residual_strength")}
-        names |= {"burgers_vector": "size_over_burgers", "hold_time": "waiting", "reference_time": "waiting"}
-        inputs = {name: group for name, group in names.items() if getattr(self, name) is not None}
-        of_bodies = {"yield_stress": "hardness_to_yield", "tangent_modulus": "hardening", "characteristic_depth": "hardness"}
-        for body in ("first", "second"):
-            inputs |= {f"{body}.{name}": of_bodies[name] for name in of_bodies if getattr(self, body).is_own(name)}
-        inputs |= {} if self.liquid is None else {"liquid": "meniscus_index"}
-        if self.interface is not None:
-            inputs["interface"] = "shear_strength"
-            if self.interface.pressure_coefficient is not None:
-                inputs["interface.pressure_coefficient"] = "pressure_coefficient"
-        if self.coating is None:
-            return inputs
-        film = self.coating.material
-        inputs |= {f"coating.material.{name}": "" for name in ("yield_stress", "tangent_modulus") if film.is_own(name)}
-        inputs |= {} if film.characteristic_depth is None else {"coating.material.characteristic_depth": "hardness"}
-        return inputs | ({} if self.coating.work_of_adhesion is None else {"coating.work_of_adhesion": "adhesion of the film"})
+        return optional_inputs(self)
 
     def remarks(self) -> list[str]:
         of_film = [] if (softer := self.softer_counterbody) is None else [softer_in_words(*softer, self._bare.hardness)]
