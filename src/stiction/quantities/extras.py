@@ -14,6 +14,7 @@ EXTRA_OF = {
     "zarr": "sweep",
     "distributed": "cluster",
     "nicegui": "web",
+    "array_api_compat": "device",
 }
 
 

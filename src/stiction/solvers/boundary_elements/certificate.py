@@ -21,7 +21,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from stiction.solvers.boundary_elements.minimise import Found, Problem, blocks, dot, missed_gap
+from stiction.solvers.boundary_elements.arrays import blocks, dot, factor, namespace, to_numpy
+from stiction.solvers.boundary_elements.minimise import Found, Problem, missed_gap
 
 _ROUNDED = 1.0 + 1e-6  # above what single precision loses of a bound that is an equality in full contact
 _MARGIN = 3.0  # of the largest missed gap: a point as near as this to contact, or to none, may be on the wrong side
@@ -51,28 +52,32 @@ def certify(problem: Problem, found: Found) -> Certificate:
     problem: the minimisation problem. found: its numerical solution.
     """
     missed = missed_gap(problem, found.pressure, found.gap)
-    pressure, gap = found.pressure, found.gap
+    pressure, gap, xp = found.pressure, found.gap, namespace(found.gap)
     flows = pressure >= problem.hardness
     free = (pressure > 0.0) & ~flows
-    overlap = abs(float(missed.min(where=pressure <= 0.0, initial=0.0)))
-    lift = float(missed.max(where=flows, initial=0.0))
-    opening = float(np.abs(missed).max(where=free, initial=0.0))
+    overlap, lift, opening = _largest(missed, pressure <= 0.0), _largest(missed, flows), _largest(missed, free)
     largest = _MARGIN * max(overlap, opening, lift)
-    doubted = np.count_nonzero((pressure <= 0.0) & (gap < largest))
-    doubted += np.count_nonzero(free & (pressure < largest * problem.point_stiffness))
+    doubted = int(xp.count_nonzero((pressure <= 0.0) & (gap < largest)))
+    doubted += int(xp.count_nonzero(free & (pressure < largest * problem.point_stiffness)))
     return Certificate(
         overlap=overlap,
         opening=opening,
         lift=lift,
         pressure_error=math.sqrt(max(_energy_left(problem, found, missed), 0.0) / _energy(problem, found)),
-        area_error=float(doubted) / max(int(np.count_nonzero(pressure)), 1),
+        area_error=float(doubted) / max(int(xp.count_nonzero(pressure)), 1),
     )
+
+
+def _largest(values: np.ndarray, mask: np.ndarray) -> float:
+    """Return the largest magnitude of the values inside the mask, 0 if the mask is empty."""
+    xp = namespace(values)
+    return float(xp.max(xp.abs(values) * factor(mask, values)))
 
 
 def _energy(problem: Problem, found: Found) -> float:
     """Return the elastic energy norm <p C p> of a solution, multiplied by the number of points."""
-    raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure.shape))
-    return raised + found.offset * float(found.pressure.sum())
+    raised = sum(dot(found.pressure[rows], found.gap[rows] + problem.heights[rows]) for rows in blocks(found.pressure))
+    return raised + found.offset * float(namespace(found.pressure).sum(found.pressure))
 
 
 def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
@@ -81,11 +86,12 @@ def _energy_left(problem: Problem, found: Found, missed: np.ndarray) -> float:
     missed: error of the gap at every point (rows, columns) [m].
     """
     if problem.displacement.inverts:
-        scale = float(np.abs(missed).max()) or 1.0
-        missed = (missed / scale).astype(np.float32)
+        xp = namespace(missed)
+        scale = float(xp.max(xp.abs(missed))) or 1.0
+        missed = xp.astype(missed / scale, xp.float32)
         return _ROUNDED * scale**2 * dot(missed, problem.displacement.inverse(missed))
-    gap, mean = found.gap, problem.mean
-    carried = sum(dot(gap[rows], found.pressure[rows]) for rows in blocks(gap.shape))
+    gap, mean = to_numpy(found.gap), problem.mean
+    carried = sum(dot(found.gap[rows], found.pressure[rows]) for rows in blocks(found.gap))
     if math.isinf(problem.hardness):
         return carried - mean * gap.size * float(gap.min())
     full, rest = divmod(mean * gap.size, problem.hardness)

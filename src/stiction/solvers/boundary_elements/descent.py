@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.fft import irfft2, rfft2
 
-from stiction.solvers.boundary_elements.minimise import dot
+from stiction.solvers.boundary_elements.arrays import dot
 
 FAR = 1e3  # gap over the range, at which faces are apart
 _FLAT = 0.05  # curvature along a direction, at least this share of the elastic one: below, the attraction bends it down

@@ -14,7 +14,8 @@ import math
 
 import numpy as np
 
-from stiction.solvers.boundary_elements.minimise import Boundary, blocks, dot, total
+from stiction.solvers.boundary_elements.arrays import blocks, dot, namespace, total
+from stiction.solvers.boundary_elements.minimise import Boundary
 
 _TOLERANCE = 1e-2
 _MOST = 300
@@ -27,34 +28,35 @@ def stiffness_per_area(displacement: Boundary, free: np.ndarray, start: np.ndarr
     operator. free: mask (rows, columns) of the points in elastic contact. start: first guess of the pressure change, > 0, for
     instance the pressure.
     """
-    count = int(np.count_nonzero(free))
+    xp, points = namespace(start), math.prod(start.shape)
+    count = int(xp.count_nonzero(free))
     if not count:
         return math.nan
-    rows_of = list(blocks(free.shape))
-    q = np.ones(free.shape, np.float32) if count == free.size else (start * free).astype(np.float32)
-    q *= np.float32(free.size / total(q))
-    moved, direction, rest = displacement(q), np.zeros_like(q), np.empty_like(q)
+    rows_of = list(blocks(free))
+    mask = xp.astype(free, xp.float32)
+    q = xp.ones_like(mask) if count == points else xp.astype(start * mask, xp.float32)
+    q *= points / total(q)
+    moved, direction, rest = displacement(q), xp.zeros_like(q), xp.empty_like(q)
     square = math.inf
     for _ in range(_MOST):
-        level = sum(dot(moved[rows], free[rows].astype(np.float32)) for rows in rows_of) / count
+        level = sum(dot(moved[rows], mask[rows]) for rows in rows_of) / count
         missed = 0.0
         for rows in rows_of:
-            here = np.subtract(np.float32(level), moved[rows], out=rest[rows])
-            here *= free[rows]
-            missed += dot(here, here)
+            rest[rows] = (level - moved[rows]) * mask[rows]
+            missed += dot(rest[rows], rest[rows])
         if math.sqrt(missed / count) <= _TOLERANCE * abs(level):
             break
         stiff = displacement.inverse(rest)
-        mean = sum(dot(stiff[rows], free[rows].astype(np.float32)) for rows in rows_of) / count
+        mean = sum(dot(stiff[rows], mask[rows]) for rows in rows_of) / count
         last, square = square, sum(dot(rest[rows], stiff[rows]) for rows in rows_of)
         for rows in rows_of:
             here = direction[rows]
-            here *= np.float32(square / last)
-            here += (stiff[rows] - np.float32(mean)) * free[rows]
+            here *= square / last
+            here += (stiff[rows] - mean) * mask[rows]
         answer = displacement(direction)
-        length = np.float32(square / sum(dot(direction[rows], answer[rows]) for rows in rows_of))
+        length = square / sum(dot(direction[rows], answer[rows]) for rows in rows_of)
         for rows in rows_of:
             q[rows] += length * direction[rows]
             moved[rows] += length * answer[rows]
-    curvature = dot(q, moved) / free.size
+    curvature = dot(q, moved) / points
     return 1.0 / curvature if curvature > 0.0 else math.inf

@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from stiction.quantities.inputs import require_positive
+from stiction.solvers.boundary_elements.arrays import factor, namespace
 from stiction.solvers.boundary_elements.minimise import Found, Problem, minimise
 
 _ROUGHLY = 1e-3  # residual of solutions that only say how far the liquid reaches
@@ -61,24 +62,27 @@ def condense(
     """
     roughly = tolerance if menisci is None else max(tolerance, _ROUGHLY)
     solution = minimise(problem, start, tolerance=roughly, most=most, seen=seen)
-    wet = np.zeros(solution.gap.shape, dtype=bool)
+    xp = namespace(solution.gap)
+    wet = xp.zeros_like(solution.gap, dtype=xp.bool)
     if menisci is None:
         return Condensed(solution, wet, problem)
     finely, wetter = False, problem
-    while (more := (solution.gap < menisci.height) & ~wet).any() or not finely:  # ends, as there are so many points and no more
-        finely = not more.any()
+    while xp.any(more := (solution.gap < menisci.height) & ~wet) or not finely:  # ends, as there are so many points and no more
+        finely = not xp.any(more)
         wet = wet | more
-        wetter, pressed = _with_suction(problem, menisci, wet), solution.pressure + menisci.pressure * more
+        pressed = solution.pressure + menisci.pressure * factor(more, solution.gap)
+        wetter = _with_suction(problem, menisci, wet)
         solution = minimise(wetter, pressed, tolerance=tolerance if finely else roughly, most=most, seen=seen)
     return Condensed(solution, wet, wetter)
 
 
 def _with_suction(problem: Problem, menisci: Menisci, wet: np.ndarray) -> Problem:
     """Return the contact problem (1), in which suction acts at the wet points."""
-    suction = np.where(wet, menisci.pressure, 0.0)
+    xp = namespace(wet)
+    suction = menisci.pressure * xp.astype(wet, xp.float64)
     return replace(
         problem,
         heights=problem.heights + problem.displacement(suction),
-        mean=problem.mean + float(suction.mean()),
+        mean=problem.mean + float(xp.mean(suction)),
         hardness=problem.hardness + menisci.pressure,
     )

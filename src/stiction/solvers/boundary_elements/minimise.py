@@ -24,15 +24,19 @@ where points flow, in a number of steps that hardly grows with the map. Equation
   (Bertsekas 1999, Nonlinear Programming, section 2.3; it converges from any start).
 - Steps are in single precision. At times the gap is computed anew in double precision (iterative refinement: Moler 1967,
   J. ACM 14, 316). The reported `residual` is always in double precision.
+
+Maps are arrays of NumPy, or of another library of `arrays`.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol
 
 import numpy as np
+
+from stiction.solvers.boundary_elements.arrays import blocks, clip_into, dot, factor, namespace
 
 
 class Boundary(Protocol):
@@ -58,7 +62,6 @@ _ROUNDING = 1e-13  # of the mean pressure
 _WRONG = 0.05  # of the pressure that would close a wrong gap: more lets points come and go
 _DIGITS = 1e-4  # residual over the last one in double at which single precision has done its part
 _AIM = 0.7  # of the tolerance, for the residual in single precision
-_BLOCK = 2**16  # points that are worked on together: their numbers stay in the processor's cache
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,8 @@ class Problem:
     @cached_property
     def point_stiffness(self) -> float:
         """Return the stiffness of a point [Pa/m]: its pressure over its displacement while all other points stay."""
-        point = np.zeros(self.heights.shape, dtype=np.float32)
+        xp = namespace(self.heights)
+        point = xp.zeros_like(self.heights, dtype=xp.float32)
         point[0, 0] = 1.0
         return float(self.displacement.inverse(point)[0, 0])
 
@@ -108,7 +112,7 @@ def minimise(
     start: first guess of the pressure [Pa]. tolerance: largest accepted residual. most: largest number of steps. seen: called
     before each step with its number and the residual. Without convergence, the pressure with the smallest residual is returned.
     """
-    best = last = _in_double(problem, on_level(np.clip(start, 0.0, problem.hardness), problem))
+    best = last = _in_double(problem, on_level(namespace(start).clip(start, 0.0, problem.hardness), problem))
     search = _Search(problem, seen)
     while best.residual > tolerance and search.steps < most:
         before = search.steps
@@ -136,29 +140,31 @@ def _settle(problem: Problem, pressure: np.ndarray, gap: np.ndarray, length: flo
     `gap`. The offset is the mean gap over points with 0 < p < H. If there are none, it lies midway between touching and open
     points.
     """
+    xp = namespace(gap)
     total, count, pressed = 0.0, 0, 0
-    for rows in blocks(gap.shape):
+    for rows in blocks(gap):
         touches = pressure[rows] > 0.0
         free = touches & (pressure[rows] < problem.hardness)
-        total += dot(gap[rows], free.astype(gap.dtype))
-        count += int(np.count_nonzero(free))
-        pressed += int(np.count_nonzero(touches))
+        total += dot(gap[rows], xp.astype(free, gap.dtype))
+        count += int(xp.count_nonzero(free))
+        pressed += int(xp.count_nonzero(touches))
     offset = total / count if count else _between(pressure > 0.0, gap)
     missed = wrong = 0.0
-    for rows in blocks(gap.shape):
+    for rows in blocks(gap):
         here = gap[rows]
-        here -= here.dtype.type(offset)
+        here -= offset
         at_bounds = _wrong(problem, pressure[rows], here)
         wrong += dot(at_bounds, at_bounds)
-        here = here * ((pressure[rows] > 0.0) & (pressure[rows] < problem.hardness))
+        here = here * _free(problem, pressure[rows], here)
         missed += dot(here, here)
     return offset, math.sqrt((missed + wrong) / max(pressed, 1)) / length, wrong > 0.0
 
 
 def _between(touches: np.ndarray, gap: np.ndarray) -> float:
     """Return the offset midway between the highest touching and the lowest open point."""
-    highest = float(np.max(gap, where=touches, initial=-math.inf))
-    lowest = float(np.min(gap, where=~touches, initial=math.inf))
+    xp = namespace(gap)
+    apart = xp.full_like(gap, math.inf)
+    highest, lowest = float(xp.max(xp.where(touches, gap, -apart))), float(xp.min(xp.where(touches, apart, gap)))
     return 0.5 * (highest + lowest) if math.isfinite(lowest) else highest
 
 
@@ -167,17 +173,23 @@ def _wrong(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarra
 
     A negative gap is forbidden at points without pressure, and a positive gap where the pressure is the hardness.
     """
-    wrong = np.minimum(gap, 0.0)
-    wrong *= pressure <= 0.0
+    xp = namespace(gap)
+    wrong = xp.clip(gap, None, 0.0)
+    wrong *= factor(pressure <= 0.0, gap)
     if math.isfinite(problem.hardness):
-        wrong += np.maximum(gap, 0.0) * (pressure >= problem.hardness)
+        wrong += xp.clip(gap, 0.0, None) * factor(pressure >= problem.hardness, gap)
     return wrong
+
+
+def _free(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
+    """Return a mask of the points with 0 < p < H, as factor of the gap."""
+    return factor((pressure > 0.0) & (pressure < problem.hardness), gap)
 
 
 def missed_gap(problem: Problem, pressure: np.ndarray, gap: np.ndarray) -> np.ndarray:
     """Return by how much the gap violates condition (2) at every point: (rows, columns) [m]."""
     missed = _wrong(problem, pressure, gap)
-    missed += gap * ((pressure > 0.0) & (pressure < problem.hardness))
+    missed += gap * _free(problem, pressure, gap)
     return missed
 
 
@@ -193,10 +205,12 @@ class _Search:
 
         Steps end when the residual is at most `aim`, when `steps` reaches `most`, or when no step lowers the energy.
         """
-        self._pressure = start.pressure.copy()
-        self._gap = np.multiply(start.gap, 1.0 / self._problem.length, dtype=np.float32, casting="same_kind")
-        self._other = np.empty_like(self._pressure)
-        self._direction, self._gradient, self._spare, self._change = (np.zeros_like(self._gap) for _ in range(4))
+        xp = namespace(start.gap)
+        self._pressure = xp.asarray(start.pressure, copy=True)
+        self._gap = xp.astype(start.gap, xp.float32)
+        self._gap *= 1.0 / self._problem.length
+        self._other = xp.empty_like(self._pressure)
+        self._direction, self._gradient, self._spare, self._change = (xp.zeros_like(self._gap) for _ in range(4))
         self._restart()
         self._settle()
         while True:
@@ -224,29 +238,29 @@ class _Search:
         if not slope < 0.0:
             return False
         response = self._respond(self._direction)
-        bent = sum(dot(self._direction[rows], response[rows]) for rows in blocks(response.shape))
+        bent = sum(dot(self._direction[rows], response[rows]) for rows in blocks(response))
         if not bent > 0.0:
             return False
-        length = np.float32(-slope / bent)
+        length = -slope / bent
         pressure, inside = self._along(length)
         if inside and not self._any_wrong:
             self._arrive(pressure, response, length)
             return True
         return self._accept(on_level(pressure, self._problem))
 
-    def _along(self, length: np.float32) -> tuple[np.ndarray, bool]:
+    def _along(self, length: float) -> tuple[np.ndarray, bool]:
         """Return the pressure after a step of this length, and whether it stayed within 0 to H before it was clipped.
 
         Points whose gap has a forbidden sign are also corrected.
         """
-        problem, pressure, inside = self._problem, self._other, True
+        problem, pressure, inside, xp = self._problem, self._other, True, namespace(self._other)
         mend = _WRONG * problem.point_stiffness * problem.length
-        for rows in blocks(pressure.shape):
-            here = np.add(self._pressure[rows], length * self._direction[rows], out=pressure[rows])
+        for rows in blocks(pressure):
+            here = self._pressure[rows] + length * self._direction[rows]
             if self._any_wrong:
                 here -= mend * _wrong(problem, self._pressure[rows], self._gap[rows])
-            inside = inside and bool(here.min() >= 0.0) and bool(here.max() <= problem.hardness)
-            np.clip(here, 0.0, problem.hardness, out=here)
+            inside = inside and bool(xp.min(here) >= 0.0) and bool(xp.max(here) <= problem.hardness)
+            clip_into(pressure[rows], here, 0.0, problem.hardness)
         return pressure, inside
 
     def _accept(self, pressure: np.ndarray, least: float = 0.0) -> bool:
@@ -254,12 +268,12 @@ class _Search:
 
         least: smallest decrease of the energy, divided by the squared change of pressure.
         """
-        change = self._change
-        for rows in blocks(change.shape):
-            np.subtract(pressure[rows], self._pressure[rows], out=change[rows], casting="same_kind")
+        change, xp = self._change, namespace(self._change)
+        for rows in blocks(change):
+            change[rows] = xp.astype(pressure[rows] - self._pressure[rows], xp.float32)
         response = self._respond(change)
         energy = square = 0.0
-        for rows in blocks(change.shape):
+        for rows in blocks(change):
             energy += dot(change[rows], self._gap[rows]) + 0.5 * dot(change[rows], response[rows])
             square += dot(change[rows], change[rows]) if least else 0.0
         falls = energy < 0.0 and energy <= -least * square
@@ -267,20 +281,20 @@ class _Search:
             self._arrive(pressure, response)
         return falls
 
-    def _arrive(self, pressure: np.ndarray, response: np.ndarray, part: np.float32 | None = None) -> None:
+    def _arrive(self, pressure: np.ndarray, response: np.ndarray, part: float | None = None) -> None:
         """Adopt a pressure and update the gap.
 
         response: change of the gap. part: factor of the response; None for 1.
         """
         self._pressure, self._other = pressure, self._pressure
-        for rows in blocks(response.shape):
+        for rows in blocks(response):
             self._gap[rows] += response[rows] if part is None else part * response[rows]
         self._settle()
 
     def _respond(self, change: np.ndarray) -> np.ndarray:
         """Return the displacement due to a change of pressure, divided by the problem's length."""
         response = self._problem.displacement(change)
-        response *= np.float32(1.0 / self._problem.length)
+        response *= 1.0 / self._problem.length
         return response
 
     def _turn(self) -> float:
@@ -288,28 +302,28 @@ class _Search:
 
         The direction has zero sum over the points with 0 < p < H. The factor of Polak & Ribiere is kept >= 0.
         """
-        gradient, before, last = self._spare, self._gradient, self._direction
-        for rows in blocks(gradient.shape):
-            np.multiply(self._gap[rows], self._free(rows), out=gradient[rows])
+        gradient, before, last, xp = self._spare, self._gradient, self._direction, namespace(self._gap)
+        for rows in blocks(gradient):
+            gradient[rows] = self._gap[rows] * self._free(rows)
         downhill = self._problem.displacement.inverse(gradient)
         sums = np.zeros(6)
-        for rows in blocks(gradient.shape):
+        for rows in blocks(gradient):
             free, down = self._free(rows), downhill[rows]
             down *= free
             sums += (
-                free.sum(), down.sum(), dot(down, gradient[rows]), dot(down, before[rows]), dot(free, before[rows]),
-                dot(free, last[rows]),
+                float(xp.sum(free)), float(xp.sum(down)), dot(down, gradient[rows]), dot(down, before[rows]),
+                dot(free, before[rows]), dot(free, last[rows]),
             )  # fmt: skip
         count, total, square, mixed, before_total, last_total = sums.tolist()
         if not count:
             return 0.0
         mean = total / count
         part = max(0.0, square - mixed + mean * before_total) / self._square
-        shift = np.float32(mean - part * last_total / count)
+        shift = mean - part * last_total / count
         slope = 0.0
-        for rows in blocks(gradient.shape):
+        for rows in blocks(gradient):
             here = last[rows]
-            here *= np.float32(part)
+            here *= part
             here += shift
             here *= self._free(rows)
             here -= downhill[rows]
@@ -317,10 +331,10 @@ class _Search:
         self._gradient, self._spare, self._square = gradient, before, square
         return slope
 
-    def _free(self, rows: slice) -> np.ndarray:
+    def _free(self, rows: tuple[slice, slice]) -> np.ndarray:
         """Return a mask of the points in these rows with 0 < pressure < hardness, as 1 and 0."""
-        here = self._pressure[rows]
-        return ((here > 0.0) & (here < self._problem.hardness)).astype(np.float32)
+        here, xp = self._pressure[rows], namespace(self._pressure)
+        return xp.astype((here > 0.0) & (here < self._problem.hardness), xp.float32)
 
     def _projected_step(self) -> bool:
         """Take a projected gradient step, halved until energy falls enough; return whether it fell."""
@@ -332,42 +346,25 @@ class _Search:
         return False
 
 
-def blocks(shape: tuple[int, ...]) -> Iterator[slice]:
-    """Yield slices of rows that are small enough for the processor's cache."""
-    step = max(1, _BLOCK // shape[1])
-    for first in range(0, shape[0], step):
-        yield slice(first, first + step)
-
-
-def dot(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the dot product of two maps, without BLAS threads, which start slowly."""
-    return float(np.einsum("ij,ij->i", first, second).sum(dtype=np.float64))
-
-
-def total(values: np.ndarray) -> float:
-    """Return the sum of an array, in double precision."""
-    return float(values.sum(axis=1).sum(dtype=np.float64))
-
-
 def on_level(pressure: np.ndarray, problem: Problem) -> np.ndarray:
     """Return the pressure, shifted to the mean of the problem and clipped to 0 to H.
 
     Only points with 0 < p < H are shifted, in place. If this does not reach the mean, all points are shifted, in a new array.
     """
-    top, wanted = problem.hardness, problem.mean * pressure.size
+    top, wanted, xp = problem.hardness, problem.mean * math.prod(pressure.shape), namespace(pressure)
     pressed = pressure > 0.0
     values = pressure[pressed]
     for _ in range(_SHIFTS):
-        missing = wanted - float(values.sum())
+        missing = wanted - float(xp.sum(values))
         if abs(missing) <= _ROUNDING * wanted:
             pressure[pressed] = values
             return pressure
         free = (values > 0.0) & (values < top)
-        count = int(np.count_nonzero(free))
+        count = int(xp.count_nonzero(free))
         if not count:
             break
-        values += (missing / count) * free
-        np.clip(values, 0.0, top, out=values)
+        values += (missing / count) * factor(free, values)
+        values = xp.clip(values, 0.0, top)
     return _nearest(pressure, problem)
 
 
@@ -376,17 +373,17 @@ def _nearest(pressure: np.ndarray, problem: Problem) -> np.ndarray:
 
     All points are shifted and clipped. The shift is found by Newton's method, safeguarded by bisection.
     """
-    top, wanted = problem.hardness, problem.mean
-    low = -float(pressure.max())
-    high = (top if math.isfinite(top) else wanted * pressure.size) - float(pressure.min())
+    top, wanted, xp = problem.hardness, problem.mean, namespace(pressure)
+    low = -float(xp.max(pressure))
+    high = (top if math.isfinite(top) else wanted * math.prod(pressure.shape)) - float(xp.min(pressure))
     shift = min(max(0.0, low), high)
     for _ in range(_SHIFTS):
-        cut = np.clip(pressure + shift, 0.0, top)
-        missing = wanted - float(cut.mean())
+        cut = xp.clip(pressure + shift, 0.0, top)
+        missing = wanted - float(xp.mean(cut))
         if abs(missing) <= _ROUNDING * wanted:
             break
         low, high = (shift, high) if missing > 0.0 else (low, shift)
-        slope = float(np.count_nonzero((cut > 0.0) & (cut < top))) / cut.size
+        slope = float(xp.count_nonzero((cut > 0.0) & (cut < top))) / math.prod(cut.shape)
         shift = shift + missing / slope if slope > 0.0 else low
         if not low < shift < high:
             shift = 0.5 * (low + high)

@@ -24,19 +24,19 @@ The rest D(k) is finite at k = 0, falls as e^(-2 k t) with the film thickness t,
 1.5 t. (2) and (3) are derived here. Periodic copies of D change displacements by about (t/L)^3 of the largest one, with L the
 side of the map: 1e-3 at L = 10 t.
 
-Every operator computes in the precision of its argument, single or double. `inverse` divides each wave by C(k). This is exact
-on a periodic or mirrored map, and approximate on a free map.
+Every operator computes in the precision of its argument, single or double, and with its array library. `inverse` divides each
+wave by C(k). This is exact on a periodic or mirrored map, and approximate on a free map.
 """
 
 import math
 from functools import cached_property
 
 import numpy as np
-from scipy.fft import dctn, fftfreq, idctn, ifft, irfft, next_fast_len, rfft2, rfftfreq
+from scipy.fft import dctn, fftfreq, idctn, next_fast_len, rfft2, rfftfreq
 
+from stiction.solvers.boundary_elements.arrays import backward, forward, is_numpy, like, namespace, workers
 from stiction.solvers.boundary_elements.compliance import Compliance
 
-_THREADED = 2**19  # points from which on two threads are faster than one
 _DEPTH = 1.5  # c over t
 
 
@@ -59,18 +59,24 @@ def wavevectors(shape: tuple[int, int], size: tuple[float, float]) -> np.ndarray
 
 
 class _Kernel:
-    """Store the factor of every wave in single and double precision."""
+    """Store the factor of every wave, in each array library and precision that was used."""
 
     def __init__(self, factors: np.ndarray):
-        self._double = factors
-
-    @cached_property
-    def _single(self) -> np.ndarray:
-        return self._double.astype(np.float32)
+        self.factors = factors
+        self._copies: dict[tuple, np.ndarray] = {}
 
     def like(self, values: np.ndarray) -> np.ndarray:
-        """Return the factors of all waves in the precision of `values`."""
-        return self._single if values.dtype == np.float32 else self._double
+        """Return the factors of all waves with the library, device and precision of `values`."""
+        key = type(values), values.dtype
+        if key not in self._copies:
+            self._copies[key] = like(self.factors, values)
+        return self._copies[key]
+
+    @cached_property
+    def mirrored(self) -> "_Kernel":
+        """Return the factors of a cosine transform in the order of the real Fourier transform of the mirrored map."""
+        padded = np.pad(self.factors, ((0, 1), (0, 1)))  # an even map has no wave of the shortest length
+        return _Kernel(np.concatenate([padded, padded[-2:0:-1]]))
 
 
 class PeriodicBoundary:
@@ -92,7 +98,7 @@ class PeriodicBoundary:
 
     @cached_property
     def _stiffness(self) -> _Kernel:
-        factors = self._kernel.like(np.empty(0))
+        factors = self._kernel.factors
         return _Kernel(np.divide(1.0, factors, out=np.zeros_like(factors), where=factors > 0.0))
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
@@ -112,7 +118,8 @@ class PeriodicBoundary:
 class MirroredBoundary(PeriodicBoundary):
     """Compute displacements of a window of a larger surface, which mirror images continue on all sides.
 
-    Window and mirror images together are a periodic map with twice the sides.
+    Window and mirror images together are a periodic map with twice the sides. Array libraries other than NumPy have no cosine
+    transforms, and transform this map.
     """
 
     def _wavenumbers(self, shape, size):
@@ -120,10 +127,15 @@ class MirroredBoundary(PeriodicBoundary):
         return np.hypot(along_y[:, None], along_x)
 
     def _convolved(self, values, kernel):
-        workers = _workers(values.size)
-        waves = dctn(values, workers=workers)
+        if not is_numpy(values):
+            shape, xp = values.shape, namespace(values)
+            for axis in (0, 1):
+                values = xp.concat([values, xp.flip(values, axis=axis)], axis=axis)
+            return _corner_of(_through(values, values.shape, kernel.mirrored), shape)
+        threads = workers(values.size)
+        waves = dctn(values, workers=threads)
         waves *= kernel.like(values)
-        return idctn(waves, workers=workers, overwrite_x=True)
+        return idctn(waves, workers=threads, overwrite_x=True)
 
 
 class FreeBoundary:
@@ -150,7 +162,7 @@ class FreeBoundary:
 
     def __call__(self, pressure: np.ndarray) -> np.ndarray:
         """Return the displacement [m], positive away from the pressure [Pa]."""
-        return _through(pressure, self._doubled, self._kernel)[: self.shape[0], : self.shape[1]].copy()
+        return _corner_of(_through(pressure, self._doubled, self._kernel), self.shape)
 
     def inverse(self, displacement: np.ndarray) -> np.ndarray:
         """Return a pressure [Pa] that approximately causes this displacement [m].
@@ -162,15 +174,14 @@ class FreeBoundary:
 
 def _through(pressure, grid, kernel):
     """Return the convolution of a pressure map with a kernel; the map is first padded with zeros to the grid."""
-    workers = _workers(grid[0] * grid[1])
-    waves = rfft2(pressure, s=grid, workers=workers)
+    waves = forward(pressure, grid)
     waves *= kernel.like(pressure)
-    waves = ifft(waves, axis=0, workers=workers, overwrite_x=True)  # by itself: irfft2 would copy the waves
-    return irfft(waves, n=grid[1], axis=1, workers=workers)
+    return backward(waves, grid)
 
 
-def _workers(points):
-    return 1 if points < _THREADED else 2
+def _corner_of(values, shape):
+    """Return a copy of the first rows and columns of a map."""
+    return namespace(values).asarray(values[: shape[0], : shape[1]], copy=True)
 
 
 def _distances(shape, pitch):

@@ -9,13 +9,15 @@ starts from the unloaded state, so earlier loads have no influence.
 """
 
 import math
+import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 
 from stiction.quantities.errors import InputError, nearest
 from stiction.records.validity_warning import ValidityWarning
+from stiction.solvers.boundary_elements.arrays import factor, namespace, on_device, to_numpy
 from stiction.solvers.boundary_elements.certificate import certify
 from stiction.solvers.boundary_elements.compliance import Compliance, Film
 from stiction.solvers.boundary_elements.increments import stiffness_per_area
@@ -129,8 +131,9 @@ def solve_map(
 
     Further keywords: free: whether nothing presses outside of a map that is not periodic (default False). tolerance: of the
     residual. most_steps: largest number of steps. keep_maps: whether pressure maps are kept (True). stiffness: whether it is
-    computed (True). progress: called with a `Progress` before every step. done: called with each contact. Results are in the
-    order of the loads.
+    computed (True). progress: called with a `Progress` before every step. done: called with each contact. device: array
+    library that solves the map instead of NumPy, optionally with one of its devices, such as "torch:cuda". Results are NumPy
+    arrays in the order of the loads.
 
     A load that did not converge has a warning `not_converged`. After a keyboard interrupt the solved loads are returned.
     Raises InputError for unusable arguments, a load that the hardness cannot carry, or too little memory.
@@ -167,6 +170,7 @@ class _How:
     most_steps: int = MOST_STEPS
     keep_maps: bool = True
     stiffness: bool = True
+    device: str | None = None
     progress: Callable[[Progress], None] | None = None
     done: Callable[[MapContact], None] | None = None
 
@@ -239,11 +243,12 @@ def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) ->
     boundary = PeriodicBoundary if request.periodic else FreeBoundary if request.ends else MirroredBoundary
     displacement = boundary(compliance, request.heights.shape, request.size)
     length = rms_step(request.heights)
+    heights = on_device(request.heights, request.how.device)
     start = None
     for index, mean in enumerate(pressures.tolist()):
         if start is None:
-            start = _from_coarser(request, compliance, boundary, mean, request.heights)
-        problem = Problem(displacement, request.heights, mean, request.hardness, length)
+            start = _from_coarser(request, compliance, boundary, mean, heights)
+        problem = Problem(displacement, heights, mean, request.hardness, length)
         seen = None
         if request.how.progress is not None:
             seen = _reporting(request.how.progress, index, len(pressures))
@@ -251,7 +256,8 @@ def _rising(request: _Request, compliance: Compliance, pressures: np.ndarray) ->
             problem, request.menisci, start, tolerance=request.how.tolerance, most=request.how.most_steps, seen=seen
         )
         yield _contact(request, problem, wetted)
-        start = wetted.found.pressure * (pressures[min(index + 1, len(pressures) - 1)] / wetted.found.pressure.mean())
+        solved = wetted.found.pressure
+        start = solved * (float(pressures[min(index + 1, len(pressures) - 1)]) / float(namespace(solved).mean(solved)))
 
 
 def _reporting(progress, index, loads):
@@ -264,21 +270,23 @@ def _from_coarser(request, compliance, boundary, mean, heights) -> np.ndarray:
     The function calls itself for the coarser map. A small map starts with a uniform pressure.
     """
     if min(heights.shape) < 2 * _COARSE or any(count % 2 for count in heights.shape):
-        return np.full(heights.shape, mean)
+        return on_device(np.full(heights.shape, mean), request.how.device)
     coarse = np.ascontiguousarray(heights[::2, ::2])
     start = _from_coarser(request, compliance, boundary, mean, coarse)
-    problem = Problem(boundary(compliance, coarse.shape, request.size), coarse, mean, request.hardness, rms_step(coarse))
+    displacement, mapped = boundary(compliance, coarse.shape, request.size), on_device(coarse, request.how.device)
+    problem = Problem(displacement, mapped, mean, request.hardness, rms_step(coarse))
     solution = minimise(problem, start, tolerance=_COARSE_TOLERANCE, most=request.how.most_steps)
-    return _between(_between(solution.pressure, request.periodic).T, request.periodic).T
+    return _between(_between(solution.pressure, 0, request.periodic), 1, request.periodic)
 
 
-def _between(coarse: np.ndarray, periodic: bool) -> np.ndarray:
-    """Return a map with twice as many rows; each new row is the mean of its two neighbours."""
-    fine = np.empty((2 * coarse.shape[0], coarse.shape[1]))
-    fine[::2] = coarse
-    fine[1:-1:2] = 0.5 * (coarse[:-1] + coarse[1:])
-    fine[-1] = 0.5 * (coarse[-1] + coarse[0]) if periodic else coarse[-1]
-    return fine
+def _between(coarse: np.ndarray, axis: int, periodic: bool) -> np.ndarray:
+    """Return a map with twice as many rows (axis 0) or columns (axis 1); a new one is the mean of its two neighbours."""
+    xp, last = namespace(coarse), (-1, slice(None)) if axis == 0 else (slice(None), -1)
+    middle = 0.5 * (coarse + xp.roll(coarse, -1, axis=axis))
+    if not periodic:
+        middle[last] = coarse[last]
+    rows, columns = coarse.shape
+    return xp.reshape(xp.stack([coarse, middle], axis=axis + 1), (2 * rows, columns) if axis == 0 else (rows, 2 * columns))
 
 
 def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapContact:
@@ -286,21 +294,22 @@ def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapConta
 
     The pressure between the solids is the solved pressure minus the suction of the liquid.
     """
-    solution, gap = wetted.found, wetted.found.gap
     suction = 0.0 if request.menisci is None else request.menisci.pressure
+    solids = wetted.found.pressure if request.menisci is None else _of_solids(wetted.found.pressure, suction)
+    free = (wetted.found.pressure > 0.0) & (wetted.found.pressure < request.hardness + suction)
+    per_area = stiffness_per_area(problem.displacement, free, solids) if request.how.stiffness else math.nan
+    certificate = certify(wetted.problem, wetted.found)
+    solution = replace(wetted.found, pressure=to_numpy(wetted.found.pressure), gap=to_numpy(wetted.found.gap))
+    gap, pressure, wet = solution.gap, to_numpy(solids), to_numpy(wetted.wet)
     nominal = request.size[0] * request.size[1]
     pixel = nominal / gap.size
-    contact, flows = solution.pressure > 0.0, solution.pressure >= request.hardness + suction
-    pressure = solution.pressure if request.menisci is None else _of_solids(solution.pressure, suction)
+    contact = solution.pressure > 0.0
     mean = float(solution.pressure.mean())
-    plastic = int(np.count_nonzero(flows))
+    plastic = int(np.count_nonzero(solution.pressure >= request.hardness + suction))
     sides = edges(pressure > 0.0, request.periodic)
     corrected = corrected_area(pressure, pixel, request.periodic, request.hardness)
-    free = contact & ~flows
-    per_area = stiffness_per_area(problem.displacement, free, pressure) if request.how.stiffness else math.nan
-    wanted = problem.mean + suction * float(wetted.wet.mean())
+    wanted = problem.mean + suction * float(wet.mean())
     error = abs(mean / wanted - 1.0)
-    certificate = certify(wetted.problem, solution)
     highest = float(request.heights.max())
     return MapContact(
         load=float(problem.mean) * nominal,
@@ -325,7 +334,7 @@ def _contact(request: _Request, problem: Problem, wetted: Condensed) -> MapConta
         load_at_ends=share_at_ends(pressure) if request.ends else 0.0,
         validity_warnings=warnings_of_load(solution, error, request.ends, request.how.tolerance),
         pressure=pressure if request.how.keep_maps else None,
-        pull=suction * (int(np.count_nonzero(wetted.wet)) * pixel - corrected) if suction else 0.0,
+        pull=suction * (int(np.count_nonzero(wet)) * pixel - corrected) if suction else 0.0,
     )
 
 
@@ -334,4 +343,5 @@ def _of_solids(pressure: np.ndarray, suction: float) -> np.ndarray:
 
     Touching points keep at least the smallest positive number, so that they still count as contact.
     """
-    return np.where(pressure > 0.0, np.maximum(pressure - suction, np.finfo(float).tiny), 0.0)
+    xp = namespace(pressure)
+    return xp.clip(pressure - suction, sys.float_info.min, None) * factor(pressure > 0.0, pressure)
