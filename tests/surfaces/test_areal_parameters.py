@@ -1,4 +1,4 @@
-"""Areal parameters: closed forms of surfaces that have them, and another program on real scans."""
+"""Areal parameters: closed forms of surfaces that have them, and other libraries on real scans."""
 
 import csv
 import json
@@ -19,8 +19,6 @@ from stiction.surfaces.read import read_scan
 from stiction.surfaces.statistics import statistics
 
 PITCH = 1e-8
-# What surfalize steps along a ray, or cuts off at the nearest of its points, is known to this.
-LOOSE = {"Sal": 2e-3, "Str": 2e-3, "Spk": 3e-3, "Svk": 3e-3}
 with (Path(__file__).parent / "areal_parameters.csv").open(encoding="utf-8") as table:
     ROWS = list(csv.DictReader(table))
 
@@ -30,7 +28,7 @@ def map_of(heights, pitch=(PITCH, PITCH)):
 
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row["file"])
-def test_another_program_on_real_scans(row):
+def test_other_libraries_on_real_scans(row):
     path = SCANS / row["file"]
     if not path.exists():
         pytest.skip(f"{path.name} is not there")
@@ -38,7 +36,7 @@ def test_another_program_on_real_scans(row):
     of_heights = statistics(scan)
     heights = {name: getattr(of_heights, name) for name in ("Sq", "Sa", "Sz", "Ssk", "Sku")}
     for name, value in (heights | asdict(areal_parameters(scan))).items():
-        assert value == pytest.approx(float(row[name]), rel=LOOSE.get(name, 1e-9)), name
+        assert value == pytest.approx(float(row[name]), rel=1e-8), name
 
 
 def test_a_ramp():

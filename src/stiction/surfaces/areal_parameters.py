@@ -13,7 +13,9 @@ The height d of a point is measured from the mean of the map. Level and filter t
                     curve leaves the core. Spk and Svk are the heights of triangles with the areas above and below the core
 
 The curve has 10,001 quantiles. On maps with more than 1024 points along a side the autocorrelation uses every second (third,
-...) point. Checked against surfalize 0.19.2 (tests/surfaces/test_areal_parameters.py).
+...) point. Checked against surfalize 0.19.2, scikit-image and shapely to 1e-8 (tests/surfaces/test_areal_parameters.py). The
+autocorrelation is linear between neighbouring points; a cubic spline moves Sal by up to 4e-4. surfalize reads Sal, Str, Spk
+and Svk off at the nearest of its points and differs by up to 2.2e-3.
 """
 
 import math
@@ -122,7 +124,14 @@ def _material_ratio(depth: np.ndarray) -> tuple[float, float, float, float, floa
     slope, upper = np.polyfit(ratio[core], curve[core], 1)
     lower = upper + slope
     first, second = (float(np.interp(-height, -curve, ratio)) for height in (upper, lower))
-    above = np.trapezoid(np.maximum(curve - upper, 0.0), ratio)
-    below = np.trapezoid(np.maximum(lower - curve, 0.0), ratio)
+    above, below = (_positive_area(excess) / (_LEVELS - 1) for excess in (curve - upper, lower - curve))
     peaks, dales = 2.0 * above / first if first > 0.0 else 0.0, 2.0 * below / (1.0 - second) if second < 1.0 else 0.0
     return float(upper - lower), float(peaks), float(dales), first, second
+
+
+def _positive_area(values: np.ndarray) -> float:
+    """Return the area between 0 and the positive part of a polyline through values (n,) at unit spacing."""
+    first, last = values[:-1], values[1:]
+    high = np.maximum(np.maximum(first, last), 0.0)
+    crossed = high**2 / (2.0 * np.maximum(np.abs(last - first), 1e-300))
+    return float(np.where(np.minimum(first, last) >= 0.0, (first + last) / 2.0, crossed).sum())
