@@ -46,6 +46,10 @@ def columns_of_groups(rows: list[dict[str, str]]) -> dict[str, np.ndarray]:
     """Every column of a table that is a group, under its name or the letter of `GROUP_COLUMNS` and `FILM_COLUMNS`."""
     titles = {title: name for name, title in (GROUP_COLUMNS | FILM_COLUMNS).items()}
     known = set(Groups.model_fields)
+    if derived := [title for title in rows[0] if isinstance(getattr(Groups, title, None), property)]:
+        raise ValueError(
+            f"column {derived[0]}: laws do not read it from a table; give the group it follows from (eta: hardness_group)"
+        )
     named = {titles.get(title, title): title for title in rows[0]}
     return {name: column(rows, title) for name, title in named.items() if name in known}
 

@@ -118,3 +118,8 @@ def test_films(film):
 @pytest.mark.parametrize("model", tabled(RoughSurface, "h", "load", "area"))
 def test_rough_surfaces(model):
     compare_sums(model, Choice(model.key), read(f"{model.key}.csv"), {"theta": 1e3})
+
+
+def test_a_derived_group_is_refused():
+    with pytest.raises(ValueError, match="column eta: .* hardness_group"):
+        columns_of_groups([{"w": "1.0", "eta": "2.0"}])

@@ -295,3 +295,22 @@ def test_without_friction_the_curve_is_nothing():
     found = st.slide(contact, load="1 N", displacement=["0 nm", "5 nm"], **INTERFACE)
     assert (found["tangential_force"] == 0.0).all() and (found["energy_loss"] == 0.0).all()
     assert np.isnan(found["sliding_displacement"]) and found["largest_tangential_force"] == 0.0
+
+
+def test_without_adhesion_spots_that_yield_answer():
+    bare = st.Contact(
+        first="copper",
+        second="copper",
+        interfacial_shear_strength="50 MPa",
+        nominal_area="1 cm^2",
+        roughness={"asperity_height_deviation": "0.2 um", "asperity_radius": "20 um", "asperity_density": "1e10 1/m^2"},
+    )
+    moved = st.slide(bare, load="10 N", displacement=["0 nm", "5 nm"])
+    named = st.slide(
+        bare,
+        load="10 N",
+        displacement=["0 nm", "5 nm"],
+        model="greenwood_williamson_1966",
+        asperity="zhao_maietta_chang_2000",
+    )
+    np.testing.assert_array_equal(moved.tangential_force, named.tangential_force)

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
+# In place of the default model where no adhesion is stated: spots that yield, as most do.
+WITHOUT_ADHESION = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
 _LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
 _POINTS = 61  # of a curve, where none are given
 _NEARLY = 0.99  # of a force that is only tended to
@@ -81,7 +83,8 @@ def slide(
     spring_stiffness : float [N/m] or str with a unit, optional
         For a map: stiffness of the machine through which a slow drive moves it. By default the machine is rigid.
     model : str, optional
-        As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map.
+        As in `solve`: a sum over an asperity law, or "boundary_elements", which moves the points of a map. For a contact
+        without stated adhesion the default is "greenwood_williamson_1966" with the asperities of Zhao, Maietta and Chang.
     heights : Heights or str, optional
         As in `solve`.
     **laws : str, optional
@@ -132,7 +135,10 @@ def slide(
             raise InputError(name, value, "no value; only model = boundary_elements uses it")
     if subject.has_film:
         raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
-    choice = choice_of(model, {**laws, "presliding": _PRESLIDING}, subject)
+    words: dict[str, Any] = {**laws, "presliding": _PRESLIDING}
+    if model is None and words.get("asperity") is None and not np.any(getattr(subject, subject.given_as("theta"), None)):
+        model, words["asperity"] = WITHOUT_ADHESION["model"], WITHOUT_ADHESION["asperity"]
+    choice = choice_of(model, words, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, residual)
     points = points_of(problem, load, separation)

@@ -6,7 +6,7 @@ import numpy as np
 
 from stiction.case.read import Case
 from stiction.quantities.errors import InputError
-from stiction.solving.sliding import slide
+from stiction.solving.sliding import WITHOUT_ADHESION, slide
 from stiction.studies.prediction.predict import case_given, predict
 from stiction.studies.pressing_loads import pressing_loads
 
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 _PER_DECADE, _DECADES = 40, 2  # loads; decades on either side of a single load
 # Relative error of linear interpolation between rows: of mu, and of separation and stiffness, which are known less well.
 _OF_MU, _OF_STIFFNESS = 4e-4, 1e-2
-# Spots that yield, as most do; it answers for bare bodies with and without a stated interface.
-_STIFFNESS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
 
 
 def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xarray.Dataset":
@@ -60,7 +58,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     comments = [f"stiction: mu, {'median' if level == 0.5 else f'quantile {level:g}'} of the prediction"]
     comments += [f"contact: {case.title}"] if case.title else []
     try:
-        elastic = slide(numbers, load=loads, displacement=[0.0], **_STIFFNESS)
+        elastic = slide(numbers, load=loads, displacement=[0.0], **WITHOUT_ADHESION)
     except InputError as error:
         reason = "no model gives them for a contact with a film" if case.subject.has_film else error
         comments.append(f"no stiffness before sliding and no separation: {reason}")
