@@ -22,6 +22,7 @@ FINISHES = {
     "worn",
     "as deposited",
     "printed",
+    "moulded",
 }
 
 
@@ -44,6 +45,7 @@ def test_every_finish_has_its_numbers_with_source_and_grade():
         ("ground", 0.1e-6, 1.6e-6),
         ("turned", 0.4e-6, 6.3e-6),
         ("milled", 0.8e-6, 6.3e-6),
+        ("moulded", 0.05e-6, 0.55e-6),
     ],
 )
 def test_heights_are_those_of_the_chart(name, low, high):

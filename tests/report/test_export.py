@@ -203,6 +203,9 @@ def test_abaqus_gets_the_compliance_of_the_interface(case, units):
     loads = pressure[rows_of] * of_pressure * AREA
     gap = st.solve(st.read_case(case).subject.as_numbers(), load=loads.tolist(), **own).mean_separation.values
     assert np.diff(closure[rows_of]) * length == pytest.approx(-np.diff(gap), rel=1e-4)
+    stated = re.search(r"ELASTIC SLIP at the load (\S+) \w+, pressure (\S+)", st.export(case, "abaqus", units=units).text)
+    force = SYSTEMS[units][2]
+    assert [float(one) for one in stated.groups()] == pytest.approx([10.0 / force, 10.0 / AREA / of_pressure], rel=1e-5)
     table = st.export(case, "csv")
     at = table.attrs["working_row"]
     slip = float(table.friction_coefficient[at] * table.nominal_pressure[at] / table.tangential_stiffness[at])

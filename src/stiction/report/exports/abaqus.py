@@ -24,13 +24,20 @@ def surface_behavior(table: "xarray.Dataset") -> list[str]:
     return lines + [f"{p:.8g}, {touch - h:.8g}" for p, h in zip(pressure, gap, strict=True)]
 
 
+def at_stated_load(table: "xarray.Dataset", what: str) -> str:
+    """Return a comment line that states the load and the pressure of the numbers that stand for one load."""
+    row = table.isel(row=table.attrs["working_row"])
+    load, pressure = (f"{float(row[name]):.6g} {row[name].attrs['units']}" for name in ("load", "nominal_pressure"))
+    return f"** {what} at the load {load}, pressure {pressure}"
+
+
 def content(table: "xarray.Dataset") -> str:
     """Return a friction table as text of an Abaqus input file."""
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION"]
     slip = ""
     if "elastic_slip" in table:
         slip = f", ELASTIC SLIP={float(table['elastic_slip'][table.attrs['working_row']]):.6g}"
-        lines += surface_behavior(table)
+        lines += [*surface_behavior(table), at_stated_load(table, "ELASTIC SLIP")]
     rows = zip(table["friction_coefficient"].values, table["nominal_pressure"].values, strict=True)
     lines += [f"*FRICTION{slip}", *(f"{mu:.8g}, , {pressure:.8g}" for mu, pressure in rows)]
     return "\n".join(lines) + "\n"

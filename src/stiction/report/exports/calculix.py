@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from stiction.quantities.errors import InputError
 from stiction.quantities.sampling import spread_rows
-from stiction.report.exports.abaqus import surface_behavior
+from stiction.report.exports.abaqus import at_stated_load, surface_behavior
 
 if TYPE_CHECKING:
     import xarray
@@ -29,4 +29,4 @@ def content(table: "xarray.Dataset") -> str:
     mu, slope = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "tangential_stiffness"))
     few = table.isel(row=spread_rows(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION", *surface_behavior(few)]
-    return "\n".join([*lines, "*FRICTION", f"{mu:.8g}, {slope:.8g}"]) + "\n"
+    return "\n".join([*lines, at_stated_load(table, "mu and stick slope"), "*FRICTION", f"{mu:.8g}, {slope:.8g}"]) + "\n"
