@@ -121,5 +121,5 @@ def test_rough_surfaces(model):
 
 
 def test_a_derived_group_is_refused():
-    with pytest.raises(ValueError, match="column eta: .* hardness_group"):
+    with pytest.raises(ValueError, match=r"column eta: .* hardness_group"):
         columns_of_groups([{"w": "1.0", "eta": "2.0"}])
