@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 _PRESLIDING = "mindlin_1949"
 # In place of the default model where no adhesion is stated: spots that yield, as most do.
-WITHOUT_ADHESION = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
+WITHOUT_ADHESION: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
 _LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
 _POINTS = 61  # of a curve, where none are given
 _NEARLY = 0.99  # of a force that is only tended to
