@@ -196,3 +196,37 @@ def test_in_a_comparison():
     rows = {name: json.loads(data["measured_film_error"].sel(model=name).item()) for name in laws}
     assert rows["layered"][0]["error"][1] == pytest.approx(0.0, abs=5e-3)
     assert rows["ogilvy_1993"][0]["error"][1] < -0.2 and rows["rough_on_film"][0]["rms"] < 0.1
+
+
+# sigma, R and N of maps of validation/maps; kind; modulus, thickness and Poisson's ratio of the film; pressures over E* h';
+# areas by the solver of these maps, which shares nothing with the package.
+OTHER_KINDS = (
+    ((1.378e-8, 7.594e-6, 2.273e11), "lay", (1.847, 1.279e-7, 0.2422), (0.01024, 0.2399), (0.023209, 0.39618)),
+    ((1.824e-8, 7.172e-6, 2.166e11), "lay", (2.201, 1.521e-6, 0.2976), (0.01264, 0.3157), (0.017072, 0.31762)),
+    ((1.654e-8, 2.077e-6, 1.007e12), "worn", (0.2701, 1.297e-6, 0.3029), (0.002176, 0.01303), (0.06734, 0.28397)),
+    ((4.791e-8, 3.046e-6, 4.618e11), "worn", (0.4764, 1.123e-7, 0.3821), (0.009927, 0.08153), (0.15675, 0.28607)),
+)
+
+
+@pytest.mark.parametrize(("numbers", "kind", "film", "pressures", "areas"), OTHER_KINDS)
+def test_errors_on_surfaces_with_a_lay_and_worn_ones_hold_areas_of_another_solver(numbers, kind, film, pressures, areas):
+    modulus, slope, nominal, hardness = 1e10, 0.08, (20e-6) ** 2, 1e15
+    nu = film[2]
+    coating = {"youngs_modulus": film[0] * modulus * (1.0 - nu**2), "poissons_ratio": nu, "hardness": hardness}
+    sigma, radius, density = numbers
+    contact = st.Contact(
+        first={"youngs_modulus": 0.91 * modulus, "poissons_ratio": 0.3, "hardness": hardness},
+        second={"youngs_modulus": 1e30, "poissons_ratio": 0.3, "hardness": 1e30},
+        roughness=st.Roughness(
+            asperity_height_deviation=sigma, asperity_radius=radius, asperity_density=density, kind=kind
+        ),
+        coating={"material": coating, "thickness": film[1], "bodies": "first"},
+        nominal_area=nominal,
+        interfacial_shear_strength=1e3,
+    )  # fmt: skip
+    loads = [pressure * modulus * slope * nominal for pressure in pressures]
+    found = st.solve(contact, load=loads, model="rough_on_film", tangential="none")
+    error = json.loads(found.attrs["measured_error"])
+    off = np.ravel(found["contact_area"]) / nominal / areas - 1.0
+    assert (np.array(error["area_low"]) <= off).all() and (off <= np.array(error["area_high"])).all()
+    assert (np.sign(error["area"]) == np.sign(off)).all()  # too large with a lay, too small on plateaus

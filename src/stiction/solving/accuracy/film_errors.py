@@ -8,20 +8,24 @@ modulus to substrate modulus, and by the mean contact radius, or the shortest wa
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
-from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, no_words
+from stiction.solving.accuracy.errors_near import NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near, no_words
 from stiction.solving.accuracy.film_tables import MEASURED, MEASURED_ON_MAPS, MapFilmErrors, on_a_sphere, on_maps
 from stiction.solving.accuracy.solved_near import FILM_SCALES, ContactFeatures
+from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.problem import Problem
 
 SPHERE, MAPS = "exact sphere on a film, elastic", "rough surfaces on a film by boundary elements, elastic"
 _MAPS = 10
 _ROUNDING = 1e-3  # of the ends of what was measured
+_BARE, _ON_FILM = "persson_widened|moments", "rough_on_film|moments"  # the area law of films, and that of its limit without one
 _FLOWS = "unknown for films that flow plastically: no reference solution contains their squeeze-out"
 
 
@@ -129,6 +133,64 @@ def on_solved_maps(problem: Problem, points: int) -> ErrorsNear | None:
     count = np.full(distance.shape, _MAPS)
     each = levels, np.expm1(found.rms), middle, distance + 0.0 * middle, np.ones_like(middle), count, nearest
     return ErrorsNear(*(np.repeat(np.broadcast_to(one, (len(middle), *one.shape[1:])), points, axis=0) for one in each))
+
+
+def on_other_kinds(problem: Problem, place: ContactFeatures, found: ErrorsNear, area: np.ndarray) -> ErrorsNear:
+    """Return the errors of the area law of films on surfaces that need not be Gaussian, for a contact given by numbers.
+
+    found: its errors on Gaussian surfaces. Other kinds of surface widen them as they widen those of the law of bare surfaces,
+    and a stated kind shifts them: read at the pressure with the same elastic area (Persson 2001), and at the hardness that lets
+    the same share of it flow. What a film adds to that is read from the benchmark surfaces with films.
+    """
+    from stiction.surfaces.theory.widened_area import MEETING
+
+    elastic, flowing = shares_on_film(problem, place, area)
+    pressure = _pressure_of(elastic)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        hardness = np.where(flowing > 0.0, pressure / flowing, np.inf)
+        of_elastic = np.nan_to_num(1.0 / (1.0 + (flowing / elastic) ** MEETING))
+    loaded = np.asarray(place.pressure) > 0.0
+    bare_place = replace(place, pressure=np.where(loaded, pressure, place.pressure), hardness=hardness)
+    bare = bare_errors(solved_set(), _BARE, bare_place, anywhere=False)
+    if bare is None:
+        return found
+    apart, shift = [errors.levels - errors.middle[:, None] for errors in (found, bare)], bare.middle
+    beyond = _beyond_bare(solved_set())
+    if beyond is not None and place.kind != "gaussian":  # on Gaussian surfaces the law itself was measured
+        more = film_errors_near(solved_set(), beyond, place, np.ones(loaded.shape, dtype=bool))
+        middle = np.nan_to_num(more.middle) * of_elastic
+        levels = np.nan_to_num(more.levels) * of_elastic[:, None]
+        apart.append(levels - middle[:, None])
+        shift = shift + middle
+    middle = np.where(loaded, found.middle + shift if place.kind_known else found.middle, np.nan)  # no pressure, no area
+    largest = np.take_along_axis(np.array(apart), np.abs(apart).argmax(axis=0)[None], axis=0)[0]
+    levels = middle[:, None] + np.sign(largest) * np.sqrt(np.sum(np.square(apart), axis=0))
+    relative = np.hypot(found.relative, bare.relative)
+    return found._replace(middle=middle, levels=levels, relative=relative, surfaces=bare.surfaces)
+
+
+def _pressure_of(share: np.ndarray) -> np.ndarray:
+    """Return the pressure over E* h' at which a bare elastic surface has this area fraction (Persson 2001)."""
+    from scipy.special import erfinv
+
+    return erfinv(share) / math.sqrt(2.0)
+
+
+@cache
+def _beyond_bare(known: SolvedSet) -> np.ndarray | None:
+    """Return what the errors of the area law of films on benchmark surfaces exceed those of the law of bare surfaces by.
+
+    The array is over coated surfaces, films and loads, of ln(A/solved A); the law of bare surfaces is read at the pressure with
+    the same area. None if the set has no such errors.
+    """
+    errors, bare = known.film_errors(_ON_FILM), known.errors(_BARE)
+    if errors is None or bare is None:
+        return None
+    pressure = np.log(_pressure_of(np.minimum(np.exp(errors) * known["film_areas"], 1.0 - 1e-9)))
+    of_bare = [
+        np.interp(row, np.log(known["loads"]), bare[at, 0]) for at, row in zip(known["film_surfaces"], pressure, strict=True)
+    ]
+    return errors - np.array(of_bare)
 
 
 def shares_on_film(problem: Problem, place: ContactFeatures, area: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -19,7 +19,7 @@ sample of it.
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +27,7 @@ import numpy as np
 from stiction.quantities.quotient import quotient
 from stiction.quantities.units import span
 from stiction.solving.accuracy.errors_near import LEVELS, NORMAL_SCORES, ErrorsNear, bare_errors, film_errors_near
-from stiction.solving.accuracy.film_errors import on_solved_maps, shares_on_film
+from stiction.solving.accuracy.film_errors import on_other_kinds, on_solved_maps
 from stiction.solving.accuracy.solved_near import ContactFeatures
 from stiction.solving.accuracy.solved_set import SolvedSet, solved_set
 from stiction.solving.closed_form import ClosedFormProblem
@@ -50,8 +50,8 @@ _MOST_POINTS = 200  # largest number of points whose errors are reported with a 
 _OF_POINTS, _POWER, _OWN_ERROR = 0.6, -0.6, 0.008
 _BY_FORMULA = {"top slopes": 0.031, "ranks": 0.06}  # of maps too large to be solved (docs/explanation/truth.md)
 _LEAST_TOLD = 0.5  # of the weight of what is near: surfaces on which a model says something
-_ITSELF, _MAP, _MOMENTS = "the solution itself", "map", "moments"
-_SUM, _BY_MOMENTS = "greenwood_williamson_1966", "persson_widened"
+_ITSELF, _MAP = "the solution itself", "map"
+_SUM = "greenwood_williamson_1966"
 
 
 @dataclass(frozen=True)
@@ -260,40 +260,21 @@ def _near(problem: Problem, column: str, place: ContactFeatures, points: int, ar
     known = solved_set()
     if not problem.groups.has_film:
         return bare_errors(known, column, place, anywhere=column.endswith(f"|{_MAP}"))
-    found = _on_film(known, column, place, problem)
+    found = None if problem.record.on_film else _on_film(known, column, place, problem)
     return _on_other_maps(problem, place, points, area) if found is None else found
 
 
 def _on_other_maps(problem: Problem, place: ContactFeatures, points: int, area: np.ndarray) -> ErrorsNear | None:
-    """Return the errors of an area law on a film, measured on Gaussian maps with films; None if it was not measured.
+    """Return the errors of an area law on a film, measured on maps with films; None if it was not measured.
 
     Source: truth/films.csv. They are zero for a closed form whose own map is solvable. For a contact of numbers, other kinds
-    of surface widen the errors as they widen those of `persson_widened` without a film, and a stated kind shifts them. Both
-    effects are read at the pressure with the same elastic area (Persson 2001), and at the hardness that lets the same share
-    of it flow.
+    of surface change them.
     """
-    from scipy.special import erfinv
-
     found = on_solved_maps(problem, points)
     surface = problem.map if isinstance(problem, ClosedFormProblem) else None
     if found is not None and surface is not None and _map_area(surface).solvable:
         return _none_but_own(found)
-    if found is None or place.shape is not None:
-        return found
-    elastic, flowing = shares_on_film(problem, place, area)
-    pressure = erfinv(elastic) / math.sqrt(2.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        hardness = np.where(flowing > 0.0, pressure / flowing, np.inf)
-    bare_place = replace(place, pressure=np.where(place.pressure > 0.0, pressure, place.pressure), hardness=hardness)
-    bare = bare_errors(solved_set(), f"{_BY_MOMENTS}|{_MOMENTS}", bare_place, anywhere=False)
-    if bare is None:
-        return found
-    middle = found.middle + bare.middle if place.kind_known else found.middle
-    middle = np.where(np.asarray(place.pressure) > 0.0, middle, np.nan)  # without pressure there is no area to be off
-    own, other = found.levels - found.middle[:, None], bare.levels - bare.middle[:, None]
-    levels = middle[:, None] + np.where(np.abs(own) > np.abs(other), np.sign(own), np.sign(other)) * np.hypot(own, other)
-    relative = np.hypot(found.relative, bare.relative)
-    return found._replace(middle=middle, levels=levels, relative=relative, surfaces=bare.surfaces)
+    return found if found is None or place.shape is not None else on_other_kinds(problem, place, found, area)
 
 
 def _map_area(surface: "HeightMap") -> "MapArea":
