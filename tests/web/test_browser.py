@@ -662,3 +662,15 @@ WATCH = """() => { window.seen = []; const status = document.querySelector('[rol
   new MutationObserver(() => requestAnimationFrame(() => window.seen.push(performance.now())))
     .observe(status, {subtree: true, childList: true, characterData: true});
   document.addEventListener('keydown', () => { window.began = performance.now() }, true); }"""
+
+
+def test_a_single_load_has_charts_around_it_on_the_first_screen(context, address):
+    finished = {"finish": "ground", "rms_height": "0.4 um"}
+    steel = {"first": "hardened_steel_52100", "second": "hardened_steel_52100", "interface": "oxidised metal"}
+    case = {"contact": steel | {"nominal_area": "1 cm^2", "roughness": finished}, "solve": {"load": "50 N"}}
+    for page in _pages(context, f"{address}/?s={encoded(case)}", address):
+        page.set_viewport_size({"width": 1280, "height": 800})
+        assert _card(page).endswith("at 50 N")
+        page.get_by_role("img", name=re.compile("^friction coefficient .* against normal load P")).first.wait_for()
+        low = "[...document.querySelectorAll('canvas')].map(one => one.getBoundingClientRect().bottom)"
+        page.wait_for_function(f"() => {{ const low = {low}; return low.length === 3 && Math.max(...low) <= 800 }}")

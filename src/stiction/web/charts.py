@@ -114,7 +114,7 @@ def add_cells(
     most, *words = scale
     options["legend"]["data"] = [one["name"] for one in options["series"]]
     options["series"] = [cells, *options["series"]]
-    options["grid"]["right"] = 96
+    options["grid"]["right"] = 110
     options["visualMap"] = {"min": 0.0, "max": most, "dimension": 2, "seriesIndex": 0, "right": 0, "top": "middle",
                             "calculable": True, "align": "left", "precision": 3, "inRange": {"color": SHADES},
                             "text": words, "textStyle": options["textStyle"]}  # fmt: skip

@@ -127,11 +127,12 @@ def human_name(key: str) -> str:
     model, _, law = key.partition(" + ")
     if match := re.fullmatch(r"(\w+?)_(\d{4})(\w*)", model):
         authors, year, more = match.groups()
-        entry = bibliography().get(f"{authors}_{year}", "")
+        entry = re.sub(r'\{\\"(\w)\}', r"\1", bibliography().get(f"{authors}_{year}", ""))
         found = [re.search(rf"\b{word}\b", entry, re.IGNORECASE) for word in authors.split("_")]
         if all(found):
             model = f"{'-'.join(one[0] for one in found if one)} {year}{more}"
-    return ", ".join(filter(None, [model.replace("_", " "), law.replace("_", " ")]))
+    model = model[:1].upper() + model[1:].replace("_", " ")
+    return ", ".join(filter(None, [model, law.replace("_", " ")]))
 
 
 async def _open(name: str) -> None:
