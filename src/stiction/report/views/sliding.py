@@ -26,6 +26,9 @@ _HEADS = {
 }
 
 
+_ONE_MODEL = "This is mu of one model. `stiction run` predicts mu of the contact, with its interval."
+
+
 def sliding_table(data: "xarray.Dataset") -> Table:
     """Return a table of a result of `slide`, one row for each load.
 
@@ -56,10 +59,11 @@ def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", sliding_table(numbers), "")
         yield from notes(sliding_notes(data))
+        yield _ONE_MODEL
         yield from outside_validity(data)
 
     def short() -> Iterator[Any]:
-        yield from (*in_brief(case, data), sliding_table(numbers))
+        yield from (*in_brief(case, data), sliding_table(numbers), _ONE_MODEL)
 
     files = {"sliding.csv": lambda path: write_csv(numbers, path, comments_of(data))}
     if {"row", "displacement"} <= set(data.dims) and installed("matplotlib"):
