@@ -95,7 +95,7 @@ ERRORS = {  # by the room that refuses
     ),
     "compared at no load": lambda: st.compare(CONTACT, load="0 N"),
     "a prediction at no load": lambda: st.predict(CONTACT, load="0 N"),
-    "more than the nominal area carries": lambda: st.predict(CONTACT, load="1 MN"),
+    "a load above what the nominal area carries": lambda: st.predict(CONTACT, load="1 MN"),
     "nothing to fit": lambda: st.fit(case(solve={"model": "fuller_tabor_1975"}), "absent.csv"),
     "no file of values": lambda: st.fit("absent.toml", "absent.csv"),
 }  # fmt: skip

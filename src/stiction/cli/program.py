@@ -324,7 +324,7 @@ def show(parts: Iterable[Any]) -> None:
 
 
 def written(folder: Path, names) -> None:
-    """Print the names of the written files, and of pictures that need matplotlib."""
+    """Print the names of the written files, and of pictures that were not drawn because matplotlib is missing."""
     from stiction.report.files import undrawn_of
 
     undrawn = undrawn_of(names)

@@ -27,7 +27,7 @@ class Pair:
 
     @cached_property
     def beta(self) -> Any:
-        """Return the tangential compliance [1/Pa] of the paper, below its eq. (10)."""
+        """Return the tangential compliance [1/Pa]: the sum of (2 - nu)/G of both bodies (2015 paper, below eq. (10))."""
         return sum((2 - body.poissons_ratio) / body.shear_modulus for body in (self.first, self.second))
 
     @cached_property

@@ -103,7 +103,7 @@ def range_of(number: Mapping[str, Any] | None) -> str:
 
 
 def grade_of(number: Mapping[str, Any] | None) -> str:
-    """Return the grade of an interface property; "" for None."""
+    """Return the grade of evidence for an interface property, a key of GRADES such as "B"; "" for None."""
     return "" if number is None else number["grade"]
 
 

@@ -51,7 +51,10 @@ class Scan(Input):
 
 
 def _body(value):
-    """Return the input of a body as a Scan, a HeightMap or a Roughness; None stays None."""
+    """Return the input of a body as a Scan, a HeightMap or a Roughness; None stays None.
+
+    value: one of these, any input of `as_height_map`, or the table of a scan, a finish or a Roughness. Raises InputError.
+    """
     if value is not None and not isinstance(value, Mapping | Scan | Roughness | str | int | float | list):
         from stiction.surfaces.held import as_height_map
 

@@ -54,9 +54,10 @@ def adhesion(theta):
 
 @formula
 def displacement(u, S):
-    """Return the displacement of a JKR contact over sigma, w = x - (2/3) S x^(1/4) with x = u^4.
+    """Return the displacement of a JKR contact over sigma, w = x - (2/3) S x^(1/4).
 
-    Source: eq (4) of the 2015 paper.
+    x = u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: eq (4) of the 2015
+    paper.
     """
     return u * (u * u * u - 2.0 / 3.0 * S)
 
@@ -69,9 +70,10 @@ def stretch(u, S):
 
 @formula
 def load(u, S):
-    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = x^(3/2) - S x^(3/4) with x = u^4.
+    """Return the load of a JKR contact over K R^(1/2) sigma^(3/2), P = x^(3/2) - S x^(3/4).
 
-    Source: integrand of eq (1) of the 2015 paper.
+    x = u^4 = a^2/(R sigma), with the contact radius a. S: strength of adhesion, from `adhesion`. Source: integrand of eq (1)
+    of the 2015 paper.
     """
     u3 = u * u * u
     return u3 * (u3 - S)

@@ -34,8 +34,9 @@ _LARGEST = 1e150
 
 @formula
 def resistance(u, w, load, area, eta, shear_strength, strength_variation):
-    """Return (variance of the friction force of one asperity, 0); the engine sums these like a tangential force.
+    """Return the variance of the friction force of one asperity, and 0.
 
+    The engine sums these two like the slip-limited and the yield-limited force of a `TangentialResistance`.
     strength_variation: standard deviation of the junction strength over its mean.
     """
     deviation = min(strength_variation * shear_strength * eta * area, _LARGEST)

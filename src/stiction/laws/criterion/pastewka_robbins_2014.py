@@ -60,10 +60,10 @@ def range_over_gap(groups: Groups) -> np.ndarray:
 
 
 def stickiness(groups: Groups) -> np.ndarray:
-    """Return the stickiness ratio (n,) of isotropic Gaussian surfaces with the given summits.
+    """Return the stickiness ratio (n,), repulsion over attraction, of isotropic Gaussian surfaces with the given summits.
 
-    The range is the equilibrium distance. In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and
-    h'' = sqrt(3 pi/32) s^2; s cancels.
+    A surface sticks if the ratio is below 1. The range of the attraction is the equilibrium distance.
+    In units of sigma and with s = sqrt(sigma/R), w/E* = (4/3) s / theta and h'' = sqrt(3 pi/32) s^2; s cancels.
     """
     slope = slope_over_sharpness(groups.roughness_parameter)  # over s; so are h''/s^2 and (w/E*)/s
     return stickiness_ratio(slope, _CURVATURE, interaction_range(groups), 4.0 / (3.0 * groups.theta))

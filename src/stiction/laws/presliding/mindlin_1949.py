@@ -142,7 +142,11 @@ def loss_share(s):
 
 @formula
 def resistance(u, w, load, area, K_beta):
-    """Return (tangential stiffness of one asperity, 0); the engine sums these like a tangential force."""
+    """Return the tangential stiffness of one asperity, and 0.
+
+    The engine sums these two like the slip-limited and the yield-limited force of a `TangentialResistance`. u, w, load: as
+    there, not used. area: contact area of the asperity. K_beta: the product K beta.
+    """
     return stiffness(area, K_beta), 0.0
 
 

@@ -67,7 +67,7 @@ RECORD = RoughSurface(
     needs=("theta", "roughness_parameter"),
     validity=(
         Validity(
-            "elastic_over_adhesion", 0.0, 1.0, "the contact stays partial, but the model assumes full contact", "impossible"
+            "elastic_over_adhesion", 0.0, 1.0, "the contact may stay partial, but the model assumes full contact", "impossible"
         ),
         Validity("elastic_over_adhesion", 0.0, 0.49, "full contact may need a load, so mu may be lower"),
         ELASTIC_CONTACT,

@@ -97,9 +97,9 @@ def plain(u, *row):
 
 @formula
 def _edge(z, by_u, row):
-    """Return 1/sqrt(B) and the derivative of its logarithm by ln u.
+    """Return 1/sqrt(B) of the module and the derivative of its logarithm by ln u.
 
-    2 B is the derivative of the contact stiffness by the contact radius.
+    2 B is the derivative of the contact stiffness by the contact radius. z, by_u: from `_place`. row: as in the module.
     """
     edge, edge_slope = _curve(z, by_u, row[PLAIN:EDGED])
     return exponential(-0.25 * (1.0 - z) * row[0] - 0.5 * edge), -0.5 * edge_slope + 0.25 * by_u * row[0]

@@ -44,8 +44,9 @@ def _solved(pair: Pair) -> tuple[float, ...]:
 def curves(pair: Pair) -> np.ndarray:
     """Return the coefficients (CURVES, TERMS) of ln E_P, ln D and ln B for a pair of bodies.
 
-    Exact solutions are cached for each pair. Two rigid bodies are not supported, because their modulus without films is
-    infinite.
+    E_P is the contact modulus of the load, D the factor of the approach D a^2/R, and B half the derivative of the contact
+    stiffness by the contact radius. Exact solutions are cached for each pair. Two rigid bodies are not
+    supported, because their modulus without films is infinite.
     """
     return np.array(_solved(pair)).reshape(CURVES, TERMS)
 

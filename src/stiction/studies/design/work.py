@@ -46,9 +46,10 @@ def refinements(space: DesignSpace) -> int:
 
 
 def first_designs(space: DesignSpace) -> np.ndarray:
-    """Return the first designs to evaluate, as shares (n, d): Sobol points for every combination of list entries.
+    """Return the first designs to evaluate (n, d): Sobol points for every combination of list entries.
 
-    Without free numbers, each combination occurs once.
+    Each of the d choices is a position between its ends or along its list, 0 to 1. Without free numbers,
+    each combination occurs once.
     """
     plan, most = space.plan, _FEW_DRAWN * len(space.plan.objectives) ** 2 if space.is_predicted else _DRAWN
     counts = [len(one.entries) for one in plan.options]

@@ -60,7 +60,7 @@ class Mixture:
 
     @classmethod
     def of(cls, sampled: SampledCase) -> "Mixture":
-        """Return the mixture of all parts for a contact.
+        """Return the mixture of area models, adhesion, interface strength and onset of sliding for a sampled contact.
 
         Raises InputError if no area model applies, or if every load exceeds hardness times nominal area.
         """

@@ -31,7 +31,7 @@ _TOUCH, _NO_SLIP, _LOST = 2.0 / 3.0, 1.0 / 2.0, 1.0 / 6.0
 def _shape(nu, K_beta):
     """Return the three coefficients of the function G of the module that depend on Poisson's ratio nu and on K beta.
 
-    They multiply r^2, r y (y-1) and y^2 (y-1)^2, with s = g r.
+    They multiply r^2, r y (y-1) and y^2 (y-1)^2 in the numerator of G. g, s and y: as in the module; r = s/g.
     """
     n, p, q = coefficients(nu)
     g = 4.0 / math.sqrt(3.0 * K_beta)
