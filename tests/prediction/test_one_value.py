@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+from datetime import datetime
 
 import pytest
 
@@ -96,8 +97,8 @@ def test_other_languages(case, program, words):
     assert float(done.stdout) == pytest.approx(st.predict_value("mu", *PAIRS), rel=1e-4)
 
 
-@pytest.mark.parametrize("cell", [None, ((5.0, 6.0),)])
-def test_an_empty_cell_and_a_range_are_refused(cell):
+@pytest.mark.parametrize("cell", [None, ((5.0, 6.0),), True, datetime(2026, 10, 5)])
+def test_a_cell_without_a_number_and_a_range_are_refused(cell):
     with pytest.raises(st.InputError) as refused:
         st.predict_value("mu", "load", cell, "first", "copper")
     assert refused.value.field == "load"

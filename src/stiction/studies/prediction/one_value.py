@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import lru_cache
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -58,8 +59,8 @@ def predict_value(output: str, *pairs: str | float) -> float:
     if len(pairs) % 2:
         raise InputError("pairs", f"{len(pairs)} words", "a value after each name")
     named_values = dict(zip(pairs[::2], pairs[1::2], strict=True))
-    for key, value in named_values.items():  # an empty cell is None, a range of cells a tuple
-        if value is None or isinstance(value, tuple | list):
+    for key, value in named_values.items():  # an empty cell is None, a range of cells a tuple, a date a datetime
+        if not isinstance(value, str | Real) or isinstance(value, bool):
             raise InputError(str(key), value, "one number or text, from a single cell that is not empty")
     file = named_values.get("case")
     changed = Path(str(file)).stat().st_mtime_ns if file is not None and Path(str(file)).is_file() else 0
