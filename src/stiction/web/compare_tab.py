@@ -123,6 +123,8 @@ def human_name(key: str) -> str:
 
     >>> human_name("kogut_etsion_2004 + layered")
     'Kogut-Etsion 2004, layered'
+    >>> human_name("rough_dmt")
+    'Rough DMT'
     """
     model, _, law = key.partition(" + ")
     if match := re.fullmatch(r"(\w+?)_(\d{4})(\w*)", model):
@@ -131,7 +133,7 @@ def human_name(key: str) -> str:
         found = [re.search(rf"\b{word}\b", entry, re.IGNORECASE) for word in authors.split("_")]
         if all(found):
             model = f"{'-'.join(one[0] for one in found if one)} {year}{more}"
-    model = model[:1].upper() + model[1:].replace("_", " ")
+    model = re.sub(r"\b(jkr|dmt)\b", lambda name: name[0].upper(), model[:1].upper() + model[1:].replace("_", " "), flags=re.I)
     return ", ".join(filter(None, [model, law.replace("_", " ")]))
 
 
