@@ -13,7 +13,7 @@ import sys
 
 PRESSURE = 0.05  # over modulus times rms gradient: a tenth of the map touches
 SLOPE = 0.1
-_MAKE = f"""
+MAKE = f"""
 import sys, numpy as np
 import stiction as st
 from stiction.surfaces.generate import with_slope
@@ -22,7 +22,7 @@ target = st.SelfAffine(hurst=0.8, rolloff=1 / 8, shortest=8 / count, deviation=0
 surface = st.gaussian_surface((count, count), (1.0, 1.0), target, seed=1)
 np.save(f"map{{count}}.npy", with_slope(surface, {SLOPE}).heights)
 """
-_TIMED = """
+TIMED = """
 import math, resource, sys, time, numpy as np
 heights, loads = np.load(f"map{sys.argv[1]}.npy"), [float(load) for load in sys.argv[2].split(",")]
 count = len(heights)
@@ -31,13 +31,13 @@ before, worked = time.perf_counter(), time.process_time()
 {work}
 print(time.perf_counter() - before, time.process_time() - worked, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6)
 """
-_SOLVED_HERE = _TIMED.replace(
+_SOLVED_HERE = TIMED.replace(
     "{imports}",
     "from stiction.solvers.boundary_elements.compliance import Film\n"
     "from stiction.solvers.boundary_elements.solve import solve_map",
 ).replace("{work}", "solve_map(heights, (1.0, 1.0), loads=loads, periodic=True, keep_maps=False, {how})")
 _PEERS = {
-    "tamaas": _TIMED.replace("{imports}", "import tamaas as tm\ntm.set_log_level(tm.LogLevel.error)").replace(
+    "tamaas": TIMED.replace("{imports}", "import tamaas as tm\ntm.set_log_level(tm.LogLevel.error)").replace(
         "{work}",
         "model = tm.Model(tm.model_type.basic_2d, [1.0, 1.0], [count, count])\n"
         "model.E, model.nu = 1.0, 0.0\n"
@@ -45,7 +45,7 @@ _PEERS = {
         "solver.max_iter = 3000\n"
         "[solver.solve(load) for load in loads]",
     ),
-    "ContactMechanics": _TIMED.replace(
+    "ContactMechanics": TIMED.replace(
         "{imports}",
         "from ContactMechanics import PeriodicFFTElasticHalfSpace\nfrom ContactMechanics.Factory import make_system\n"
         "from SurfaceTopography import Topography",
@@ -65,7 +65,7 @@ _BODIES = {
 _TEN = [SLOPE * 0.003 * 100.0 ** (step / 9.0) for step in range(10)]
 
 
-def _run(folder: str, python: str, code: str, *words: str) -> list[float] | None:
+def run_process(folder: str, python: str, code: str, *words: str) -> list[float] | None:
     """Return what a fresh process prints; None where it lacks a package."""
     environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
     done = subprocess.run(
@@ -78,7 +78,7 @@ def _run(folder: str, python: str, code: str, *words: str) -> list[float] | None
 
 
 def _timed(folder: str, name: str, python: str, code: str, count: int, loads: list[float]) -> list[tuple[str, float]]:
-    measured = _run(folder, python, code, str(count), ",".join(map(str, loads)))
+    measured = run_process(folder, python, code, str(count), ",".join(map(str, loads)))
     what = f"contact of {count} x {count} points, {len(loads)} load{'s' if len(loads) > 1 else ''}, {name}"
     units = ("elapsed s", "processor s", "peak memory, GB")
     return [] if measured is None else [(f"{what}, {unit}", value) for unit, value in zip(units, measured, strict=True)]
@@ -87,7 +87,7 @@ def _timed(folder: str, name: str, python: str, code: str, count: int, loads: li
 def map_rows(folder: str, sizes: tuple[int, ...] = (512, 1024, 2048, 4096)) -> list[tuple[str, float]]:
     """Rows of the table of results."""
     for count in sizes:
-        _run(folder, sys.executable, _MAKE + "print(0, 0, 0)", str(count))
+        run_process(folder, sys.executable, MAKE + "print(0, 0, 0)", str(count))
     one = [SLOPE * PRESSURE]
     elastic = {count: _timed(folder, "elastic", sys.executable, _ours("elastic"), count, one) for count in sizes[1:]}
     rows = [row for part in elastic.values() for row in part]

@@ -25,7 +25,7 @@ from processes import command_rows, peak_memory, start_rows  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.progress import track  # noqa: E402
 from scans import scan_rows  # noqa: E402
-from sliding import slide_rows  # noqa: E402
+from sliding import held_rows, slide_rows  # noqa: E402
 
 import stiction as st  # noqa: E402
 from stiction.contact.indices import Groups, stiffness_group  # noqa: E402
@@ -334,6 +334,7 @@ def main() -> None:
             + prediction_rows()
             + scan_rows(folder)
             + map_rows(folder)
+            + held_rows()
             + slide_rows()
             + start_rows()
         )

@@ -1,8 +1,15 @@
-"""A map moved aside until it slides, with strength that falls with slip: a fresh process, both processors, peak memory."""
+"""A map moved aside until it slides, with strength that falls with slip: a fresh process, both processors, peak memory.
+
+Also a map under half its friction force, as Tamaas solves it too where it is (see `maps`). Tamaas has the associated law, in
+which slip opens the gap, so that only times are compared.
+"""
 
 import os
 import subprocess
 import sys
+import tempfile
+
+from maps import MAKE, TIMED, run_process
 
 POINTS = 512
 _CODE = """
@@ -39,6 +46,46 @@ def slide_rows(points: int = POINTS) -> list[tuple[str, float]]:
     return [(f"{name}, elapsed s", elapsed), (f"{name}, processor s", processor), (f"{name}, peak memory, GB", memory)]
 
 
+_HELD = {
+    "here": TIMED.replace(
+        "{imports}",
+        "from stiction.solvers.boundary_elements.solve import solve_map\n"
+        "from stiction.solvers.shear.compliance import HalfSpace, ShearCompliance\n"
+        "from stiction.solvers.shear.operators import PeriodicShear\n"
+        "from stiction.solvers.shear.path import at_force",
+    ).replace(
+        "{work}",
+        "(one,) = solve_map(heights, (1.0, 1.0), modulus=1.0, loads=loads, periodic=True, stiffness=False)\n"
+        "bodies = HalfSpace(0.5, 0.0), HalfSpace(1e9, 0.0)\n"
+        "operator = PeriodicShear(ShearCompliance(bodies), heights.shape, (1.0, 1.0))\n"
+        "at_force(operator, 0.3 * one.pressure, 0.15 * loads[0], pixel=1.0 / count**2)",
+    ),
+    "Tamaas (associated law, Condat)": TIMED.replace(
+        "{imports}", "import tamaas as tm\ntm.set_log_level(tm.LogLevel.error)"
+    ).replace(
+        "{work}",
+        "model = tm.Model(tm.model_type.surface_2d, [1.0, 1.0], [count, count])\n"
+        "model.E, model.nu = 1.0, 0.0\n"
+        "solver = tm.Condat(model, heights, 1e-6, 0.3)\n"
+        "solver.max_iter = 3000\n"
+        "solver.solve([0.15 * loads[0], 0.0, loads[0]])",
+    ),
+}
+
+
+def held_rows(points: int = 128) -> list[tuple[str, float]]:
+    """Rows of the table of results: a map held by half of its friction force, mu = 0.3."""
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        run_process(folder, sys.executable, MAKE + "print(0, 0, 0)", str(points))
+        for name, code in _HELD.items():
+            python = sys.executable if name == "here" else os.environ.get("STICTION_PEERS", sys.executable)
+            measured = run_process(folder, python, code, str(points), "0.005")
+            if measured is not None:
+                rows.append((f"map of {points} x {points} held by half of its friction, {name}, processor s", measured[1]))
+    return rows
+
+
 if __name__ == "__main__":
-    for row in slide_rows(int(sys.argv[1]) if sys.argv[1:] else POINTS):
+    for row in [*held_rows(), *slide_rows(int(sys.argv[1]) if sys.argv[1:] else POINTS)]:
         print(*row)
