@@ -150,7 +150,7 @@ def test_what_is_not_used_and_the_warning_are_never_left_out():
         "state",
         "uncertainty from",
         "model",
-        "worn through",
+        "if worn through",
         "checked against",
         "warning",
         "not used",

@@ -45,8 +45,8 @@ def test_each_change_lowers_mu(given, load, said, changes):
 @pytest.mark.parametrize(
     ("first", "interface", "said"),
     [
-        (STEEL | {"hardness": 2e8}, "clean metal", "a weaker interface"),
-        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "a weaker interface, or rougher surfaces"),
+        (STEEL | {"hardness": 2e8}, "clean metal", "a weaker interface (e.g. lubricated)"),
+        (ELASTIC, {"strength_over_shear_modulus": 0.01}, "a weaker interface or rougher surfaces"),
     ],
 )
 def test_a_strength_that_is_relative_to_the_body_grows_with_it(first, interface, said):

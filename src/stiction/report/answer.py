@@ -223,7 +223,7 @@ def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
         ("uncertainty from", sources_in_words(attrs["shares"])),
         ("sliding", _sliding(point)),
         ("model", models_in_words(attrs["models"]) + beside_area(attrs)),
-        ("worn through", worn_through(attrs["bare_metal"])),
+        ("if worn through", worn_through(attrs["bare_metal"])),
         ("checked against", "" if "measured" in attrs else attrs["checked_against"]),
         ("warning", warnings[0] if warnings else ""),
         ("not used", "; ".join(attrs["inputs_not_used"])),
@@ -316,7 +316,7 @@ def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
 
 def sources_in_words(shares: dict[str, float]) -> str:
     """Return the main sources of uncertainty with their shares of the variance, in words."""
-    return ", ".join(f"{part_name(name)} {share:.0%}" for name, share in main_sources(shares))
+    return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares))
 
 
 def next_in_words(data: "xarray.Dataset") -> str:
@@ -325,8 +325,8 @@ def next_in_words(data: "xarray.Dataset") -> str:
     step = data.attrs["next_step"]
     if not ends or "measure mu once" not in step:
         return step
-    found = f"{number(float(point[_MU]))} +- {USUAL_ERROR:.0%}"
-    return f"{step}; if you find {found}, the interval becomes {number(ends[0])} to {number(ends[1])}"
+    found = f"{number(float(point[_MU]))} found with {USUAL_ERROR:.0%} standard error"
+    return f"{step}; {found} narrows mu to {number(ends[0])} to {number(ends[1])}"
 
 
 def model_line(used: Mapping[str, Any]) -> str:

@@ -54,7 +54,7 @@ class Card(NamedTuple):
     def lines(self) -> list[tuple[str, str]]:
         """Return the rows that the card shows below mu, as pairs of heading and text."""
         rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides), ("Lower mu by", self.lowered_by)]
-        rows += [("Worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
+        rows += [("If worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:

@@ -101,11 +101,12 @@ def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
     if named:
         return card._replace(decides="", next_step="")
-    action = str(prediction.attrs["next_step"])  # what a measurement would give stands below "Why", as what wears through
+    action = str(prediction.attrs["next_step"])  # what a measurement would give stands below "Why"
     for words, on_page in _ON_PAGE.items():
         action = action.replace(words, on_page)
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action
-    return card._replace(next_step=action, worn_through="", warning="" if repeated else card.warning)
+    worn = card.worn_through.partition(" of ")[0]
+    return card._replace(next_step=action, worn_through=worn, warning="" if repeated else card.warning)
 
 
 def _beside(answer: Answer, load: float) -> tuple[Answer, xarray.Dataset | None]:

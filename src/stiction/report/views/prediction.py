@@ -59,7 +59,7 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
     """Return the table of an answer; if it exceeds `most` lines, the least important rows are omitted."""
-    for name in ("model", "along the load", "checked against", "uncertainty from", "worn through"):
+    for name in ("model", "along the load", "checked against", "uncertainty from", "if worn through"):
         if lines_of(facts(rows)) <= most:
             break
         rows = [row for row in rows if row[0] != name]

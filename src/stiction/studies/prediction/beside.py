@@ -53,7 +53,7 @@ def checked_against(mixture: Mixture, index: int) -> str:
     if share > 0.5:
         times = math.exp(sum(float(law.weight[index]) * _half_width(mixture, law, index) for law in near) / share)
         area = (
-            f"solved surfaces (area +-{max(times - 1.0, _LEAST):.0%})"
+            f"solved surfaces (area ±{max(times - 1.0, _LEAST):.0%})"
             if times < _WIDE
             else f"solved surfaces (area within a factor of {times:.2g})"
         )

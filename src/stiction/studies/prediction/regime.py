@@ -17,6 +17,7 @@ _PLASTIC = 0.9  # mean pressure over hardness
 _SOME = 0.1  # share of the draws
 _GROWN = 1.5  # area after shear over that before
 _FEW = 10.0
+_DRY = ("clean metal", "oxidised metal", "ceramic", "dry polymer", "elastomer", "gold contact")  # a lubricant weakens these
 _STEEP = 0.93  # strength of the interface over the body's, c: ln mu goes with 1/(1 - c^2) times ln c, 0.15 for 2 % here
 _DECIDES = 0.05  # share of the variance from which on a part is worth a warning
 _ATOM = 1e-19  # m^2, some 0.3 nm squared
@@ -33,11 +34,14 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
         for table in (samples.area, samples.pull, samples.growth, samples.pressure)
     )
     sentences, added = [], " plus the pressure coefficient" if mixture.strength.has_coefficient else ""
+    stated = mixture.sampled.contact.interface
+    is_dry = stated is not None and stated.name in _DRY
+    weaker = "a weaker interface (e.g. lubricated)" if is_dry else "a weaker interface"
     if area > _FLAT * float(np.median(mixture.sampled.drawn.nominal_area)):
-        lever = "more load, a smaller nominal area or a weaker interface"
-        sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0 A_n/P{added}.")
+        lever = f"more load, a smaller nominal area or {weaker}"
+        sentences.append(f"Pressed flat, the real area is the nominal area: mu = tau_0·A_n/P{added}.")
     elif pressure > _PLASTIC:
-        lever = "a weaker interface"
+        lever = weaker
         if not mixture.strength.is_relative_to("shear_strength"):
             lever += f" or a higher hardness of the {_softer(mixture)}"
         grows = (", times the growth of junctions under shear" if growth > _GROWN else "") + added
@@ -47,10 +51,11 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
         else:
             sentences.append(f"All contacts are plastic: mu = tau_0/H{grows}, whatever the roughness.")
     else:
-        sentence, lever = _of_pressure(mixture, pressure, index, added)
+        sentence, other = _of_pressure(mixture, pressure, index, added)
         sentences.append(sentence)
+        lever = f"{weaker} or {other}"
     if pull > _STICKS:
-        lever = "less adhesion or a weaker interface"
+        lever = f"less adhesion or {weaker}"
         sentences.insert(
             0, "Adhesion exceeds the load: the contact sticks even without load, so use the friction force, not mu."
         )
@@ -64,7 +69,7 @@ def regime_of(mixture: Mixture, samples: Samples, index: int) -> tuple[str, str]
 
 
 def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> tuple[str, str]:
-    """Return a sentence on the mean pressure of contact spots, or on yielding of the body below a film, and what lowers mu.
+    """Return a sentence on the mean pressure of spots, or on yielding of the body below a film, and what else lowers mu.
 
     pressure: mean pressure over the hardness of the softer surface. index: position of the load in `loads`. added: words for
     what is added to tau_0 over the pressure.
@@ -75,7 +80,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> t
         softer = _softer(mixture)
         sentence = f"mu = tau_0/p{added}: the spots bear p, {100.0 * pressure:.2g}% of the {softer}'s hardness."
         stiffer = "" if mixture.strength.is_relative_to("strength_over_shear_modulus") else "stiffer or "
-        return sentence, f"a weaker interface, or {stiffer}rougher surfaces"
+        return sentence, f"{stiffer}rougher surfaces"
     coated = [getattr(contact, name) for name in ("first", "second") if contact.coating.bodies in (name, "both")]
     below = min(coated, key=lambda body: float(np.mean(body.hardness)))
     sentence = (
@@ -83,7 +88,7 @@ def _of_pressure(mixture: Mixture, pressure: float, index: int, added: str) -> t
         f"{pressure * hardness / float(np.mean(below.hardness)):.2g} times its hardness, {pressure:.0%} of the "
         f"{_softer(mixture)}'s. mu is tau_0 over that pressure{added}."
     )
-    return sentence, "a weaker interface or a harder body below the film"
+    return sentence, "a harder body below the film"
 
 
 def _softer(mixture: Mixture) -> str:
@@ -167,8 +172,8 @@ def _kind_is_missing(mixture: Mixture) -> bool:
 def _of_few_waves(mixture: Mixture) -> list[str]:
     """Return a list with a warning if a height map contains only a few of its longest wavelengths; otherwise []."""
     waves = of_the_map(mixture.sampled.contact).get("longest_waves_on_a_side", math.inf)
-    few = f"{waves:.2g} of its longest wavelengths wide, {LEAST_WAVES:g} wanted"
-    return [f"The map may be too small to represent the surface: {few}. Measure a larger area."] if waves < LEAST_WAVES else []
+    few = f"The scan holds {waves:.2g} long waves, {LEAST_WAVES:g} wanted: measure a larger area."
+    return [few] if waves < LEAST_WAVES else []
 
 
 _MUCH = 0.2  # share of the variance that is worth a word in the case
