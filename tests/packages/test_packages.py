@@ -230,7 +230,7 @@ def release(tmp_path, monkeypatch):
     check = script("check")
     version, rows = PROJECT["version"], {}
     for one in shared.direct():
-        name, least = re.fullmatch(r"([\w-]+)>=([\d.]+)", one).groups()
+        name, least = re.match(r"([\w-]+)>=([\d.]+)", one).groups()
         rows[shared.canonical(name)] = f"{least}.0"
     for which in ("lowest", "newest"):
         (tmp_path / "page.md").touch()

@@ -99,10 +99,10 @@ async def test_the_first_screen_shows_the_prediction():
         low, high = (f"{float(here[f'friction_coefficient_{end}']):.2g}" for end in ("low", "high"))
         card = _card(user)
         assert f"{low} to {high} (90% interval) at 1 N" in card and found.shares["interface"] > 0.5
-        assert f"interface strength {found.shares['interface']:.0%}</dd>" in card
+        assert f"{found.shares['interface']:.0%} interface strength</dd>" in card
         rows = dict(pairwise(_texts(user)))
         assert rows["state"] == found.attrs["regime"]  # below "Why"
-        assert rows["next"].startswith(found.attrs["next_step"]) and "error would give" in rows["next"]
+        assert rows["next"].startswith(found.attrs["next_step"]) and "narrows mu to" in rows["next"]
 
 
 @in_a_loop

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 
 _Contact = TypeVar("_Contact", bound=Input)
 
-# Cutoffs of two scans that differ by more than this: the sum of both is of no resolution.
-_ALIKE = 1.5
+_ALIKE = 1.5  # largest ratio of the cutoffs of two scans whose sum has a resolution
 
 
 def _length(value):
@@ -62,19 +61,15 @@ def _body(value):
     if isinstance(value, Mapping) and is_finished(value):
         return roughness_of_finish(value)
     if not isinstance(value, Mapping) or "file" in value or not (value.keys() & Roughness.model_fields.keys()):
-        return value if isinstance(value, Scan | Roughness) else Scan(**_table(value))
+        if not isinstance(value, Mapping | Scan | Roughness):
+            raise InputError("", value, 'a table, e.g. { file = "scan.npy", size = "10 um", unit = "nm" }')
+        return Scan(**value) if isinstance(value, Mapping) else value
     numbers = Roughness(**value)
     if numbers.surface is not None:
         raise InputError("surface", "a table", "no `surface` for this body, because the other body is a scan")
     if numbers.height_distribution != "gaussian":
         raise InputError("height_distribution", numbers.height_distribution, "gaussian, because the other body is a scan")
     return numbers
-
-
-def _table(value) -> Mapping:
-    if not isinstance(value, Mapping):
-        raise InputError("", value, 'a table, e.g. { file = "scan.npy", size = "10 um", unit = "nm" }')
-    return value
 
 
 _Body = Annotated[Any, BeforeValidator(_body, json_schema_input_type=Scan | Roughness)]

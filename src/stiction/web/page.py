@@ -35,7 +35,7 @@ _STYLE = """
 .text-3xl { font-size: 1.875rem; line-height: 1.2 } .font-bold { font-weight: 700 } .font-mono { font-family: monospace }
 .charts { grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 8px }
 .of-three > :first-child { grid-column: 1 / -1 }
-@container (min-width: 701px) { .of-three > * { height: 236px !important } }
+@container (min-width: 701px) { .of-three > * { height: 222px !important } }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 20px } .legend svg { vertical-align: -2px }
 .frame { display: grid; grid-template-columns: minmax(280px, 392px) minmax(0, 1fr); gap: 16px; width: 100% }
 .q-page { padding: 8px 12px }

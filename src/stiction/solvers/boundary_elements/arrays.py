@@ -13,7 +13,6 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from scipy.fft import ifft, irfft, rfft2
 
 from stiction.quantities.errors import InputError, InWords
 from stiction.quantities.extras import installed, require
@@ -81,6 +80,8 @@ def like(values: np.ndarray, array: np.ndarray) -> np.ndarray:
 def forward(values: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
     """Return the real Fourier transform of a map, which is first padded with zeros to the grid."""
     if is_numpy(values):
+        from scipy.fft import rfft2  # here, because records of models load this module
+
         return rfft2(values, s=grid, workers=workers(grid[0] * grid[1]))
     return namespace(values).fft.rfftn(values, s=grid, axes=(0, 1))
 
@@ -88,6 +89,8 @@ def forward(values: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
 def backward(waves: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
     """Return the map of a real Fourier transform on the grid; the transform is overwritten."""
     if is_numpy(waves):
+        from scipy.fft import ifft, irfft
+
         threads = workers(grid[0] * grid[1])
         waves = ifft(waves, axis=0, workers=threads, overwrite_x=True)  # by itself: irfft2 would copy the waves
         return irfft(waves, n=grid[1], axis=1, workers=threads)
