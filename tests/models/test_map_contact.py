@@ -375,6 +375,13 @@ def test_no_changed_byte_of_a_file_changes_a_solution(tmp_path):
             )
 
 
+def test_comments_and_docstrings_of_the_solver_change_no_key():
+    solver = 'def twice(value):\n    """Return 2 x."""\n    return 2 * value\n'
+    same = '"""A module."""\n\ndef twice(value):\n    """Return two x."""\n    # a reason\n    return 2 * value\n'
+    assert cache.code_alone(solver) == cache.code_alone(same)
+    assert cache.code_alone(solver) != cache.code_alone(solver.replace("2 *", "3 *"))
+
+
 def test_the_oldest_files_make_room(contact, tmp_path, monkeypatch):
     st.solve(contact, load="1 mN", model=MODEL)
     monkeypatch.setattr(cache, "_MOST", 1)

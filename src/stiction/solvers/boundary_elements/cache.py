@@ -1,9 +1,10 @@
 """Store solutions of map contacts in a cache on disk, and read them again.
 
-There is one file for each load. Its name is a hash of the inputs and of the solver's source, so an interrupted curve
+There is one file for each load. Its name is a hash of the inputs and of the solver's code, so an interrupted curve
 continues where it stopped. When the cache is full, the files not used for longest are deleted.
 """
 
+import ast
 import hashlib
 import json
 import os
@@ -73,10 +74,19 @@ def _name(heights: np.ndarray, size: tuple[float, float], **inputs: Any) -> str:
 
 @cache
 def _solver() -> bytes:
-    """Return the source text of the solver, because a changed solver needs a new cache key."""
+    """Return the code of the solver, because a changed solver needs a new cache key."""
     folder = files("stiction.solvers.boundary_elements")
     sources = sorted((file for file in folder.iterdir() if file.name.endswith(".py")), key=lambda file: file.name)
-    return b"".join(file.read_bytes() for file in sources)
+    return "".join(code_alone(file.read_text("utf-8")) for file in sources).encode()
+
+
+def code_alone(source: str) -> str:
+    """Return the syntax tree of a module as text, without comments and docstrings: these change no solution."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node, clean=False):
+            node.body = node.body[1:]
+    return ast.dump(tree)
 
 
 def _file(name: str, load: float) -> Path:
