@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import QuantityLike
 
 _PRESLIDING = "mindlin_1949"
-# In place of the default model where no adhesion is stated: spots that yield, as most do.
-WITHOUT_ADHESION: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
+# Spots without adhesion that yield, as most do: where no adhesion is stated, and for the stiffness before sliding.
+YIELDING_SPOTS: dict[str, Any] = {"model": "greenwood_williamson_1966", "asperity": "zhao_maietta_chang_2000"}
 _LAW_OF_ITS_OWN = 4  # what a displacement takes, as a number of points: bounds the memory
 _POINTS = 61  # of a curve, where none are given
 _NEARLY = 0.99  # of a force that is only tended to
@@ -137,7 +137,7 @@ def slide(
         raise InputError("contact", "with a film", "a bare contact: slide() does not support films")
     words: dict[str, Any] = {**laws, "presliding": _PRESLIDING}
     if model is None and words.get("asperity") is None and not np.any(getattr(subject, subject.given_as("theta"), None)):
-        model, words["asperity"] = WITHOUT_ADHESION["model"], WITHOUT_ADHESION["asperity"]
+        model, words["asperity"] = YIELDING_SPOTS["model"], YIELDING_SPOTS["asperity"]
     choice = choice_of(model, words, subject)
     problem = _checked(make_problem(contact, choice, heights))
     sliding = Sliding(problem, residual)

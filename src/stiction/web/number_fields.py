@@ -10,6 +10,7 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 from stiction.report.html_words import letters
+from stiction.studies.prediction.around import AROUND
 from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import NOT_STATED, Number, as_written, value_at, with_points
@@ -21,7 +22,6 @@ _LABELS = {
     "rms_height": "height Sq", "mean_height": "height Ra", "load": "force P", "skewness": "skewness Ssk",
     "kurtosis": "kurtosis Sku", "texture_aspect_ratio": "texture Str",
 }  # fmt: skip
-_ROUND_LOAD = 10.0  # ratio of the ends of a range to the load that is set
 _LOAD = Number(("solve", "load"), QUANTITIES["load"], True)
 
 
@@ -118,8 +118,8 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
     """Return case tables at another working load [N].
 
-    A single load is replaced and a range is scaled. A list of loads, or none, becomes a range of 21 loads from a tenth to ten
-    times the new load. before: present working load [N].
+    A single load is replaced and a range is scaled. A list of loads, or none, becomes the range of a prediction's curve, from
+    a tenth to ten times the new load. before: present working load [N].
     """
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
@@ -127,8 +127,8 @@ def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str,
     if isinstance(given, Mapping):
         ends = {end: (_LOAD.si(given[end]) or load) * load / before for end in ("start", "stop")}
     else:
-        given = {"count": 21, "spacing": "log"}
-        ends = {"start": load / _ROUND_LOAD, "stop": load * _ROUND_LOAD}
+        given = {"count": len(AROUND), "spacing": "log"}
+        ends = {"start": load * AROUND[0], "stop": load * AROUND[-1]}
     return with_points(tables, {"load": {**given, **{end: _LOAD.text(value) for end, value in ends.items()}}})
 
 

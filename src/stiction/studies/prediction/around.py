@@ -12,8 +12,8 @@ from stiction.studies.prediction.predict import predict
 if TYPE_CHECKING:
     import xarray
 
-_FACTORS = np.geomspace(0.1, 10.0, 21)  # loads of a curve over its working load
-_MIDDLE = len(_FACTORS) // 2
+AROUND = np.geomspace(0.1, 10.0, 21)  # loads of a curve over its working load
+_MIDDLE = len(AROUND) // 2
 
 
 def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
@@ -25,7 +25,7 @@ def predict_with_curve(case: Case) -> "tuple[xarray.Dataset, xarray.Dataset]":
     if case.is_swept or case.load is None or case.load.size != 1 or not case.load[0] > 0.0:
         data = predict(case)
         return data, data
-    loads = case.load[0] * _FACTORS
+    loads = case.load[0] * AROUND
     loads[_MIDDLE] = case.load[0]
     try:
         curve = predict(replace(case, load=loads))

@@ -6,7 +6,7 @@ import numpy as np
 
 from stiction.case.read import Case
 from stiction.quantities.errors import InputError
-from stiction.solving.sliding import WITHOUT_ADHESION, slide
+from stiction.solving.sliding import YIELDING_SPOTS, slide
 from stiction.studies.prediction.predict import case_given, predict
 from stiction.studies.pressing_loads import pressing_loads
 
@@ -58,7 +58,7 @@ def friction_table(contact: Any, *, load: Any = None, level: float = 0.5) -> "xa
     comments = [f"stiction: mu, {'median' if level == 0.5 else f'quantile {level:g}'} of the prediction"]
     comments += [f"contact: {case.title}"] if case.title else []
     try:
-        elastic = slide(numbers, load=loads, displacement=[0.0], **WITHOUT_ADHESION)
+        elastic = slide(numbers, load=loads, displacement=[0.0], **YIELDING_SPOTS)
     except InputError as error:
         reason = "no model gives them for a contact with a film" if case.subject.has_film else error
         comments.append(f"no stiffness before sliding and no separation: {reason}")
