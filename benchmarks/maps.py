@@ -94,14 +94,27 @@ def map_rows(folder: str, sizes: tuple[int, ...] = (512, 1024, 2048, 4096)) -> l
     for name in ("with hardness", "with a film"):
         rows += _timed(folder, name, sys.executable, _ours(name), sizes[-2], one)
     rows += _timed(folder, "elastic", sys.executable, _ours("elastic"), sizes[0], _TEN)
-    for name, code in _PEERS.items():
-        rows += _timed(folder, name, os.environ.get("STICTION_PEERS", sys.executable), code, sizes[-2], one)
+    rows += _peer_rows(folder, sizes[1], one, elastic[sizes[1]][1][1])
     first, last = (elastic[count][1][1] for count in (sizes[1], sizes[-1]))
     growth = math.log(last / first) / math.log((sizes[-1] / sizes[1]) ** 2)
     return [
         *rows,
         (f"contact of maps: power of the points with which processor s grow, {sizes[1]} to {sizes[-1]} a side", growth),
     ]
+
+
+def _peer_rows(folder: str, count: int, loads: list[float], ours: float) -> list[tuple[str, float]]:
+    """Rows of the peers that are there; ours: processor seconds of the same contact here.
+
+    Not of larger maps: at 2048 points a side the peers need many minutes.
+    """
+    rows = []
+    for name, code in _PEERS.items():
+        measured = _timed(folder, name, os.environ.get("STICTION_PEERS", sys.executable), code, count, loads)
+        rows += measured
+        if measured:
+            rows += [(f"contact of {count} x {count} points, ratio of {name}'s processor time to ours", measured[1][1] / ours)]
+    return rows
 
 
 def _ours(bodies: str) -> str:
