@@ -296,3 +296,17 @@ def test_quantiles_of_many_values_are_those_of_the_normal_distribution():
     assert quantiles(norm.ppf(ranks)[None], np.ones((1, 4000)))[0] == pytest.approx(norm.ppf(LEVELS), abs=0.04)
     one_heavy = np.concatenate([norm.ppf(ranks), [0.0]])
     assert quantiles(one_heavy[None], np.append(np.ones(4000), 1e9)[None])[0] == pytest.approx(np.zeros(5), abs=1e-6)
+
+
+def test_a_map_of_several_bodies_has_the_errors_of_each():
+    """Another modulus changes the unit of load; the error is looked up at the pressure over modulus and gradient."""
+    waves = SelfAffine(0.8, 5e-6, 1.25e-6, 2e-8)
+    rough = {"roughness": gaussian_surface((64, 64), (2e-5, 2e-5), waves, 1), "nominal_area": 4e-10}
+    moduli, found = [30e9, 70e9, 150e9], []
+    for modulus in (st.axis("youngs_modulus", moduli), *moduli):
+        body = {"youngs_modulus": modulus, "poissons_ratio": 0.3, "hardness": "1 GPa"}
+        contact = st.Contact(first=body, second="silicon", interfacial_shear_strength="100 MPa", **rough)
+        solved = st.solve(contact, load="1 uN", model="greenwood_williamson_1966", asperity="zhao_maietta_chang_2000")
+        found.append(np.ravel(json.loads(solved.attrs["measured_error"])["area"]))
+    assert len(found[0]) == 3 and np.ptp(found[0]) > 0.0
+    np.testing.assert_allclose(found[0], np.concatenate(found[1:]), rtol=1e-9)

@@ -105,8 +105,9 @@ def _of_map(surface: "HeightMap", problem: Problem, load: np.ndarray):
     area, whole = map_area(surface), problem.subject.with_surface_moments()
     h = area.slopes.gradient
     factors = problem.subject.scales().factors()
-    strength = whole.contact_modulus * h
-    pressure = load * float(factors["N"]) / whole.nominal_area / strength
+    # The unit of load is proportional to the contact modulus, so this ratio is the same for all contacts of a sweep.
+    of_unit_load = np.ravel(factors["N"] / whole.nominal_area / (whole.contact_modulus * h))
+    pressure = load * float(of_unit_load[0])
     groups = problem.groups
     of_load = groups.eta[:, None] * (4.0 / 3.0) / math.pi * groups.sharpness[:, None] / h
     shape = skewness(surface.heights), area.slopes.lay, area.slopes.top(0.05)
