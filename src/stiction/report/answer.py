@@ -28,10 +28,10 @@ PREDICTION_HEADS = {
     "contact_area": "contact area",
 }
 _MU, _FORCE, _AREA = "friction_coefficient", "friction_force", "contact_area"
-_MUCH_WIDER = 1.5  # than at both ends of the loads: the widest interval is then printed, too
-_LEAST, _MOST_SOURCES = 0.05, 3  # share of the variance that is named, and number of parts that are
-_ENOUGH = 2 / 3  # of handbook contacts
-_CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # factor from the median to an end -> word
+_MUCH_WIDER = 1.5  # ratio of the upper ends above which the widest interval over the loads is printed too
+_LEAST, _MOST_SOURCES = 0.05, 3  # smallest share of the variance, and largest number, of named sources
+_ENOUGH = 2 / 3  # fraction of handbook contacts that must agree
+_CONFIDENCE = {1.5: "high", 3.0: "fair", math.inf: "low"}  # largest factor from mu to an end of its interval -> word
 _NAMES = {
     "interface": "interface strength",
     "area model": "model of the contact area",
@@ -41,16 +41,22 @@ _NAMES = {
     "sliding": "size of the contact spots",
 }
 
-_NO_WIDTH = 1e-9  # of an interval, over its end: round-off
+_NO_WIDTH = 1e-9  # width of an interval over its upper end that is only round-off
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the prediction at its working load, without the other loads."""
+    """Return a prediction at its working load only.
+
+    data: result of `predict`, for one load or over the dimension `load`. Its attribute `working_load` [N] names the load.
+    """
     return data if data["load"].ndim == 0 else data.sel(load=data.attrs["working_load"])
 
 
 def ends_of_mu(data: "xarray.Dataset") -> list[float]:
-    """Return mu and the two ends of its interval at the working load of a prediction: [mu, low, high]."""
+    """Return the predicted mu at the working load and the two ends of its interval, as [mu, low, high].
+
+    data: result of `predict`.
+    """
     point = at_working_load(data)
     return [float(point[f"{_MU}{end}"]) for end in ("", "_low", "_high")]
 
@@ -58,8 +64,8 @@ def ends_of_mu(data: "xarray.Dataset") -> list[float]:
 def confidence(mu: float, low: float, high: float) -> str:
     """Return the confidence in a predicted friction coefficient: "high", "fair" or "low".
 
-    low, high: ends of its prediction interval. The larger of the ratios high / mu and mu / low decides: up to 1.5 is high, up
-    to 3 is fair.
+    low, high: ends of the prediction interval of mu. The larger of the ratios high / mu and mu / low decides: up to 1.5 is
+    high, up to 3 is fair, and more is low.
     """
     factor = max(high / mu, mu / low) if low > 0.0 else math.inf
     return next(word for most, word in _CONFIDENCE.items() if factor <= most)
@@ -68,8 +74,9 @@ def confidence(mu: float, low: float, high: float) -> str:
 def confidence_in(data: "xarray.Dataset") -> str:
     """Return the confidence in mu of a prediction at its working load: "high", "fair" or "low".
 
-    It is low if intervals of this interface hold fewer than two of three handbook contacts. Measured friction in the prediction
-    replaces the strength of the interface, so that handbook contacts no longer count.
+    The width of the interval decides, see `confidence`. The confidence is "low" in any case if predictions for this interface
+    state agree with fewer than two thirds of the contacts whose friction is printed in handbooks. That condition does not apply
+    if friction measured by the user is part of the prediction. data: result of `predict`.
     """
     held, contacts = data.attrs["in_handbooks"]
     mu, low, high = ends_of_mu(data)
@@ -79,7 +86,12 @@ def confidence_in(data: "xarray.Dataset") -> str:
 class PredictionAnswer(TypedDict):
     """Define the JSON answer of a prediction at its working load, in SI units.
 
-    Every interval is a list of its two ends.
+    Every interval is a list [low, high]. level: coverage probability of the intervals. efficiency: friction force over the
+    summed strength of all contact spots, or None. lowered_by: what would lower mu. shares: fraction of the variance of ln mu by
+    source of uncertainty. next: recommended next step. after_measuring: expected interval of mu after one measurement of mu.
+    models: weight of each combined model of the contact area. excluded: fraction of the samples that were excluded as
+    impossible. bare_metal: interval of mu after film or oxide has worn through. checked_against: text on the benchmarks and
+    measurements that support the prediction.
     """
 
     load: float
@@ -108,7 +120,8 @@ class PredictionAnswer(TypedDict):
 class ModelAnswer(TypedDict):
     """Define the JSON answer of one model at one load, in SI units.
 
-    interval (two ends) and level are None if no input is uncertain.
+    friction_coefficient: None if the model gives no friction. interval: ends of the interval of mu over the uncertain inputs.
+    level: coverage probability of that interval. Both are None if mu has no interval, see `model_record`.
     """
 
     load: float
@@ -118,7 +131,10 @@ class ModelAnswer(TypedDict):
 
 
 def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
-    """Return the answer of a prediction at its working load as a dict for JSON."""
+    """Return the answer of a prediction at its working load as a dict for JSON.
+
+    data: result of `predict`.
+    """
     point = at_working_load(data)
 
     def ends(name: str) -> list[float]:
@@ -152,8 +168,8 @@ def answer_record(data: "xarray.Dataset") -> PredictionAnswer:
 def model_record(data: "xarray.Dataset") -> ModelAnswer:
     """Return the result of one model as a dict for JSON, at the middle load of its curve.
 
-    The entry `interval` is the interval of mu over the uncertain inputs. It is None if no input is uncertain, if no sample
-    has a result, or if mu is the same in all samples.
+    data: result of `solve`. The entry `interval` is the interval of mu over the uncertain inputs. It is None if no input is
+    uncertain, if no sample has a result, or if mu is the same in all samples.
     """
     point = data.isel({str(dim): size // 2 for dim, size in data["load"].sizes.items()})
     mu = float(point[_MU]) if _MU in point else None
@@ -168,7 +184,7 @@ def model_record(data: "xarray.Dataset") -> ModelAnswer:
 
 
 def number(value: float) -> str:
-    """Format a number with two significant digits."""
+    """Format a number with two significant digits, e.g. 0.1234 as "0.12"."""
     return f"{float(f'{value:.2g}'):g}"
 
 
@@ -185,13 +201,13 @@ def span(point: "xarray.Dataset", name: str, quantity: str | None = None) -> str
 
 
 def headline(data: "xarray.Dataset") -> str:
-    """Return one line with mu at the working load of a prediction, and its interval."""
+    """Return one line with mu and its interval, at the working load of a prediction (result of `predict`)."""
     point = at_working_load(data)
     return f"mu = {number(float(point[_MU]))}, {data.attrs['level']:.0%} interval {span(point, _MU)}"
 
 
 def working_load_in_words(data: "xarray.Dataset") -> str:
-    """Format the working load of a prediction, and the range of its loads if there are several."""
+    """Format the working load of a prediction and, if it has more than one load, their range: "1 N (curve: 0.1 N to 10 N)"."""
     load, *ends = (
         show(float(value), "load", 3) for value in (at_working_load(data)["load"], data["load"].min(), data["load"].max())
     )
@@ -199,7 +215,7 @@ def working_load_in_words(data: "xarray.Dataset") -> str:
 
 
 def beside_area(attrs: dict[str, Any]) -> str:
-    """Return the names of the meniscus and contamination laws that a prediction uses; "" if none.
+    """Return the names of the meniscus and contamination laws of a prediction, each after "; ", or "" if there are none.
 
     attrs: attributes of the prediction. The text is appended to the list of contact area models.
     """
@@ -207,7 +223,10 @@ def beside_area(attrs: dict[str, Any]) -> str:
 
 
 def answer_lines(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the answer of a prediction at its working load as pairs of heading and text."""
+    """Return the answer of a prediction at its working load as pairs (heading, text); headings without text are left out.
+
+    data: result of `predict`.
+    """
     point, attrs = at_working_load(data), data.attrs
     force = show(float(point[_FORCE]), _FORCE, 2)
     area = show(float(point[_AREA]), _AREA, 2).replace("m^2", "m²")
@@ -244,10 +263,13 @@ def _sliding(point: "xarray.Dataset") -> str:
 
 
 def _along(data: "xarray.Dataset") -> str:
-    """State mu with its interval at the smallest and the largest load of a prediction; "" for a single load."""
+    """State mu with its interval at the smallest and at the largest load of a prediction; "" for a single load.
+
+    The widest interval is stated too, if its upper end is more than 1.5 times the upper ends at both of these loads.
+    """
     if data["load"].ndim == 0 or data["load"].size < 2:
         return ""
-    ordered = data[[_MU, f"{_MU}_low", f"{_MU}_high"]].sortby("load")  # not the samples, which are many
+    ordered = data[[_MU, f"{_MU}_low", f"{_MU}_high"]].sortby("load")  # the many samples would take long to sort
     ends = (ordered.isel(load=place) for place in (0, -1))
     texts = [f"mu = {number(float(end[_MU]))} ({span(end, _MU)}) at {show(float(end['load']), 'load', 3)}" for end in ends]
     ratios = (ordered[f"{_MU}_high"] / ordered[f"{_MU}_low"]).values
@@ -292,35 +314,42 @@ def models_in_words(names: Iterable[str]) -> str:
 
 
 def worn_through(interval: list[float]) -> str:
-    """Format the interval of mu of bare metals; the text is empty if it does not apply."""
+    """Format the interval [low, high] of mu after film or oxide has worn through to the bare metals; "" for an empty list."""
     if not interval:
         return ""
     return f"mu = {number(interval[0])} to {number(interval[1])} of the clean metals; not counted in the interval above"
 
 
 def part_name(name: str) -> str:
-    """Return the readable name of a source of uncertainty or of an uncertain input, "hardness of first"."""
+    """Return the readable name of a source of uncertainty or an uncertain input: "hardness of first" for "first.hardness"."""
     body, _, quantity = name.rpartition(".")
     words = _NAMES.get(name, f"{quantity} of {body}" if body else name)
     return words.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
 
 
 def main_sources(shares: dict[str, float]) -> list[tuple[str, float]]:
-    """Return the main sources of uncertainty and their shares of the variance, the largest first.
+    """Return the main sources of uncertainty as pairs (name, share of the variance of ln mu), the largest first.
 
-    They are at most three, and each causes at least 5 % of the variance; the largest is always returned.
+    shares: share of the variance by name of the source. The list has at most three sources. All but the largest must have a
+    share of at least 5 %.
     """
     ordered = sorted(shares.items(), key=lambda item: -item[1])
     return [item for rank, item in enumerate(ordered[:_MOST_SOURCES]) if not rank or item[1] >= _LEAST]
 
 
 def sources_in_words(shares: dict[str, float]) -> str:
-    """Return the main sources of uncertainty with their shares of the variance, in words."""
+    """Return the main sources of uncertainty with their shares of the variance as text: "60% interface strength, 9% load".
+
+    shares: share of the variance of ln mu, by name of the source.
+    """
     return ", ".join(f"{share:.0%} {part_name(name)}" for name, share in main_sources(shares))
 
 
 def next_in_words(data: "xarray.Dataset") -> str:
-    """Return what to do next; to "measure mu once" the interval is added that would remain."""
+    """Return the recommended next step after a prediction, as text.
+
+    If the step is to measure mu once, the text also states the interval of mu that would remain after that measurement.
+    """
     point, ends = at_working_load(data), data.attrs["after_measuring"]
     step = data.attrs["next_step"]
     if not ends or "measure mu once" not in step:
@@ -343,7 +372,7 @@ def model_line(used: Mapping[str, Any]) -> str:
 
 
 def grade_line(used: Mapping[str, Any]) -> str:
-    """Return the grade of a result and the meaning of that grade.
+    """Return the grade of a result, a letter, with the meaning of that grade.
 
     used: attributes of the result.
     """

@@ -19,16 +19,18 @@ from stiction.report.answer import (
 if TYPE_CHECKING:
     import xarray
 
-_WORDS = 12  # of a warning
-_WIDTH, _DECADES, _BLUE = 320, (-2, 1), "var(--mark, #0072B2)"  # of the bar, which reaches from .01 to 10 at least
+_WORDS = 12  # largest number of words of a warning
+_WIDTH, _DECADES, _BLUE = 320, (-2, 1), "var(--mark, #0072B2)"  # the bar covers at least 0.01 to 10
 
 
 class Card(NamedTuple):
     """Store the content of the answer card of a prediction, at its working load.
 
-    low, high: ends of the prediction interval of mu. level: coverage probability of the interval. confidence: a word. decides:
-    main sources of uncertainty, in words. rows: the full answer as pairs of heading and text. named: result of the model that
-    the user named, in words; "" if none was named. worn_through: mu without oxide or film. lowered_by: what lowers mu.
+    mu: predicted friction coefficient. low, high: ends of its prediction interval. level: coverage probability of the interval.
+    load: working load as text. confidence: "high", "fair" or "low". decides: main sources of uncertainty, as text. warning: one
+    short warning, or "". next_step: recommended next step. rows: the full answer as pairs (heading, text). named: result of the
+    model that the user named, as text; "" if none was named. worn_through: mu after film or oxide has worn through, as text.
+    lowered_by: what would lower mu.
     """
 
     mu: float
@@ -47,18 +49,18 @@ class Card(NamedTuple):
 
     @property
     def interval(self) -> str:
-        """Return the interval of mu as "low to high"."""
+        """Return the interval of mu as text, "low to high", with two significant digits."""
         return f"{number(self.low)} to {number(self.high)}"
 
     @property
     def lines(self) -> list[tuple[str, str]]:
-        """Return the rows that the card shows below mu, as pairs of heading and text."""
+        """Return the rows that the card shows below mu, as pairs (heading, text); rows without text are left out."""
         rows = [("Confidence", self.confidence), ("Uncertainty from", self.decides), ("Lower mu by", self.lowered_by)]
         rows += [("If worn through", self.worn_through), ("Warning", self.warning), ("Next step", self.next_step)]
         return [(head, text) for head, text in rows if text]
 
     def bar(self) -> str:
-        """Return an SVG drawing of the interval of mu on a logarithmic axis."""
+        """Return an SVG drawing of the interval of mu on a logarithmic axis that covers at least 0.01 to 10."""
         known = [value for value in (self.low, self.mu, self.high) if value > 0.0]
         first = min(_DECADES[0], *(math.floor(math.log10(value)) for value in known))
         last = max(_DECADES[1], *(math.ceil(math.log10(value)) for value in known))
@@ -80,7 +82,7 @@ class Card(NamedTuple):
     def html(self, why: bool = True) -> str:
         """Return the card as HTML.
 
-        why: whether to add the full answer in a section that the reader can unfold.
+        why: whether to add the full answer as a section that the reader can unfold.
         """
         more = ", recommended" if self.named else ""
         big = 'style="font-size:2em;font-weight:650;line-height:1.2"'
@@ -98,7 +100,7 @@ class Card(NamedTuple):
 def card_of(data: "xarray.Dataset", named: str = "") -> Card:
     """Return the answer card of a prediction at its working load.
 
-    data: the prediction. named: result of the model that the user named, in words; "" if none was named.
+    data: result of `predict`. named: result of the model that the user named, as text; "" if none was named.
     """
     attrs = data.attrs
     mu, low, high = ends_of_mu(data)

@@ -1,4 +1,4 @@
-"""Draw the result of a design: best designs, all evaluated designs, and the Pareto front of two objectives."""
+"""Draw the result of a design study: best designs, all evaluated designs, and the Pareto front of two objectives."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -21,8 +21,9 @@ _BARS = 12
 def design_figure(data: "xarray.Dataset") -> Figure:
     """Draw the result of a design study.
 
-    The first panel, if lists were given, shows the best design for each of their combinations. The next shows all
-    evaluated designs, or the Pareto front of two objectives.
+    data: result of `design`. If design variables were chosen from lists, the first panel shows the best design for each
+    combination of list entries. The next panel shows the Pareto front of two objectives or, for one objective, all evaluated
+    designs. For two objectives without lists, a last panel shows the design variables along the Pareto front.
     """
     texts = data.attrs["objectives"].split("\n")
     objectives = [text.split(" next to ")[0].removeprefix("least ").removeprefix("most ") for text in texts]
@@ -66,7 +67,10 @@ def _front(axes: Axes, data: "xarray.Dataset", objectives: list[str]) -> None:
 
 
 def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw the design variables along the Pareto front, each scaled to 0 to 1 between its search limits."""
+    """Draw the design variables along the Pareto front, each scaled from 0 at its lower to 1 at its upper search limit.
+
+    objective: name of the result on the horizontal axis.
+    """
     columns = columns_of(data, "pareto")
     x = data[columns[objective]].values
     names = [name for name in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[name]].attrs]
@@ -83,7 +87,7 @@ def _chosen(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
 
 
 def _draw_evaluated(axes: Axes, data: "xarray.Dataset", objective: str) -> None:
-    """Draw the objective of every evaluated design against the design variable, as points."""
+    """Draw the objective of every evaluated design against the first design variable that has search limits, as points."""
     columns = columns_of(data, "evaluated")
     name = next(
         (candidate for candidate in data.attrs["chosen"].split(", ") if "searched_from" in data[columns[candidate]].attrs), ""

@@ -103,9 +103,10 @@ def export(
 
 
 def _spheres(contact: "Contact | CaseLike", load: "QuantityLike | None", radius: "QuantityLike", units: str) -> dict[str, Any]:
-    """Return radius, work of adhesion, moduli and Poisson's ratios of two spheres, for discrete-element formats.
+    """Return radius, work of adhesion, Young's moduli and Poisson's ratios of two spheres, for discrete-element formats.
 
-    units: key of UNITS in which the values are returned.
+    contact, load: as for `export`. radius: effective radius of the spheres, a length in m or with a unit. units: key of UNITS,
+    the system of units in which the values are returned.
     """
     with field_named("radius"):
         effective_radius = to_si(radius, "asperity_radius")
@@ -116,7 +117,10 @@ def _spheres(contact: "Contact | CaseLike", load: "QuantityLike | None", radius:
 
 
 def _in_units(table: "xarray.Dataset", units: str) -> "xarray.Dataset":
-    """Convert a friction table from SI to the named system of units."""
+    """Convert a friction table, a dataset of `friction_table` in SI units, to another system of units.
+
+    units: key of UNITS.
+    """
     length, force, (meter, newton, pascal) = UNITS[units]
     converted_units = {
         "m": (length, meter),

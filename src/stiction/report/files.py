@@ -26,13 +26,13 @@ if TYPE_CHECKING:
 
 _DOTS_PER_INCH = 150
 _TOLD = ("normalised_by", "symbol", "long_name", "comment")  # attributes of a variable that go into JSON
-_ABANDONED = 600.0  # s: in less, whoever is alive has written something
+_ABANDONED = 600.0  # s; a running program writes to its temporary folder more often than this
 
 
 def as_json(content: Any, only_ascii: bool = False) -> str:
-    """Return content as strict JSON text, in which NaN and infinities are null.
+    """Return content as strict JSON text; NaN and infinities become null.
 
-    only_ascii: whether to escape all other characters.
+    content: nested dicts, lists, arrays, texts and numbers. only_ascii: whether to escape all characters outside ASCII.
     """
     return json.dumps(_plain(content), ensure_ascii=only_ascii, allow_nan=False, indent=2)
 
@@ -48,15 +48,15 @@ def _plain(value: Any) -> Any:
 
 
 def unit_of(variable: "xarray.DataArray") -> str:
-    """Return the unit of a variable, or the formula by which a normalised variable was divided; "" if it has neither."""
+    """Return the unit of a variable or, if it is normalised, the formula of its divisor; "" if it has neither."""
     unit = variable.attrs.get("normalised_by") or variable.attrs.get("units", "")
     return "" if unit == "1" else unit
 
 
 def record(data: "xarray.Dataset", groups: Mapping[str, float]) -> dict[str, Any]:
-    """Return a result as a dict for JSON: attributes, dimensionless groups, and variables.
+    """Return a result as a dict for JSON: its attributes, dimensionless groups, and variables.
 
-    Each variable has its unit, meaning, dimensions and values. groups: dimensionless groups by name.
+    groups: dimensionless groups of the contact, by name. Each variable is a dict with unit, meaning, dimensions and values.
     """
     variables = {}
     for name in _names(data):
@@ -81,7 +81,10 @@ def _names(data: "xarray.Dataset") -> list[str]:
 
 
 def comments_of(data: "xarray.Dataset") -> list[str]:
-    """Return comment lines for the CSV file of a result: model, validity warnings, inputs and meanings of columns."""
+    """Return comment lines for the CSV file of a result: model, validity warnings, inputs, and the meaning of each column.
+
+    data: result of `solve` or a similar function.
+    """
     used = data.attrs
     comments: dict[str, Any] = {
         "title": used.get("case") or used.get("title"),
@@ -101,9 +104,9 @@ def comments_of(data: "xarray.Dataset") -> list[str]:
 
 
 def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[str]:
-    """Return comment lines "heading: text" for a CSV file, with the meaning of every column.
+    """Return comment lines "heading: text" for a CSV file, followed by the meaning of every column.
 
-    comments: text, or list of texts, by heading.
+    comments: text, or list of texts, by heading; headings without text are left out. data: the dataset that the file holds.
     """
     columns = []
     for name in _names(data):
@@ -118,9 +121,9 @@ def comment_lines(comments: Mapping[str, Any], data: "xarray.Dataset") -> list[s
 
 
 def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) -> None:
-    """Write a dataset as CSV, one column "name [unit]" for each variable.
+    """Write a dataset as CSV, with one column "name [unit]" for each coordinate and variable, in full precision.
 
-    comments: lines to write above the table. Floats keep all digits.
+    Variables with fewer dimensions are repeated along the others. comments: lines to write above the table.
     """
     import xarray
 
@@ -131,7 +134,7 @@ def write_csv(data: "xarray.Dataset", path: Path, comments: Iterable[str] = ()) 
 
 
 def rows_of(data: "xarray.Dataset", names: Iterable[str]) -> list[list[Any]]:
-    """Return one-dimensional variables of a dataset as table rows, one column for each name."""
+    """Return one-dimensional variables of a dataset as table rows: a list of lists, with one column for each name."""
     return [list(row) for row in zip(*(data[name].values.tolist() for name in names), strict=True)]
 
 
@@ -160,12 +163,12 @@ def write_picture(figure: "Figure", path: Path) -> None:
 
 
 def undrawn_of(names: Iterable[str]) -> list[str]:
-    """Return the names of the PNG files that cannot be drawn because matplotlib is not installed."""
+    """Return those of the file names that end in .png, if matplotlib is not installed to draw them; else an empty list."""
     return [] if installed("matplotlib") else [name for name in names if name.endswith(".png")]
 
 
 def check_folder(folder: Path) -> None:
-    """Raise InputError if no output folder can be created at this path; call it before computing."""
+    """Raise InputError if no output folder can be created at this path, so that the error comes before the computation."""
     require_place(folder, "a folder, new or existing")
     if folder.exists() and not folder.is_dir():
         raise InputError("--out", str(folder), "a new or existing folder, but this is a file")
@@ -174,9 +177,9 @@ def check_folder(folder: Path) -> None:
 def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> None:
     """Write files into a folder, which is created if it is missing.
 
-    files: file name -> function that writes the file to a path. All files are written to a temporary folder first and moved
-    when all are complete. Other files in the folder stay. PNG files are skipped if matplotlib is not installed. Raises
-    InputError if a file cannot be written.
+    files: file name -> function that writes the file to a path. All files are written to a temporary folder first, and moved
+    when all are complete. Files with other names stay in the folder. PNG files are skipped if matplotlib is not installed.
+    Raises InputError if a file cannot be written.
     """
     check_folder(folder)
     undrawn = set(undrawn_of(files))
@@ -186,7 +189,7 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
         folder.parent.mkdir(parents=True, exist_ok=True)
         _clear_abandoned(folder)
         with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as beside:
-            made = Path(beside) / "files"  # with the usual permissions, which a temporary folder has not
+            made = Path(beside) / "files"  # mkdir gives the usual permissions, a temporary folder is private
             made.mkdir()
             for name, write in files.items():
                 write(made / name)
@@ -202,11 +205,11 @@ def write_folder(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> N
 
 
 def _clear_abandoned(folder: Path) -> None:
-    """Remove temporary folders that killed programs left next to `folder`.
+    """Remove the temporary folders that killed programs left next to the output folder `folder`.
 
-    A folder is removed if nothing was written to it during the last ten minutes.
+    A temporary folder is removed if nothing was written to it during the last ten minutes.
     """
-    made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # as tempfile names them
+    made_up = re.compile(rf"\.{re.escape(folder.name)}-[a-z0-9_]{{8}}")  # names that tempfile makes
     for beside in folder.parent.iterdir():
         if made_up.fullmatch(beside.name) and beside.is_dir() and not beside.is_symlink():
             inside = [path.name for path in beside.iterdir()]

@@ -20,20 +20,21 @@ _LEVELS = 12
 def film_figure(data: "xarray.Dataset", section: "xarray.Dataset", title: str = "") -> Figure:
     """Draw the stresses in a film under the mean touching asperity.
 
-    Left: cross-section of the von Mises stress over the yield stress. Right: stresses along the interface of film and body.
-    data: result of `film_stresses` at one point. section: result of `film_section`.
+    Left panel: von Mises stress over the local yield stress in a cross-section. Right panel: normal and shear stress along the
+    interface of film and body. data: result of `film_stresses` at one load or separation. section: result of `film_section` for
+    it.
     """
     figure, (left, right) = canvas(11.0, 4.6, 1, 2, width_ratios=(1.45, 1.0))
     _section_panel(figure, left, section)
     _interface_panel(right, section)
     yields = "; inside the red line it yields" if float(section["stress_over_yield"].max()) > 1.0 else ""
-    # Above both panels: a panel of equal axes is moved after its own title has found its place.
+    # The titles stand above both panels, because matplotlib moves a panel of equal axes after placing its title.
     add_titles(figure, data, title, _sizes(data, section), f"left: elastic stresses{yields}")
     return figure
 
 
 def _sizes(data: "xarray.Dataset", section: "xarray.Dataset") -> str:
-    """Return a title line with the load and the dimensions of the mean asperity."""
+    """Return a title line with the load, and contact radius, film thickness and mean pressure of the mean asperity."""
     used = section.attrs
     words = [f"load {with_unit(data['load'])}", f"a/t = {1.0 / used['thickness_over_radius']:.3g}"]
     if "mean_pressure" in used:
@@ -59,7 +60,7 @@ def _section_panel(figure: Figure, axes: Axes, section: "xarray.Dataset") -> Non
               linestyle="none", label=text, clip_on=False)  # fmt: skip
     axes.set(xlim=(x[0], x[-1]), ylim=(z[-1], 0.0), aspect="equal", xlabel="$x/a$, along the tangential force",
              ylabel="depth $z/a$")  # fmt: skip
-    axes.yaxis.set_major_locator(MultipleLocator(0.5))  # as wide before the panel has its size as after
+    axes.yaxis.set_major_locator(MultipleLocator(0.5))  # fixed ticks: labels of the same width at every size of the panel
     axes.legend(fontsize=8, loc="lower right", framealpha=0.9)
 
 

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     import xarray
 
 _LINES = 5
-_TOP = 12.0  # of the rise of chi square that is shown
+_TOP = 12.0  # largest rise of chi square that is shown
 
 
 def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw a fit: one row of panels for each measured quantity.
+    """Draw a fit, with one row of panels for each measured quantity.
 
-    The panels show measured and fitted values, residuals and, if present, predictions.
+    The panels show measured and fitted values, residuals and, if there are any, predictions. data: result of `fit`.
     """
     quantities = list(dict.fromkeys(data["quantity"].values.tolist()))
     predicted = [name for name in quantities if f"predicted_{name}" in data]
@@ -43,9 +43,9 @@ def fit_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def _series(data: "xarray.Dataset", name: str) -> "Iterator[tuple[str, dict[str, Any], np.ndarray, xarray.Dataset]]":
-    """Yield name, style, x values and rows of the dataset for each sample in which the quantity `name` was measured.
+    """Yield (name, style, x values, rows of the dataset) for each sample in which a quantity was measured, in the order of x.
 
-    The rows are in the order of x. x is the load, or the number of the measured value if any load is unknown.
+    name: the measured quantity. x: the loads, or the number of each measured value if any load is unknown.
     """
     x = data["measured_load"].values
     x = x if np.isfinite(x).all() else np.arange(float(x.size))
@@ -106,9 +106,10 @@ def _predicted_panel(axes: Axes, data: "xarray.Dataset", name: str) -> None:
 
 
 def profile_figure(data: "xarray.Dataset") -> Figure:
-    """Draw the likelihood profile of each fitted parameter.
+    """Draw the likelihood profile of each fitted parameter, one panel each.
 
-    It shows the rise of chi-square when the parameter is fixed at other values and all others are refitted.
+    A panel shows by how much chi-square rises if the parameter is fixed at other values and all other parameters are refitted.
+    data: result of `fit`.
     """
     count = data.sizes["parameter"]
     columns = min(count, 3)

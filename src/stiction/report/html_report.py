@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 # Columns whose cells are symbols and meanings of the table of quantities.
 _FORMULAS = ("symbol", "quantity", "group", "stated")
 _SUFFIXES = (".html", ".htm", ".pdf")
-# Programs that print a page as PDF.
+# Browsers that can print a page as PDF.
 _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge", "microsoft-edge")
 
 
@@ -45,8 +45,9 @@ class ReportAnswer(TypedDict):
     """Define the answer of a report, as `write_report` returns it.
 
     friction_coefficient: None if no load is compressive, or if the model has no friction. answer: answer of the prediction, or
-    of the named model; None for a case with array parameters. measured_error: errors of the model on solved surfaces; None for
-    a prediction.
+    of the named model; None for a case with array parameters. grade: grade of the named model; None for a prediction.
+    measured_error: errors of the named model on benchmark surfaces; None for a prediction. not_compared: why models were not
+    compared; "" if they were.
     """
 
     title: str
@@ -126,18 +127,18 @@ def write_report(
 
 
 def case_as_html(case: Case, text: str, name: str = "case.toml", progress: Progress = silent) -> str:
-    """Solve a case and return its report as HTML.
+    """Solve a case and return its report as one HTML page.
 
-    text: content of the case file. Raises InputError if the case is invalid.
+    text: content of the case file. name: name of the case file, as shown on the page. Raises InputError if the case is invalid.
     """
     return as_html(collect_report_data(case, text, progress=progress), name, say.command(name, None, None), progress)
 
 
 def as_html(findings: ReportData, name: str, again: str, progress: Progress = silent) -> str:
-    """Render a report as HTML.
+    """Return the HTML page of a report.
 
-    findings: results of the report. name: name of the case file. again: command line that makes the report again. The page
-    depends only on these arguments and on the date.
+    findings: results that the report shows. name: name of the case file. again: command line that makes the report again. Apart
+    from the date, the page depends on these arguments only.
     """
     import jinja2
 
@@ -178,12 +179,12 @@ def as_html(findings: ReportData, name: str, again: str, progress: Progress = si
 
 
 def _as_link(text: str) -> str:
-    """Return a data URL from which a browser can save the text as a file."""
+    """Return a data URL from which a browser can save a text as a file."""
     return f"data:text/plain;charset=utf-8;base64,{base64.b64encode(text.encode()).decode('ascii')}"
 
 
 def _pictures(findings: ReportData, progress: Progress) -> Iterable[tuple[str, list]]:
-    """Yield pairs of section name and the list of its pictures."""
+    """Yield pairs (name of a section of the report, list of its pictures)."""
     from stiction.report.report_pictures import SECTIONS, pictures_of_scan
 
     bodies = [f"{body.capitalize()} body" for body in findings.analyses]
@@ -252,11 +253,11 @@ def _browser() -> str:
 
 
 def _printed_page(made: Path) -> Path:
-    """Convert an HTML file to PDF in the same folder, and return the path of the PDF."""
+    """Convert an HTML file to PDF in the same folder, and return the path of the PDF; the HTML file gets the ending .html."""
     page, printed_to = made.rename(made.with_suffix(".html")), made.with_suffix(".pdf")
     if browser := _browser():
         words = [browser, "--headless", "--disable-gpu", "--no-pdf-header-footer", f"--user-data-dir={made.parent / 'profile'}"]
-        words += ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []  # which root has to say
+        words += ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []  # browsers run by root require this
         subprocess.run([*words, f"--print-to-pdf={printed_to}", page.as_uri()], check=True, capture_output=True, timeout=120)
     else:
         import weasyprint
@@ -266,9 +267,9 @@ def _printed_page(made: Path) -> Path:
 
 
 def write_html(path: Path, text: str) -> None:
-    """Write a page as HTML or PDF.
+    """Write an HTML text as an .html or .pdf file.
 
-    The page is written to a temporary folder and then moved, so no incomplete file is left. Raises InputError if the file
+    The file is made in a temporary folder and then moved, so that no incomplete file is left. Raises InputError if the file
     cannot be written.
     """
     check_place(path)
@@ -276,7 +277,7 @@ def write_html(path: Path, text: str) -> None:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}-") as beside:
-            made = Path(beside) / "made"  # with the usual permissions, which a temporary file has not
+            made = Path(beside) / "made"  # write_text gives the usual permissions, a temporary file is private
             made.write_text(text, encoding="utf-8", newline="\n")
             (_printed_page(made) if path.suffix.lower() == ".pdf" else made).replace(path)
     except subprocess.SubprocessError:

@@ -18,18 +18,18 @@ def letters(text: str) -> str:
 
 
 def on_page(table: Table, caption: str) -> Table:
-    """Convert a terminal table to a table for the page, with Greek letters in its heads."""
+    """Return a terminal table as a table for the web page: cells as texts, Greek letters in the heads, another caption."""
     columns = [replace(column, head=letters(column.head.replace("\n", " "))) for column in table.columns]
     return replace(table, columns=columns, rows=[[str(cell) for cell in row] for row in table.rows], caption=caption)
 
 
 def breakable(text: str) -> Markup:
-    """Return a model key as HTML in which lines may break after underscores."""
+    """Return the key of a model as escaped HTML in which lines may break after underscores."""
     return Markup(str(escape(text)).replace("_", "_<wbr>"))  # what came in was escaped
 
 
 def formula(text: str) -> Markup:
-    """Return a text with symbols and formulas as escaped HTML, with subscripts and superscripts."""
+    """Return a text with symbols and formulas, such as "sigma_s^2", as escaped HTML with subscripts and superscripts."""
     shown = str(escape(letters(text))).replace("&lt;=", "≤").replace("&gt;=", "≥")
     shown = re.sub(r"(?<=[\w)])_(\w+)", r"<sub>\1</sub>", shown)
     shown = re.sub(r"\^\(([^()]*)\)|\^(-?\w+)", lambda match: f"<sup>{match[1] or match[2]}</sup>", shown)

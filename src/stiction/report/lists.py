@@ -19,10 +19,9 @@ LISTED = ("youngs_modulus", "poissons_ratio", "hardness", "surface_energy")
 
 
 def material_rows(names: Iterable[str] | None = None) -> list[dict[str, Any]]:
-    """Return the properties of material presets, one dict for each preset.
+    """Return material presets as dicts with name, symbols and numbers; each number has a value, unit, range and source.
 
-    names: presets to list; None for all. Each property has value, unit, range and source. Raises InputError for an unknown
-    name.
+    names: presets to list; None for all. Raises InputError for an unknown name.
     """
     return [_row(material(name)) for name in (material_names() if names is None else names)]
 
@@ -42,7 +41,7 @@ def _row(preset: Material) -> dict[str, Any]:
 
 
 def with_range(preset: Material, name: str) -> str:
-    """Format a property of a material preset with its range, "82 GPa (82 to 83 GPa)"; "" if the preset lacks it."""
+    """Format a property of a material preset with its range, "82 GPa (82 to 83 GPa)"; "" if the preset does not have it."""
     value = getattr(preset, name)
     if value is None:
         return ""
@@ -51,7 +50,7 @@ def with_range(preset: Material, name: str) -> str:
 
 
 def materials_table(names: Iterable[str]) -> Table:
-    """Return a table of material presets, one row each, with the range of a property below its value."""
+    """Return a table of the named material presets, one row each, with the range of a property below its value."""
     columns = [Column("material\n"), *(Column(f"{QUANTITIES[name].symbol}\nrange", wrap=True) for name in LISTED)]
     rows = [
         [_lines(name, ", ".join(symbols_of(name))), *(_two_lines(material(name), quantity) for quantity in LISTED)]
@@ -83,14 +82,14 @@ def material_in_full(name: str) -> Group:
     return Group(*lines)
 
 
-# What a strength without a unit is multiplied by.
+# Quantity -> factor of a strength without a unit: H hardness, G shear modulus.
 _TIMES = {"interfacial_shear_strength": "", "shear_strength": " H", "strength_over_shear_modulus": " G"}
 
 
 def median_in_words(number: Mapping[str, Any] | None) -> str:
-    """Format the median of an interface property: "25 MPa", "0.15 H" or "0.4 G".
+    """Format the median of an interface property: "25 MPa", "0.15 H" or "0.4 G" (H: hardness, G: shear modulus).
 
-    None, for a property that the interface state does not have, gives "none".
+    number: the property as a dict; None, if the interface state does not have it, gives "none".
     """
     if number is None:
         return "none"
@@ -98,7 +97,7 @@ def median_in_words(number: Mapping[str, Any] | None) -> str:
 
 
 def range_of(number: Mapping[str, Any] | None) -> str:
-    """Format the 5 % and 95 % quantiles of an interface property; "" for None."""
+    """Format the 5 % and 95 % quantiles of an interface property as "low to high"; "" for None."""
     return "" if number is None else number["range_in_words"] + _TIMES.get(number["quantity"], "")
 
 
@@ -108,7 +107,10 @@ def grade_of(number: Mapping[str, Any] | None) -> str:
 
 
 def interfaces_table() -> Group:
-    """Return a table of all interface states, one line each, with a legend; at most 80 columns wide."""
+    """Return a table of all interface states, one line each, with a legend and the way to state one in a case.
+
+    The table is at most 80 columns wide.
+    """
     rows = []
     for row in interfaces():
         numbers = row["strength"], row["pressure_coefficient"]
@@ -125,7 +127,7 @@ def _how_to_state(name: str) -> Text:
 
 
 def interface_in_full(name: str) -> Group:
-    """Describe one interface state: strength, sources, allowed pairs of materials, and uses to avoid."""
+    """Describe one interface state: strength, sources, pairs of materials that it is allowed between, and uses to avoid."""
     (row,) = interfaces([name])
     lines: list[RenderableType] = [Text(name, style="bold")]
     for number in filter(None, (row["strength"], row["pressure_coefficient"])):

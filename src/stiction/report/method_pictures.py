@@ -1,4 +1,4 @@
-"""Draw how the method of finding asperities changes sigma, R, N and friction."""
+"""Draw how the method of finding asperities changes their heights' deviation sigma, radius R, density N, and friction."""
 
 import textwrap
 from typing import TYPE_CHECKING, Any
@@ -35,7 +35,7 @@ _RESOLUTION_PANELS = (
     ("mu", "friction_coefficient", "static friction coefficient"),
 )
 
-# How marks look where the heights of the asperities are taken to be so distributed.
+# Style of the marks by the height distribution assumed for the asperities.
 _DISTRIBUTIONS: dict[str, dict[str, Any]] = {
     "gaussian": {},
     "weibull": {"fillstyle": "left", "markerfacecoloralt": "white"},
@@ -44,18 +44,18 @@ _DISTRIBUTIONS: dict[str, dict[str, Any]] = {
 _HEIGHTS = {"gaussian": "Gaussian heights", "weibull": "Weibull heights", "empirical": "heights as found"}
 
 
-_MOST_NOTES = 5  # of values that are missing, below a picture
+_MOST_NOTES = 5  # largest number of notes on missing values below a picture
 
 
 # ---- the resolution study
 
 
 def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw sigma, R, N and, if present, mu against the cutoff wavelength, one line for each asperity method.
+    """Draw sigma, R, N and, if present, mu against the cutoff wavelength, with one line for each asperity method.
 
-    resolution_study: dataset over (asperity_method, cutoff). Cutoff 0, the unfiltered map, is labelled "none" and drawn
-    at the left. A line has a gap if its method has no value or friction is 0; a note below the figure states the reason.
-    Markers show which height distribution was used, because mu jumps when the distribution changes.
+    resolution_study: dataset over (asperity_method, cutoff). Cutoff 0, the unfiltered map, is labelled "none" and drawn at the
+    left. A line has a gap if its method has no value or friction is 0, and a note below the figure states the reason. Markers
+    show which height distribution was used, because mu jumps where that distribution changes.
     """
     panels = [panel for panel in _RESOLUTION_PANELS if panel[0] in resolution_study]
     figure, grid = canvas(12, 8.6, 2, 2) if len(panels) > 3 else canvas(14, 4.8, 1, len(panels))
@@ -63,7 +63,7 @@ def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Fi
         _resolution_panel(axes, resolution_study, *panel)
     if "mu" in resolution_study and "height_distribution" in resolution_study:
         _mark_distributions(grid[-1], resolution_study.sortby("cutoff"))
-    # The title is that of the legend: matplotlib would lay one over the other.
+    # The legend has the title, because matplotlib would draw a figure title on top of the legend.
     title = title or ": ".join(
         filter(None, [resolution_study.attrs.get("title", ""), resolution_study.attrs.get("surface", "")])
     )
@@ -86,7 +86,7 @@ def resolution_figure(resolution_study: "xarray.Dataset", title: str = "") -> Fi
 
 def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: str, quantity: str, name: str) -> None:
     table = resolution_study[variable].transpose(METHOD, "cutoff").values
-    drawn = np.where(table > 0.0, table, np.nan)  # of not a number this is false too
+    drawn = np.where(table > 0.0, table, np.nan)  # NaN stays NaN
     factor, unit = unit_for(quantity, float(np.max(drawn, initial=0.0, where=drawn > 0.0)))
     across, length = prefix("scan_size", float(resolution_study["cutoff"].max()))
     cutoffs = resolution_study["cutoff"].values * across
@@ -108,7 +108,10 @@ def _resolution_panel(axes: Axes, resolution_study: "xarray.Dataset", variable: 
 
 
 def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
-    """Mark each point by the height distribution that was used for its asperities; cutoffs must ascend."""
+    """Mark each point of the mu panel by the height distribution that was assumed for its asperities.
+
+    axes: the panel, with one line for each asperity method. resolution_study: dataset with ascending cutoffs.
+    """
     taken = resolution_study["height_distribution"].transpose(METHOD, "cutoff").values
     for line, names in zip(tuple(axes.lines), taken, strict=True):
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
@@ -124,10 +127,7 @@ def _mark_distributions(axes: Axes, resolution_study: "xarray.Dataset") -> None:
 
 
 def _places(cutoffs: np.ndarray) -> np.ndarray:
-    """Return the x positions of the cutoffs on a logarithmic axis.
-
-    Cutoff 0 is drawn at half of the smallest positive cutoff.
-    """
+    """Return the positions of the cutoff wavelengths on a logarithmic axis; cutoff 0 is at half the smallest other cutoff."""
     others = cutoffs[cutoffs > 0.0]
     return np.where(cutoffs > 0.0, cutoffs, 0.5 * others.min() if others.size else 1.0)
 
@@ -146,9 +146,9 @@ def _apart(places: np.ndarray, gap: float = 0.13) -> list[float]:
 
 
 def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> list[str]:
-    """Return one line for each reason for missing points, with the asperity methods and cutoffs where it applies.
+    """Return one line for each reason why points are missing, with the asperity methods and cutoffs that it concerns.
 
-    variables: results that must be present and positive.
+    variables: names of the results; a point is missing if any of them is NaN or not positive.
     """
     where: dict[str, list[str]] = {}
     for method in resolution_study[METHOD].values:
@@ -171,10 +171,10 @@ def _without_value(resolution_study: "xarray.Dataset", variables: list[str]) -> 
 
 
 def method_spread_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw friction against load for every method of finding asperities, with the range over methods shaded.
+    """Draw friction against load for every method of finding asperities, with the range over the methods shaded.
 
-    The method that the result uses has a bold line. data: result of `with_band` at one load or along one dimension; its
-    first method is the one used. Raises InputError if the result has no friction by method.
+    data: result of `solve` for a contact with scanned roughness, at one load or along one dimension. Its first method is the
+    one that the result uses, and has a bold line. Raises InputError if the result has no friction by method.
     """
     if "friction_coefficient_by_method" not in data:
         raise InputError("friction_coefficient_by_method", None, "a result of a contact whose roughness was measured in scans")

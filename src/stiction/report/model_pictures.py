@@ -18,17 +18,17 @@ if TYPE_CHECKING:
 
 _MU = "friction_coefficient"
 _COLOURS = (BLUE, GREEN, ORANGE)  # of named models
-_WIDE = 1e4  # friction more than this factor below the largest has no place on the axis
-_AROUND = 100.0  # times the working load, and its fraction, up to which lines are drawn
+_WIDE = 1e4  # groups with a mu smaller than the largest by more than this factor are not drawn
+_AROUND = 100.0  # lines are drawn from the working load over this factor to the working load times this factor
 
 
 def models_figure(
     data: "xarray.Dataset", groups: Sequence[Group] | None = None, prediction: "xarray.Dataset | None" = None, title: str = ""
 ) -> Figure:
-    """Draw mu against load for each possible model, with the interval of the prediction.
+    """Draw mu against load for each model that is possible, with the interval of the prediction at the working load.
 
-    data: result of `compare`. groups: groups of its models that agree; the first three are named in the legend.
-    prediction: prediction at its working load. Dots mark the working load.
+    data: result of `compare`. groups: groups of its models that agree on mu; the legend names the first three. prediction:
+    result of `predict` at its working load. Dots mark the working load.
     """
     figure, (axes,) = canvas(8.53, 4.8)
     known = groups_of(data) if groups is None and "working_load" in data.attrs else groups or ()

@@ -1,6 +1,6 @@
 """Summarise a result for a notebook: meaning, ranges and validity warnings.
 
-Results stay xarray datasets. Their own notebook view hides attributes, and with them the validity warnings.
+Results are xarray datasets, whose own notebook view folds the attributes away, and with them the validity warnings.
 """
 
 from html import escape
@@ -21,9 +21,9 @@ _SHOWN = ("mean_separation", "load", "contact_area", "friction_force", "friction
 
 
 class Summary:
-    """Store a summary of a result as pairs of heading and text, with a list of notes.
+    """Store a summary of a result: a title, pairs (heading, text), a list of notes, and the answer card of a prediction.
 
-    A notebook shows the summary as HTML; `print` shows it as text.
+    A notebook shows the summary as HTML, and `print` shows it as text.
     """
 
     def __init__(self, title: str, rows: list[tuple[str, str]], notes: list[str], card: Card | None = None):
@@ -83,7 +83,7 @@ def summary(result: "xarray.Dataset") -> Summary:
 
 
 def _range(values: "xarray.DataArray") -> str:
-    """Format the smallest and the largest value of a variable with their unit, and the names of its dimensions."""
+    """Format the smallest and the largest value of a variable with unit and names of its dimensions: "1 to 5 N, along load"."""
     unit = values.attrs.get("units", "1")
     ends = [f"{float(end):.4g}" for end in (values.min(), values.max())]
     along = f", along {', '.join(map(str, values.dims))}" if values.dims else ""

@@ -1,4 +1,4 @@
-"""Draw the figures of the 2015 paper and the map of its claims."""
+"""Draw the figures of the 2015 paper on soft coatings, and the map of its claims."""
 
 import re
 import textwrap
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from stiction.studies.paper.claims import ClaimMap
     from stiction.studies.paper.figures import PanelCurves
 
-# Broad below, narrow and broken above: lines that lie on one another stay visible.
+# Later lines are narrower or dashed, so that lines on top of each other stay visible.
 _VARYING: tuple[dict[str, Any], ...] = (
     {"color": SKY, "linewidth": 4.0},
     {"color": RED, "linewidth": 2.2},
@@ -32,7 +32,10 @@ _VARYING: tuple[dict[str, Any], ...] = (
 
 
 def panel_figure(curves: "PanelCurves") -> Figure:
-    """Draw one figure of the 2015 paper: friction coefficient against load for several films and for the bare surface."""
+    """Draw one figure of the 2015 paper: mu against normalised load for three films and for the uncoated surface.
+
+    curves: normalised curves of the figure.
+    """
     figure, (axes,) = canvas(7, 5.4)
     along = curves.panel.along
     _friction_line(axes, curves.bare, label="uncoated", color="black", linewidth=2.0)
@@ -45,7 +48,7 @@ def panel_figure(curves: "PanelCurves") -> Figure:
 
 
 def _with_letters(text: str) -> str:
-    """Replace the symbols of dimensionless groups in a text by LaTeX formulas."""
+    """Replace the symbols of dimensionless groups in a text, such as lambda, by LaTeX formulas."""
     letters = {QUANTITIES[name].symbol: QUANTITIES[name].latex for name in ("theta", "lam", "n_E", "n_H", "tau")}
     return re.sub(rf"\b({'|'.join(letters)})\b", lambda match: f"${letters[match[0]]}$", text)
 
@@ -57,10 +60,11 @@ def _friction_line(axes: Axes, data: "xarray.Dataset", **look: Any) -> None:
 
 
 def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
-    """Draw where in the plane of theta and lambda each claim of the 2015 paper holds.
+    """Draw where in the plane of the adhesion indices theta and lambda each claim of the 2015 paper holds.
 
-    Columns are claims. Rows are variants of the model, and the solution with the film as an elastic layer. point: theta and
-    lam of a contact, marked by a star.
+    claims: fraction of the cases of each claim for which it holds, on a grid of theta and lambda. Columns of the figure are
+    claims. Rows are variants of the model; the last row solves the film as an elastic layer. point: theta and lam of a contact,
+    which a star marks.
     """
     figure = Figure(figsize=(3.1 * len(CLAIMS) + 0.8, 3.3 * len(VARIANTS)), layout="constrained")
     grid = figure.subplots(len(VARIANTS), len(CLAIMS), sharex=True, sharey=True, squeeze=False)
@@ -72,7 +76,7 @@ def claims_figure(claims: "ClaimMap", point: Mapping[str, float]) -> Figure:
             share = np.ma.masked_invalid(claims.share[column, row].T)
             axes.pcolormesh(claims.theta, claims.lam, share, cmap=colours, norm=norm, shading="nearest")
             axes.set(xscale="log", yscale="log")
-            for colour, style in (("white", "-"), ("black", "--")):  # seen on dark and on light colours
+            for colour, style in (("white", "-"), ("black", "--")):  # two lines, to be seen on dark and on light colours
                 axes.axvline(10.0, color=colour, linewidth=0.9, linestyle=style)
                 axes.axhline(0.125, color=colour, linewidth=0.9, linestyle=style)
             axes.plot(point["theta"], point["lam"], marker="*", color=RED, markeredgecolor="white", markersize=12)

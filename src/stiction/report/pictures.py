@@ -41,16 +41,16 @@ _PARTS: dict[str, tuple[str, dict[str, Any]]] = {
     "_film": ("film", {"color": ORANGE, "marker": "o", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
     "_substrate": ("substrate", {"color": GREEN, "marker": "s", "markersize": 4.5, "markevery": 0.06, "linewidth": 0.8}),
 }
-# The panels of a curve: a quantity, and that against which it is drawn.
+# The panels of a curve: quantity along y, quantity along x.
 _PANELS = (
     ("friction_coefficient", "load"), ("contact_area", "load"), ("load", "mean_separation"), ("friction_force", "load"),
 )  # fmt: skip
-_LEAST = 1e-6  # of a panel's largest value: smaller parts are not drawn, so that the axis shows the others
-_ONE = "1\\cdot "  # before a power of ten, where it is left out
+_LEAST = 1e-6  # fraction of a panel's largest value below which parts are not drawn, so that the axis shows the others
+_ONE = "1\\cdot "  # mantissa that is left out before a power of ten
 _MANY_DECADES = 3e5  # ratio of the ends of a logarithmic axis above which its ticks are powers of ten
-_LEAST_SPAN = 1e-2  # of a linear axis, over its largest value
-_FEW_POINTS = 20  # of a curve, up to which each is marked
-_MOST_WARNINGS = 5  # that are listed below a picture
+_LEAST_SPAN = 1e-2  # smallest range of a linear axis, over its largest value
+_FEW_POINTS = 20  # largest number of points of a curve that are all marked
+_MOST_WARNINGS = 5  # largest number of warnings below a picture
 _MU = "friction_coefficient"
 NOT_PRESSED = "no compressive load:\nmu is not defined"
 METHOD_BAND = "range over methods of\nfinding asperities"
@@ -60,9 +60,9 @@ MU_LABEL = f"static friction coefficient ${QUANTITIES['friction_coefficient'].la
 def label(variable: "xarray.DataArray", longest: int = 200) -> str:
     """Return the axis label of a variable: meaning, symbol and unit.
 
-    longest: number of characters above which the unit is on a second line.
+    longest: largest number of characters of a label whose unit stays on the same line.
     """
-    name = str(variable.name).rpartition(".")[2]  # of one of two bodies: "first.hardness"
+    name = str(variable.name).rpartition(".")[2]  # "hardness" of "first.hardness"
     meaning = variable.attrs.get("comment", variable.attrs.get("long_name", name)).partition(",")[0]
     symbol = f" ${QUANTITIES[name].latex}$" if name in QUANTITIES else ""
     unit = _unit(variable)
@@ -71,7 +71,7 @@ def label(variable: "xarray.DataArray", longest: int = 200) -> str:
 
 
 def _unit(variable: "xarray.DataArray") -> str:
-    """Return the unit as text for matplotlib; a divisor of sigma becomes a LaTeX formula."""
+    """Return the unit of a variable as text for matplotlib; a divisor that contains sigma becomes a LaTeX formula."""
     unit = unit_of(variable).replace("m^2", "m²")
     formula, per, rest = unit.partition(" per ")
     if "sigma" not in formula:
@@ -91,12 +91,12 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     width, height = max(5.5 * columns, 8.0), 8.2 if rows == 2 else 4.6
     # Fixed margins: matplotlib's automatic layouts draw everything twice, and this picture is made on every run.
     notes = warnings_below(data, int(14.5 * width))
-    below = 0.16 * len(notes)  # inches, which the figure has more
+    below = 0.16 * len(notes)  # inches added to the figure for the warnings
     figure = Figure(figsize=(width, height + below))
     figure.suptitle(heading(data, title), fontsize=11)
     if notes:
         figure.text(0.01, 0.06 / (height + below), "\n".join(notes), fontsize=8, color=RED, va="bottom")
-    edge, beside = (1.0 if rows == 2 else 0.6), width / 11.0  # the same text takes more of one row, or column
+    edge, beside = (1.0 if rows == 2 else 0.6), width / 11.0  # texts take a larger fraction of a figure with one row or column
     room = height / (height + below)
     bottom = (below + 0.07 / edge * height) / (height + below)
     figure.subplots_adjust(0.085 / beside, bottom, 1.0 - 0.015 / beside, 1.0 - 0.085 / edge * room, wspace=0.24, hspace=0.22)
@@ -106,14 +106,14 @@ def curve_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def panels(data: "xarray.Dataset") -> list[tuple[str, str]]:
-    """Return the panels that a curve has data for, as pairs (y quantity, x quantity)."""
+    """Return the panels for which a curve has data, as pairs (y quantity, x quantity)."""
     return [names for names in _PANELS if all(name in data for name in names)]
 
 
 def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
     """Draw one panel of a curve as a separate figure.
 
-    what: quantity along y. against: quantity along x. Both are names of variables.
+    what, against: names of the variables along y and along x.
     """
     figure, (axes,) = canvas(5.2, 3.9)
     _draw_panel(axes, data, what, against)
@@ -121,7 +121,7 @@ def panel_of_curve(data: "xarray.Dataset", what: str, against: str) -> Figure:
 
 
 def uncertainty_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw the friction coefficient against load with its band over uncertain inputs."""
+    """Draw the friction coefficient of one model against load, with its quantiles over the uncertain inputs as a band."""
     figure, (axes,) = canvas(7.0, 5.2)
     friction_panel(axes, data)
     figure.suptitle(heading(data, title), fontsize=11)
@@ -148,9 +148,9 @@ def heading(data: "xarray.Dataset", title: str) -> str:
 
 
 def add_titles(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -> None:
-    """Write title lines above a figure and validity warnings below it, and enlarge the figure to make room.
+    """Write title lines above a figure and the validity warnings of a result below it, and enlarge the figure for them.
 
-    more: further title lines.
+    title: first line. more: further lines below the line on model and grade.
     """
     figure.suptitle("\n".join([heading(data, title), *more]), fontsize=11)
     if notes := warnings_below(data, int(14.0 * figure.get_figwidth())):
@@ -159,7 +159,7 @@ def add_titles(figure: Figure, data: "xarray.Dataset", title: str, *more: str) -
 
 
 def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
-    """Return the validity warnings as lines of at most `width` characters, for the foot of a figure."""
+    """Return the validity warnings of a result as lines of at most `width` characters, for the foot of a figure."""
     warnings = [letters(str(warning)) for warning in warnings_of(data)]
     if not warnings:
         return []
@@ -175,14 +175,14 @@ def warnings_below(data: "xarray.Dataset", width: int) -> list[str]:
 
 
 def _marked(count: int) -> dict[str, Any]:
-    """Return line properties that mark computed points; {} if the line has more than twenty points."""
+    """Return line properties that mark the computed points of a line of `count` points; {} for more than twenty points."""
     return {"marker": "o", "markersize": 4.0} if count <= _FEW_POINTS else {}
 
 
 def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw friction against load in one panel, with all bands that the result has.
 
-    The bands are the prediction interval or the range over asperity methods, and quantiles over uncertain inputs.
+    A band is the prediction interval, the range over asperity methods, or a range of quantiles over the uncertain inputs.
     """
     load, mu = (np.atleast_1d(data[name].values) for name in ("load", _MU))
     axes.set_ylabel(MU_LABEL)
@@ -209,7 +209,7 @@ def friction_panel(axes: Axes, data: "xarray.Dataset") -> None:
     else:
         say(axes, NOT_PRESSED)
     finish(axes, xlabel=label(data["load"]))
-    if (entries := len(axes.get_legend_handles_labels()[0])) > 2:  # which would cover the band
+    if (entries := len(axes.get_legend_handles_labels()[0])) > 2:  # a large legend would cover the band
         bottom, top = axes.get_ylim()
         share = 0.08 * entries
         axes.set_ylim(bottom, top * (top / bottom) ** share if axes.get_yscale() == "log" else top + share * (top - bottom))
@@ -250,7 +250,7 @@ def draw_band(axes: Axes, x: np.ndarray, low: np.ndarray, high: np.ndarray, **lo
 def _friction_bands(data: "xarray.Dataset") -> Iterator[tuple[np.ndarray, np.ndarray, dict[str, Any]]]:
     """Yield (low, high, style) of each friction band of a result, the widest kind first.
 
-    First comes the prediction interval, or the range over asperity methods; then come quantile ranges over uncertain inputs.
+    First comes the prediction interval, or the range over asperity methods. Quantile ranges over uncertain inputs follow.
     """
     if f"{_MU}_low" in data:
         text = f"{METHOD_BAND}; used:\n{data.attrs.get('roughness_method', 'first method')}"
@@ -284,7 +284,7 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
                 sizes += [np.min(sign * y[drawn]), np.max(sign * y[drawn])]
     axes.set(xlabel=label(data[against]), ylabel=label(data[what], longest=42))
     if axes.lines:
-        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # apart from rounding: matplotlib finds no limits, and warns
+        alike = max(sizes) < (1.0 + 1e-9) * min(sizes)  # for equal values matplotlib finds no limits, and warns
         axes.set_autoscaley_on(not alike)
         axes.set_yscale("log")
         if alike:
@@ -296,20 +296,20 @@ def _parts_panel(axes: Axes, data: "xarray.Dataset", what: str, against: str) ->
     else:
         if data[against].attrs.get("units", "1") != "1":
             along(axes, "x", against, x, log=False)
-        axes.invert_xaxis()  # pressing harder goes to the right, as in the other panels
+        axes.invert_xaxis()  # a harder contact is at the right, as in the other panels
     if sizes and data[what].attrs.get("units", "1") != "1":
         along(axes, "y", what, np.array(sizes))
     finish(axes)
 
 
 def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
-    """Format ticks and grid of the axes, add a legend of named lines, and set further properties, e.g. `xlabel`."""
+    """Format ticks and grid of the axes, set further properties such as `xlabel`, and add a legend if lines have names."""
     axes.set(**named)
     axes.title.set_fontsize(9)
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() == "log":
-            if not isinstance(axis.get_major_formatter(), InUnit):  # which `along` has set
+            if not isinstance(axis.get_major_formatter(), InUnit):  # `along` may have set one
                 axis.set_major_formatter(InUnit())
             axis.set_minor_formatter(NullFormatter())
             if high < FEW_DECADES * low:
@@ -324,7 +324,10 @@ def finish(axes: Axes, legend: bool = True, **named: Any) -> None:
 
 
 class InUnit(Formatter):
-    """Format tick labels in a prefixed unit; use powers of ten on an axis of many decades."""
+    """Format tick labels in a prefixed unit, or as powers of ten on an axis of many decades.
+
+    factor: by which a tick value is multiplied.
+    """
 
     def __init__(self, factor: float = 1.0):
         self.factor = factor
@@ -355,8 +358,8 @@ def say(axes: Axes, text: str) -> None:
 def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool = True, before: str = "", **named: Any) -> None:
     """Label an axis with a quantity, and show its ticks in a prefixed unit.
 
-    which: "x" or "y". values: SI values (n,) to be shown. log: whether the axis is logarithmic by `is_log`.
-    before: start of the label. named: arguments of `finish`.
+    which: "x" or "y". quantity: key of QUANTITIES. values: SI values (n,) that the axis shows. log: whether `is_log` may make
+    the axis logarithmic. before: start of the label. named: arguments of `finish`.
     """
     row, axis = QUANTITIES[quantity], getattr(axes, f"{which}axis")
     seen = np.abs(values[np.isfinite(values)])
@@ -370,7 +373,7 @@ def along(axes: Axes, which: str, quantity: str, values: np.ndarray, log: bool =
 
 
 def along_points(axes: Axes, points: "xarray.DataArray") -> None:
-    """Label and scale the x axis of a panel for loads or separations, in SI units or normalised."""
+    """Label and scale the x axis of a panel whose points are loads or separations, in SI units or normalised."""
     values = points.values
     if points.attrs.get("units", "1") != "1":
         along(axes, "x", str(points.name), values)
@@ -382,9 +385,9 @@ def along_points(axes: Axes, points: "xarray.DataArray") -> None:
 
 
 def look_of(method: str, number: int) -> dict[str, Any]:
-    """Return the colour and marker of an asperity method, the same in all figures.
+    """Return colour and marker of an asperity method, which are the same in all figures.
 
-    number: index of the line; it decides the look if `method` is not an asperity method.
+    number: index of the line; it decides the look if `method` is not the name of an asperity method.
     """
     known = list(methods())
     number = known.index(method) if method in known else number
@@ -392,6 +395,6 @@ def look_of(method: str, number: int) -> dict[str, Any]:
 
 
 def plain(method: str) -> str:
-    """Return a short description of what an asperity method finds; for other names, the name with blanks for underscores."""
+    """Return a short text on what an asperity method finds; for any other name, the name with blanks for underscores."""
     record = methods().get(method)
     return method.replace("_", " ") if record is None else record.label

@@ -25,7 +25,7 @@ _TEXT = r"\\(?:mathrm|text|operatorname|mathcal|mathbf)\{[^}]*\}"
 _BRACKET = r"\\(?:left|right|bigl|bigr)(?![A-Za-z])\s*(?:\\[A-Za-z]+|\\.|.)"
 _TOKEN = re.compile(rf"{_TEXT}|\\begin.*?\\end\{{\w+\}}|{_BRACKET}|\\[A-Za-z]+|\\.|\d*\.?\d+|\n|\S", re.DOTALL)
 _GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
-# An argument without braces.
+# An argument of a LaTeX command without braces.
 _ONE = rf"(\\(?:mathrm|mathcal|text|sqrt){_GROUP}|\\[td]?frac{_GROUP}{_GROUP}|\\[A-Za-z]+|[^\s{{}}\\[])"
 _NAME = re.compile(r"[\d.]+|[^\W\d_][^\W_]*'*")
 _OPEN = "([{⟨"
@@ -35,8 +35,8 @@ _OPEN = "([{⟨"
 class _Piece:
     """Store a part of a formula as text, with the properties that decide the spaces around it.
 
-    word: put a space between it and another value. relation: put it between two spaces. fraction: a fraction or power; put
-    a space before a bracket that follows. function: the name of a function.
+    word: a space separates it from a neighbouring value. relation: a space stands on both sides. fraction: it is a fraction or
+    a power, and a space separates it from a bracket that follows. function: it is the name of a function.
     """
 
     text: str
@@ -48,7 +48,10 @@ class _Piece:
 
 @dataclass
 class _Reader:
-    """Convert the tokens of a LaTeX formula to pieces of text, from left to right."""
+    """Convert the tokens of a LaTeX formula to pieces of text, from left to right.
+
+    tokens: the tokens not read yet. pieces: the pieces of the group of braces that is being read.
+    """
 
     tokens: Iterator[str]
     pieces: list[_Piece] = field(default_factory=list)
@@ -117,7 +120,7 @@ class _Reader:
         self.pieces[-1:] = [_Piece(text, word=base.word or sign == "_" or raised[0] == "^", fraction=raised[0] == "^")]
 
     def _argument(self) -> list[_Piece]:
-        next(self.tokens)  # the brace that opens it
+        next(self.tokens)  # skips the opening brace
         return self.pieces_until("}")
 
 
@@ -151,9 +154,9 @@ def _apart(before: _Piece, piece: _Piece) -> bool:
 
 
 def _grouped(pieces: list[_Piece], product: bool = False) -> str:
-    """Return the argument of a LaTeX command as text, in brackets if it is more than one value.
+    """Return an argument of a LaTeX command as text, in brackets if it is more than one value.
 
-    product: leave out the brackets of a product too.
+    product: whether a product stays without brackets.
     """
     text = _joined(pieces)
     single = " " not in text and "/" not in text and sum(bool(piece.text.strip()) for piece in pieces) == 1
@@ -186,17 +189,17 @@ def _replaced(text: str, inline: str, display: str, indent: str = "") -> str:
 
 
 def as_code(text: str) -> str:
-    """Convert Markdown with LaTeX formulas to Markdown without: formulas become code.
+    """Convert Markdown with LaTeX formulas to Markdown in which the formulas are code.
 
-    Links to other pages become text, and underscores are escaped.
+    Links to other pages become text, and underscores outside code are escaped.
     """
     marked = _replaced(_without_links(text), "`{}`", "```text\n{}\n```")
-    parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # every second one is code
+    parts = re.split(r"(```.*?```|`[^`]*`)", marked, flags=re.DOTALL)  # code is at odd indices
     return "".join(part if number % 2 else part.replace("_", r"\_") for number, part in enumerate(parts))
 
 
 def as_text(text: str) -> str:
-    """Convert Markdown with LaTeX formulas to plain text, without marks of emphasis, code and links."""
+    """Convert Markdown with LaTeX formulas to plain text, without the marks of emphasis, code and links."""
     plain = _replaced(_without_links(text), "{}", "{}", "    ").replace("`", "")
     return re.sub(r"(?<!\w)\*([A-Z][^*\n]*)\*(?!\w)", r"\1", plain)
 

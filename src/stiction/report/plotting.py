@@ -11,7 +11,7 @@ from stiction.quantities.extras import require
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# What a result has -> the function that draws it; the first that fits.
+# Variable or attribute of a result -> function that draws the result; the first match counts.
 _DRAWN = {
     "objectives": "design_pictures.design_figure",
     "profile_value": "fit_pictures.fit_figure",

@@ -17,7 +17,10 @@ _MU = "friction_coefficient"
 
 
 def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
-    """Draw mu of a prediction: an interval band against load, or a histogram of the samples at a single load."""
+    """Draw the mu of a prediction: with its interval against load or, for a single load, as a histogram of the samples.
+
+    data: result of `predict`.
+    """
     figure, (axes,) = canvas(8.53, 4.8)
     if data["load"].size > 1:
         _band(axes, data, data)
@@ -29,9 +32,9 @@ def prediction_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figure:
-    """Draw mu against load with the prediction at its working load, or the samples of mu at a single load.
+    """Draw mu against load with the prediction at its working load; for a prediction at a single load, the samples of mu.
 
-    data: result of the model that the user named, or the prediction itself.
+    data: result of the model that the user named, or the prediction itself. prediction: result of `predict`.
     """
     figure, (axes,) = canvas(5.0, 3.4)
     if _MU in data and (data is not prediction or data["load"].size > 1):
@@ -42,27 +45,33 @@ def answer_figure(data: "xarray.Dataset", prediction: "xarray.Dataset") -> Figur
 
 
 def sources_figure(prediction: "xarray.Dataset") -> Figure:
-    """Draw the interval of mu, and the interval that each of its main sources would cause alone."""
+    """Draw the interval of mu, and for each main source of uncertainty the interval that it would cause alone.
+
+    prediction: result of `predict`.
+    """
     figure, (axes,) = canvas(5.0, 3.4)
     rests_panel(axes, prediction)
     return figure
 
 
 def validation_figure(data: "xarray.Dataset") -> Figure:
-    """Draw measured friction next to the prediction at each load."""
+    """Draw measured friction next to the prediction at each load. data: result of `validate`."""
     figure, (axes,) = canvas(7.0, 4.4)
     validation_panel(axes, data)
     return figure
 
 
 def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw measured friction next to the predicted median with its 50 % (thick) and 90 % intervals."""
+    """Draw measured friction next to the predicted median with its 50 % (thick) and 90 % intervals.
+
+    data: result of `validate`.
+    """
     data = data.isel(row=np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))))
     load, quantiles = data["load"].values, data["prediction"].transpose("quantile", "row").values
     axes.vlines(load, quantiles[0], quantiles[4], color=BLUE, linewidth=2, label="90 % interval")
     axes.vlines(load, quantiles[1], quantiles[3], color=BLUE, linewidth=8, alpha=0.5, label="50 % interval")
     axes.plot(load, quantiles[2], "o", color=BLUE, label="predicted")
-    beside = load * 1.12  # so that neither hides the other
+    beside = load * 1.12  # a small shift keeps both visible
     axes.vlines(beside, data["measured_low"], data["measured_high"], color=RED, linewidth=5, label="measured")
     axes.plot(beside, data["measured"], "_", color=RED, markersize=9)
     axes.set(xscale="log", yscale="log", ylim=(None, 6.0 * quantiles.max()))  # room for the legend
@@ -71,7 +80,10 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 
 
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
-    """Draw the interval of mu, and the interval that each of its main sources would cause alone."""
+    """Draw the interval of mu, and for each main source of uncertainty the interval that it would cause alone.
+
+    That interval has the width of ln mu times the square root of the source's share of the variance.
+    """
     mu, low, high = ends_of_mu(data)
     shares = main_sources(data.attrs["shares"])
     names = ["whole interval", *(f"{part_name(name)}\n{share:.0%}" for name, share in shares)]
@@ -88,7 +100,7 @@ def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
 def _band(axes: Axes, data: "xarray.Dataset", prediction: "xarray.Dataset") -> None:
     """Draw friction against load, the prediction at its working load, and a legend below the figure.
 
-    data: result with several loads. prediction: its working load is marked.
+    data: result over loads, of `predict` or of one model. prediction: result of `predict`.
     """
     friction_panel(axes, data.sortby("load") if data["load"].ndim else data)
     mu, low, high = ends_of_mu(prediction)

@@ -25,7 +25,10 @@ class Printed:
 
 
 def printed(keys: Iterable[str]) -> list[Printed]:
-    """Return the references with these keys, in the order of the bibliography. Raises InputError for an unknown key."""
+    """Return the printed references of bibliography keys, in the order of the bibliography.
+
+    Raises InputError for an unknown key.
+    """
     return [_printed(entry["key"], entry["fields"]) for entry in ENTRY.finditer(entries(keys))]
 
 

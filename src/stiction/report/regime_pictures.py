@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 _LEAST = 0.05  # share of the load above which adhesion counts (Johnson & Greenwood 1997)
 _FLOWING = 0.02  # share of the real area that flows at the onset of plasticity (Greenwood & Williamson 1966)
-_TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # left of .1 DMT, right of 5 JKR
+_TABOR = np.array([1e-3, 0.1, 5.0, 1e3])  # Tabor parameter: below 0.1 DMT, above 5 JKR
 
 
 def regime_figure(contact: "Contact", data: "xarray.Dataset", title: str = "") -> Figure:
     """Draw where a contact lies on the adhesion map of Johnson & Greenwood and the plasticity map of Greenwood & Williamson.
 
-    The adhesion map needs a work of adhesion, and the plasticity map a contact without a film; at least one of the two must be
-    drawn. contact: a single contact. data: its result. If the result has `touching_asperities`, the mean asperity in contact is
-    marked.
+    The adhesion map needs a work of adhesion, and the plasticity map a contact without a film; at least one of the two must
+    apply. contact: a single contact. data: its result. If the result has `touching_asperities`, the adhesion map marks the mean
+    asperity in contact at the largest load.
     """
     load = float(data["load"].max())
     drawn: list[Callable[[Axes], None]] = []
@@ -102,7 +102,7 @@ def pressure_of_first_flow(index: float, density: float) -> float:
     """Return the nominal pressure, divided by the hardness, at which 2 % of the contact area yields.
 
     The criterion is that of Greenwood & Williamson (1966). index: plasticity index. density: N R sigma. The result is infinite
-    if no tabulated separation meets the criterion.
+    if the criterion is met at no separation of the table, -4 to 6 times sigma.
     """
     z, heights, area, load = _gaussian_sums()
     flowing = np.trapezoid(heights * np.clip(z - index**-2.0, 0.0, None), z, axis=1)
@@ -112,9 +112,10 @@ def pressure_of_first_flow(index: float, density: float) -> float:
 
 @cache
 def _gaussian_sums() -> tuple[np.ndarray, ...]:
-    """Return the table from which `pressure_of_first_flow` reads, for Gaussian asperity heights.
+    """Return the table from which `pressure_of_first_flow` reads, for Gaussian asperity heights with sigma = 1.
 
-    Returns depths z (n,), the height density at 201 separations (201, n), and its integrals with z and z^1.5 (201,).
+    Returns compressions z (n,), the density (201, n) of the heights s + z at 201 separations s, and its integrals over z with
+    the weights z and z^1.5, each (201,).
     """
     z = np.linspace(0.0, 12.0, 1201)
     separation = np.linspace(-4.0, 6.0, 201)[:, None]

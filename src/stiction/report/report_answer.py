@@ -25,12 +25,15 @@ _COUNTED = {2: "two", 3: "three", 4: "four", 5: "five"}
 
 
 def plain_name(name: str) -> str:
-    """Return the readable name of a material, such as "hardened steel 52100"."""
+    """Return the readable name of a material: "hardened steel 52100" for "hardened_steel_52100"."""
     return name.replace("_", " ")
 
 
 def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) -> str:
-    """Format a value of a result with its unit or divisor; NaN gives "not defined"."""
+    """Format a value of a result with its unit or, if it is normalised, with the formula of its divisor.
+
+    variable: the result. value: in SI units or normalised; NaN gives "not defined".
+    """
     if not np.isfinite(value):
         return "not defined"
     if variable.attrs.get("normalised_by"):
@@ -39,9 +42,9 @@ def value_in_words(variable: "xarray.DataArray", value: float, digits: int = 3) 
 
 
 def interval_of(point: "xarray.Dataset") -> list[float]:
-    """Return both ends of the interval of mu for the named model; [] if it has no interval.
+    """Return both ends of the interval of mu of one model at one load; [] if it has no interval.
 
-    The interval covers the uncertain inputs. Without uncertain inputs it covers the methods of finding asperities.
+    The interval is over the uncertain inputs. Without uncertain inputs it is over the methods of finding asperities.
     """
     if f"{_MU}_quantile" in point:
         ends = [float(point[f"{_MU}_quantile"].isel(quantile=place)) for place in (0, -1)]
@@ -51,7 +54,7 @@ def interval_of(point: "xarray.Dataset") -> list[float]:
 
 
 def question(findings: ReportData) -> str:
-    """Return the question that the report answers, as a sentence."""
+    """Return the question that a report answers, as a sentence with contact and load."""
     subject, data = findings.case.subject, findings.data
     what = "static friction coefficient" if _MU in data else "real contact area"
     if not isinstance(subject, Contact):
@@ -70,7 +73,10 @@ def question(findings: ReportData) -> str:
 
 
 def stated_roughness(contact: Contact) -> str:
-    """Return which finishes and scans the roughness of a contact comes from; "" if it states sigma, R and N."""
+    """Return the finishes or scans that the roughness of a contact was derived from, as text.
+
+    The text is "" if the contact states the numbers sigma, R and N.
+    """
     bodies = {name: body for name in ("first", "second") if isinstance(body := contact.roughness.part(name), Finished)}
     stated = [f"{name} body " * (len(bodies) > 1) + _finish_in_words(body) for name, body in bodies.items()]
     if contact.measured is not None:
@@ -89,14 +95,14 @@ def _where(findings: ReportData) -> str:
 
 def load_in_words(findings: ReportData) -> str:
     load = findings.load
-    assert load is not None  # who asks has looked
+    assert load is not None  # callers make sure that there is a working load
     return value_in_words(findings.data["load"], load)
 
 
 def headline(findings: ReportData) -> str:
     """Return the headline of a report: mu, or the contact area of a model without friction.
 
-    mu has only significant digits. Without a working load the headline states the smallest and the largest value.
+    mu has significant digits only. Without a working load the headline states the smallest and the largest value.
     """
     if findings.prediction is not None:
         return answer.headline(findings.prediction).replace("mu", "μ", 1)
@@ -125,7 +131,7 @@ def _ends(values: "xarray.DataArray") -> tuple[float, float]:
 
 
 def answer_in_words(findings: ReportData) -> str:
-    """Return the answer as one sentence that also states its validity."""
+    """Return the answer of a report as one sentence, with the state of the contact or the validity of the model."""
     if findings.prediction is not None:
         return f"{answer.headline(findings.prediction)}. {findings.prediction.attrs['regime']}"
     data, point = findings.data, findings.working_results
@@ -147,7 +153,7 @@ def answer_in_words(findings: ReportData) -> str:
 
 
 def _along(findings: ReportData) -> str:
-    """Return the answer as a sentence for a curve or for array parameters, where no working load is given."""
+    """Return the answer as a sentence for a result without a working load: a curve, or array parameters."""
     data = findings.data
     dim = points_dimension(data)
     ends = list(dict.fromkeys(of_point(data, end) for end in (0, -1))) if dim else []
@@ -161,14 +167,14 @@ def _along(findings: ReportData) -> str:
 
 
 def _span(data: "xarray.Dataset", name: str) -> str:
-    """State the symbol of a varied quantity with its first and last value: "t = 100 nm to 1 µm"."""
+    """State the first and the last value of a quantity that the case varies: "t = 100 nm to 1 µm"."""
     quantity = name.rpartition(".")[2]
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else name
     return f"{symbol} = {of_value(data, name, 0)} to {of_value(data, name, -1)}"
 
 
 def warnings_here(findings: ReportData) -> list[ValidityWarning]:
-    """Return the validity warnings at the working load."""
+    """Return the validity warnings of a report at its working load."""
     return warnings_of(findings.result)
 
 

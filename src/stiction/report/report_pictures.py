@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-_MOST = 300_000  # characters of a drawing, above which it is an image
+_MOST = 300_000  # characters of an SVG above which a PNG is used
 _DOTS_PER_INCH = 160
-# What a page has no use for; the style would hold for the whole of it.
+# Parts of an SVG that the page does not need; a style element would apply to the whole page.
 _LEFT_OUT = re.compile(r"<\?xml.*?\?>|<!DOCTYPE.*?>|<!--.*?-->|<metadata>.*?</metadata>|<style.*?</style>", re.DOTALL)
 _OWN_ID = re.compile(r' id="([^"]*)"')
 _REFERENCE = re.compile(r'(?:xlink:href="|url\()#([^")]*)')
@@ -41,7 +41,8 @@ _COLOURS = {"#000000": "currentColor", "#ffffff": "var(--paper)"}
 def inline(figure: "Figure", name: str, words: str) -> str:
     """Convert a figure to HTML that follows the colours of the page: SVG, or PNG if the SVG is large.
 
-    name: letters, unique on the page. words: description for screen readers. Equal figures give equal HTML.
+    name: letters, unique on the page, for the names inside the SVG. words: description for screen readers. Equal figures give
+    equal HTML.
     """
     drawn = io.StringIO()
     figure.savefig(drawn, format="svg", transparent=True)
@@ -77,8 +78,8 @@ _TITLES = {
     "load": "Load against mean separation",
     "friction_force": "Friction force against load",
 }
-_FEW = 2  # loads, below which there are no shares to draw along them
-_NEARLY_ALL = 0.995  # a share above which the other parts could not be seen
+_FEW = 2  # smallest number of loads for a chart of shares
+_NEARLY_ALL = 0.995  # share of one part above which the others are too thin to see
 
 
 @dataclass(frozen=True)
@@ -95,14 +96,14 @@ class Picture:
 
 def _picture(make: "Callable[[], Figure]", name: str, caption: str, words: str = "", wide: bool = False) -> Picture:
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # letters that the font of a picture has not are boxes there
+        warnings.simplefilter("ignore", UserWarning)  # matplotlib warns of letters that its font lacks, and draws boxes
         return Picture(inline(make(), name, words or caption), caption, wide)
 
 
 def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
     """Describe a curve by its values at both ends, for screen readers.
 
-    what: quantity along y. against: quantity along x.
+    what, against: names of the variables along y and along x.
     """
     x, y = (np.asarray(data[name].values, dtype=float) for name in (against, what))
     known = np.flatnonzero(np.isfinite(x) & np.isfinite(y) & ((x > 0.0) | (against != "load")))
@@ -114,15 +115,14 @@ def _in_words(data: "xarray.Dataset", what: str, against: str) -> str:
 
 
 def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
-    """Yield the pictures of a curve: one for each panel, and one for each chart of stacked parts.
+    """Yield the pictures of the curve of one model: one for each panel, and one for each chart of stacked parts.
 
-    A case with array parameters has a single picture. A prediction has none, because its curve is drawn by
-    `pictures_of_answer`.
+    A case with array parameters has a single picture. A prediction has none, because `pictures_of_answer` draws its curve.
     """
-    # Validity warnings stand in words on the page, and not below every picture.
+    # The page states the validity warnings once, not below every picture.
     data = findings.data.assign_attrs(validity_warnings="[]", outside_validity="")
     if findings.prediction is not None:
-        return  # it is on the first page
+        return  # its curve is on the first page
     if findings.case.is_swept:
         name = "friction" if shown_quantity(data) == "friction_coefficient" else "contact area"
         yield _picture(lambda: swept_figure(data), "several", f"{name.capitalize()} against the varied parameters.", wide=True)
@@ -136,7 +136,7 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
         yield _picture(make, f"p-{what}", f"{title}.", f"{title}. {_in_words(data, what, against)}")
     for number, (what, (total, parts)) in enumerate(stacks(data).items()):
         if pressing < _FEW or _the_one(data, parts):
-            continue  # described in words
+            continue  # `all_of_one` describes it in a sentence
         names = ", ".join(part_in_words(name, total) for name in parts)
         tension = any(np.nanmin(data[name].values, initial=0.0) < 0.0 for name in parts)
         words = f"Shares of the {what}, over the load: {names}" + (
@@ -146,18 +146,18 @@ def pictures_of_curve(findings: ReportData) -> Iterator[Picture]:
 
 
 def _the_one(data: "xarray.Dataset", parts: list[str]) -> str:
-    """Return the name of the part that exceeds 99.5 % of the sum of parts at every compressive load; "" if there is none.
+    """Return the name of the part that exceeds 99.5 % of the sum of all parts at every compressive load; "" if none does.
 
-    parts: names of the summed variables, for example the elastic and plastic contact areas.
+    parts: names of the summed variables, for example the elastic and the plastic contact area.
     """
     shares = shares_of(data, parts)[:, np.asarray(data["load"].values) > 0.0]
     return next((name for name, share in zip(parts, shares, strict=True) if share.size and np.nanmin(share) > _NEARLY_ALL), "")
 
 
 def all_of_one(findings: ReportData) -> list[str]:
-    """Return sentences that explain which pictures of a report are omitted; none for a prediction.
+    """Return sentences that explain which pictures of a report are omitted; [] for a prediction.
 
-    Curves are omitted if no load is compressive. A stacked chart is omitted if one part exceeds 99.5 % everywhere.
+    All curves are omitted if no load is compressive. A chart of stacked parts is omitted if one part exceeds 99.5 % everywhere.
     """
     data, lines = findings.data, []
     if findings.prediction is not None:
@@ -173,7 +173,7 @@ def all_of_one(findings: ReportData) -> list[str]:
 
 
 def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
-    """Yield the pictures of the first page if there is a prediction: mu against load, and the sources of its interval."""
+    """Yield the pictures of the first page: mu against load, and the sources of its interval; none without a prediction."""
     data, prediction = findings.data if findings.curve is None else findings.curve, findings.recommended
     if prediction is None:
         return
@@ -184,7 +184,7 @@ def pictures_of_answer(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
-    """Yield the picture of mu by all possible models, with the prediction."""
+    """Yield the picture of mu by all possible models, with the prediction; none if models were not compared."""
     data_of_models, data = findings.comparison, findings.recommended
     if data_of_models is None:
         return
@@ -196,7 +196,7 @@ def pictures_of_comparison(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
-    """Yield pictures of friction by the named model: with its band over uncertain inputs, and by asperity method."""
+    """Yield pictures of friction by the named model: with its band over uncertain inputs, and by each asperity method."""
     data = findings.data
     if "friction_coefficient_quantile" in data and not findings.case.is_swept:
         caption = "The friction coefficient with its band over the uncertain inputs."
@@ -208,7 +208,7 @@ def pictures_of_uncertainty(findings: ReportData) -> Iterator[Picture]:
 
 
 def pictures_of_scan(findings: ReportData, body: str) -> Iterator[Picture]:
-    """Yield heights, spectrum and asperities of the scan of one body ("first" or "second")."""
+    """Yield pictures of the scan of one body, "first" or "second": heights, spectrum and asperities."""
     analysis = findings.analyses[body]
     surface = replace(analysis.surface, name="")
     caption = f"Heights of the {body} body as prepared, and their histogram."

@@ -50,12 +50,12 @@ _NOT_NUMBERS = {
 
 
 _LONG = re.compile(r"\d+\.\d{3,}")  # a number with more digits than a reader needs
-_MOMENTS = "surface."  # of a roughness: the asperities that theories of the whole surface take
+_MOMENTS = "surface."  # prefix of the asperity numbers that follow from spectral moments
 _COLUMNS = [*map(Column, ("quantity", "symbol")), *numbers("value"), *map(Column, ("how well it is known", "source"))]
 
 
 def groups_of_inputs(findings: ReportData) -> list[Table]:
-    """Return the inputs of a case as tables, one for each part of the contact."""
+    """Return the inputs of a case as tables, one for each part of the contact, with how well each is known and its source."""
     subject, places = findings.case.subject, places_in(findings.text)
     table = "contact" if isinstance(subject, Contact) else "indices"
     known = {
@@ -78,7 +78,7 @@ def groups_of_inputs(findings: ReportData) -> list[Table]:
 
 
 def groups_of_groups(findings: ReportData) -> list[Table]:
-    """Return a table of the dimensionless groups of a contact; none if the case itself states groups."""
+    """Return the dimensionless groups of a contact as a list with one table; [] if the case itself states groups."""
     subject = findings.case.subject
     if not isinstance(subject, Contact):
         return []
@@ -105,7 +105,7 @@ def _material(subject: Any, part: str) -> Material | None:
 
 
 def _range(material: Material | None, name: str, counted: bool) -> str:
-    """State the known range of a material property, and whether the interval of mu includes it."""
+    """State the known range of a material property, and whether the interval of mu includes it; "" without a range."""
     if material is None or name not in material.range:
         return ""
     known = range_in_words(*material.range[name], name)
@@ -151,9 +151,9 @@ _PACKAGES = ("numpy", "scipy", "numba", "xarray", "pydantic", "pint", "matplotli
 def answer_table(findings: ReportData, name: str) -> Table:
     """Return the answer of a prediction as a table of headings and texts.
 
-    name: name of the case file.
+    name: name of the case file, for the commands in it.
     """
-    assert findings.prediction is not None  # the template has looked
+    assert findings.prediction is not None  # the template calls this for a prediction only
     rows = [(letters(head), letters(text.replace("CASE.toml", name))) for head, text in answer_lines(findings.prediction)]
     return Table([Column(""), Column("")], rows, "Basis of the answer")
 
@@ -161,14 +161,14 @@ def answer_table(findings: ReportData, name: str) -> Table:
 def card(findings: ReportData, name: str) -> Markup:
     """Return the answer card as HTML; empty if there is no prediction.
 
-    The result of a model that the user named is shown above the prediction. name: name of the case file.
+    The result of a model that the user named stands above the prediction. name: name of the case file.
     """
     if findings.recommended is None:
         return Markup("")
     named = "" if findings.prediction is not None else f"{headline(findings)} by {findings.data.attrs['model']}"
     answer = card_of(findings.recommended, named)
     answer = answer._replace(next_step=answer.next_step.replace("CASE.toml", name))
-    return Markup(answer.html(why=False))  # which escapes what came in
+    return Markup(answer.html(why=False))  # safe, because Card.html escapes its texts
 
 
 def main_inputs(findings: ReportData) -> Table | None:
@@ -221,9 +221,9 @@ def validity_line(findings: ReportData) -> str:
 
 
 def here_table(findings: ReportData) -> Table | None:
-    """Return a table of the results at the working load, each with its validity warnings.
+    """Return a table of the results at the working load, each with its validity warnings; None without a working load.
 
-    Warnings of quantities without a row are in the first row. The table is None without a working load.
+    Warnings on quantities that the table does not have are in the first row.
     """
     point = findings.working_results
     if point is None:
@@ -273,7 +273,7 @@ def compared(findings: ReportData) -> Table | None:
 
 
 def comparison_lines(findings: ReportData) -> dict[str, Any]:
-    """Return criteria and not applicable models of a comparison, with the reasons, as a dict of lists of lines."""
+    """Return criteria and inapplicable models of a comparison as {"lines": [...], "not_applicable": [...]}; {} without one."""
     if findings.comparison is None:
         return {}
     used = findings.comparison.attrs
@@ -331,7 +331,7 @@ def _validity_row(warning: ValidityWarning) -> list[str]:
 
 
 def notes(findings: ReportData) -> list[str]:
-    """Return notes on a result: input warnings, measured errors, unused inputs, and loads at which mu is not defined."""
+    """Return notes on a result: input warnings, benchmark errors, unused inputs, and loads at which mu is not defined."""
     warnings = [f"Input warning: {note}" for note in findings.input_warnings]
     if findings.data.attrs.get("model", RECOMMENDED) == RECOMMENDED:
         return [*warnings, *map(letters, findings.data.attrs.get("warnings", []))]
@@ -339,7 +339,7 @@ def notes(findings: ReportData) -> list[str]:
 
 
 def scan_parts(findings: ReportData) -> list[tuple[str, Any, Table, list[str]]]:
-    """Return (title, facts, table of asperities by method, notes) for each scan."""
+    """Return (title, facts, table of asperities by method, notes) for the scan of each body."""
     from stiction.report.views.surface import asperity_table, surface_notes, surface_summary
 
     parts = []
@@ -364,9 +364,9 @@ def versions() -> list[tuple[str, str]]:
 
 
 def command(name: str, load: Any, ranges: bool | None) -> str:
-    """Return the command line that makes the report again.
+    """Return the command line that makes a report again.
 
-    name: name of the case file. load, ranges: options of the report, or None.
+    name: name of the case file. load, ranges: options of the report, or None for the defaults.
     """
     words = ["stiction", "report", name, "--out", "report.html"]
     words += ["--load", str(load)] if load is not None else []
@@ -385,7 +385,7 @@ def measured_table(findings: ReportData) -> Table | None:
 
 
 def sources_of(findings: ReportData) -> tuple[list[str], list[str], list[str]]:
-    """Return three lists of bibliography keys: of the answer, of the materials, and of other compared models."""
+    """Return three lists of bibliography keys: of the answer, of the materials, and of the other models that were compared."""
     measured = findings.case.measured
     own = dict.fromkeys(findings.data.attrs.get("sources", "").split())
     own |= dict.fromkeys([] if measured is None else measured.sources())

@@ -14,7 +14,7 @@ FEW_DECADES = 200.0  # ratio of the ends of a logarithmic axis, below which 2 an
 
 
 def log_ticks(low: float, high: float) -> list[float]:
-    """Return round numbers for a logarithmic axis from `low` to `high`; the first and the last enclose both.
+    """Return round numbers for the ticks of a logarithmic axis; the first and the last enclose the range `low` to `high`.
 
     They are 1, 2 and 5 times powers of ten, or powers of ten alone on an axis of many decades.
 
@@ -37,14 +37,14 @@ def is_log(values: np.ndarray) -> bool:
 
 
 def scale_friction(axes: "Axes", values: np.ndarray, which: str = "y") -> None:
-    """Scale the friction axis by `is_log`, and say so on its label; a linear axis starts at 0.
+    """Make a friction axis logarithmic if `is_log` holds for the values, and name it so; otherwise start the axis at 0.
 
-    An axis that is logarithmic already stays so. which: "x" or "y".
+    values: friction coefficients that the axis shows. which: "x" or "y". An axis that is logarithmic already stays so.
     """
     text = getattr(axes, f"get_{which}label")().removesuffix(LOG)
     if getattr(axes, f"get_{which}scale")() == "log" or is_log(values):
         getattr(axes, f"set_{which}scale")("log")
         text += LOG
     else:
-        getattr(axes, f"set_{which}lim")(0.0, 1.08 * values.max())  # room above a friction that does not vary
+        getattr(axes, f"set_{which}lim")(0.0, 1.08 * values.max())  # some room above a constant friction
     getattr(axes, f"set_{which}label")(text)

@@ -16,15 +16,16 @@ from stiction.report.views.sensitivity import at_working_load, head_of, ranked, 
 if TYPE_CHECKING:
     import xarray
 
-_SHOWN = 12  # bars of a panel at most
-_TICKS = 6  # of effects, whose numbers may be long
-_NAMED = 0.05  # of the largest effect, above which an input has its name
+_SHOWN = 12  # largest number of bars in a panel
+_TICKS = 6  # largest number of ticks of an axis of effects, whose numbers may be long
+_NAMED = 0.05  # fraction of the largest effect above which an input is named
 
 
 def sensitivity_figure(data: "xarray.Dataset") -> Figure:
-    """Draw ranked Sobol indices, total indices against load, Morris effects and logarithmic sensitivities.
+    """Draw a sensitivity study: Sobol indices, total indices against load, Morris effects and logarithmic sensitivities.
 
-    Without uncertain inputs only the logarithmic sensitivities are drawn.
+    data: result of `sensitivity`. Of a prediction, the shares of the variance of ln mu take the place of indices and effects.
+    Without uncertain inputs, only the logarithmic sensitivities are drawn.
     """
     if "friction_coefficient_share" in data:
         figure, (shares, slopes) = canvas(11.0, 4.8, 1, 2)
@@ -60,9 +61,9 @@ def _symbol(name: str) -> str:
 
 
 def _indices(axes: Axes, data: "xarray.Dataset", name: str) -> None:
-    """Draw total and first-order Sobol indices of one result with their intervals.
+    """Draw total and first-order Sobol indices of one result at the working load, with their 95 % intervals.
 
-    name: the result. Total indices of other results are drawn as marks.
+    name: the result. The total indices of other results are drawn as marks.
     """
     results = at_working_load(data)
     order = ranked(results, name, "total_order", "input")[:_SHOWN]
@@ -101,7 +102,7 @@ def _screening(axes: Axes, data: "xarray.Dataset", name: str) -> None:
         return
     axes.errorbar(size, deviation, xerr=error, linestyle="", marker="o", color=BLUE, elinewidth=0.8)
     for place in ranked(results, name, "effect", "input")[:_SHOWN]:
-        if size[place] > _NAMED * np.nanmax(size):  # the names of what hardly matters would lie on one another
+        if size[place] > _NAMED * np.nanmax(size):  # names of small effects would overlap
             left = size[place] > 0.6 * np.nanmax(size)
             side = {"xytext": (-4, 4), "ha": "right"} if left else {"xytext": (4, 4), "ha": "left"}
             name = str(results["input"].values[place])

@@ -17,9 +17,9 @@ _HATCHES = ("", "//", "..", "\\\\", "xx")
 
 
 def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
-    """Return the stacked charts that a curve has data for, as description -> (total, parts).
+    """Return the charts of stacked parts for which a curve has data, as description -> (total, parts).
 
-    total: name of the summed variable, for example "contact_area". parts: names of the variables that add up to it.
+    total: name of the summed variable, for example "contact_area". parts: names of the variables that add up to the total.
     """
     stacked: dict[str, tuple[str, list[str]]] = {}
     for total, stem, words in (("contact_area", "contact_area", "contact area"), ("friction_force", "friction", "friction"),
@@ -38,9 +38,9 @@ def stacks(curve: "xarray.Dataset") -> dict[str, tuple[str, list[str]]]:
 
 
 def shares_of(curve: "xarray.Dataset", parts: Sequence[str]) -> np.ndarray:
-    """Return the absolute value of each part, divided by the sum over all parts: (parts, points).
+    """Return the absolute value of each part, divided by the sum of these values over all parts, shape (parts, points).
 
-    parts: names of variables of the curve. The result is NaN where all parts are 0.
+    parts: names of variables of the curve. The shares are NaN where all parts are 0.
     """
     sizes = np.abs([np.asarray(curve[name].values, dtype=float) for name in parts])
     total = sizes.sum(axis=0)
@@ -59,7 +59,7 @@ def part_in_words(name: str, total: str) -> str:
 def share_figure(curve: "xarray.Dataset", what: str) -> Figure:
     """Draw the shares of one sum as a stack against compressive load, with hatches for colour-blind readers.
 
-    what: a key of `stacks(curve)`, for example "contact area, by state".
+    what: key of `stacks(curve)`, for example "contact area, by state".
     """
     total, parts = stacks(curve)[what]
     figure, (axes,) = canvas(5.2, 3.9)

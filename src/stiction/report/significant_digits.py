@@ -2,15 +2,15 @@
 
 import math
 
-_MOST = 3  # digits, of a friction coefficient that is computed: what is read off an instrument has no more
+_MOST = 3  # digits; a measured friction coefficient has no more
 
 
 def rounded(value: float, ends: list[float]) -> str:
     """Format a value with one to three significant digits, depending on its uncertainty.
 
-    ends: ends of the uncertainty interval. The last digit shown has the decimal place of the first digit of half the interval
-    width, or one place further if that first digit is 1. Without an interval the value has two digits. NaN and infinity give
-    "not defined".
+    ends: ends of the uncertainty interval; [] for none, which gives two digits. The last digit shown has the decimal place of
+    the first digit of half the interval width, or one place further if that first digit is 1. NaN and infinity give "not
+    defined".
     """
     if not math.isfinite(value):
         return "not defined"
@@ -22,9 +22,9 @@ def rounded(value: float, ends: list[float]) -> str:
         place = _place(half) - (1 if f"{half:e}".startswith("1") else 0)
         digits = min(max(1 + _place(value) - place, 1), _MOST)
     text = f"{value:.{digits}g}"
-    if "e" in text and 1e-4 <= abs(value) < 1e5:  # 1e+01 of a number of one digit
+    if "e" in text and 1e-4 <= abs(value) < 1e5:  # 10 with one digit is formatted as 1e+01
         text = f"{float(text):.0f}"
-    missing = digits - len(text.replace(".", "").lstrip("-0"))  # zeros at the end that are digits: 0.30
+    missing = digits - len(text.replace(".", "").lstrip("-0"))  # significant zeros at the end, as in 0.30
     return text if "e" in text or missing <= 0 else text + ("" if "." in text else ".") + "0" * missing
 
 

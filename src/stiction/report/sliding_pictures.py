@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Draw tangential force over load against displacement, one line for each load or separation.
 
-    If asperities keep their strength, the energy lost in cycles is drawn too. Dotted lines mark the static friction
-    coefficient, dots the largest force. data: result of `slide` with at most one dimension of points.
+    data: result of `slide` with at most one dimension of loads or separations. Dotted lines mark the static friction
+    coefficient. Dots mark the largest force; if sliding asperities keep their full strength, they mark 99 % of it, and a second
+    panel shows the energy lost in a cycle.
     """
     lost = "energy_loss" in data
     figure, panels = canvas(12.0 if lost else 7.0, 5.4, 1, 1 + lost)
@@ -35,9 +36,9 @@ def sliding_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 
 
 def write_animation(data: "xarray.Dataset", path: Path) -> None:
-    """Write a GIF that shows which points of a map stick or slip as the displacement grows.
+    """Write a GIF that shows which points of a height map stick or slide as the displacement grows.
 
-    Of several loads, the largest is shown. data: result of `slide` for a map.
+    data: result of `slide` for a map. If it has more than one load, the largest is shown.
     """
     points = [dim for dim in data["tangential_force"].dims if dim != "displacement"]
     row = data.isel({points[0]: int(np.argmax(data["load"].values))}) if points else data
@@ -56,7 +57,7 @@ def write_animation(data: "xarray.Dataset", path: Path) -> None:
 
 
 def _named(row: "xarray.Dataset") -> str:
-    """Format the load of one row of a result."""
+    """Format the load of one row of a result, for the legend."""
     return f"${QUANTITIES['load'].latex}$ = {with_unit(row['load'], digits=3)}"
 
 
@@ -70,7 +71,7 @@ def _forces(axes: Axes, rows: list["xarray.Dataset"]) -> None:
         colour, load = COLOURS[number % len(COLOURS)], float(row["load"])
         axes.plot(row["displacement"], row["tangential_force"] / load, color=colour, label=_named(row))
         axes.axhline(float(row["friction_coefficient"]), color=colour, linestyle=":", linewidth=1.0)
-        share = 0.99 if "energy_loss" in row else 1.0  # of the force that it tends to
+        share = 0.99 if "energy_loss" in row else 1.0  # without weakening, the force approaches its limit and never reaches it
         axes.plot(row["sliding_displacement"], share * row["largest_friction_coefficient"], "o", color=colour, markersize=5)
     axes.plot([], [], ":", color="black", label="static friction coefficient $\\mu$")
     axes.plot([], [], "o", color="black", label="99 % of it" if "energy_loss" in rows[0] else "largest")

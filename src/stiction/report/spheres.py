@@ -10,9 +10,10 @@ if TYPE_CHECKING:
 
 
 def spheres_of(numbers: Any, radius: float, length: float, force: float) -> dict[str, Any]:
-    """Return radius, work of adhesion, moduli and Poisson's ratios of two spheres in units of length [m] and force [N].
+    """Return radius, work of adhesion, Young's moduli and Poisson's ratios of two spheres, as a dict.
 
-    numbers: contact in SI units. radius: effective radius [m].
+    numbers: contact with numbers in SI units. radius: effective radius [m]. length [m], force [N]: units of the returned
+    values.
     """
     bodies = (numbers.first, numbers.second)
     return {
@@ -24,9 +25,10 @@ def spheres_of(numbers: Any, radius: float, length: float, force: float) -> dict
 
 
 def sphere_contact(table: "xarray.Dataset") -> tuple[dict[str, Any], float, float, float]:
-    """Return the spheres of a friction table, with load, mu and pull-off force at its stated load.
+    """Return (spheres, load, mu, pull-off force) of a friction table at the load that the user stated.
 
-    The pull-off force is (3/2) pi w R, by Johnson, Kendall and Roberts (1971). Raises InputError if the table has no spheres.
+    table: dataset of `export` with the attribute `spheres`, a dict of `spheres_of`. The pull-off force is (3/2) pi w R, by
+    Johnson, Kendall and Roberts (1971). Raises InputError if the table has no spheres.
     """
     spheres = table.attrs.get("spheres")
     if spheres is None:
@@ -36,7 +38,7 @@ def sphere_contact(table: "xarray.Dataset") -> tuple[dict[str, Any], float, floa
 
 
 def sphere_comments(table: "xarray.Dataset") -> list[str]:
-    """Return comment lines that state friction force, load and pull-off force of two spheres."""
+    """Return the comment lines of a friction table, with a line on friction force, load and pull-off force of two spheres."""
     _, load, mu, pull_off = sphere_contact(table)
     unit = table["load"].attrs["units"]
     limit = f"limit force {mu * load:.6g} {unit} at the load {load:.6g} {unit}; pull-off force {pull_off:.6g} {unit}"

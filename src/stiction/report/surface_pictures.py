@@ -1,4 +1,4 @@
-"""Draw surfaces: height maps, spectra, and the asperities that several methods find.
+"""Draw surfaces: height maps, spectra, and the asperities that each of the methods finds.
 
 Each length is drawn in the unit that suits its size.
 """
@@ -21,9 +21,9 @@ from stiction.surfaces.heightmap import HeightMap
 from stiction.surfaces.spectrum import BinnedSpectrum
 
 _ABSENT: dict[str, Any] = {"facecolor": "#dddddd", "edgecolor": GREY, "hatch": "////"}  # the look of missing points
-_MOST = 1200  # points along a side of a picture, which has fewer pixels; more would only take time
-_OUTLYING = 0.1  # per cent of the heights at either end that do not stretch colours and axes; nor do those
-_FAR = 6.0  # times the deviation of the middle two thirds from the median: spikes of an instrument
+_MOST = 1200  # largest number of points along a side of a picture, which has fewer pixels anyway
+_OUTLYING = 0.1  # per cent of the heights at either end that colours and axes leave out
+_FAR = 6.0  # heights further from the median than this many robust deviations count as spikes
 _BINS = 120
 _ENOUGH = 10**6
 
@@ -34,8 +34,8 @@ _ENOUGH = 10**6
 def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | None = None) -> Figure:
     """Draw a height map in colours, or a profile as a line, next to a histogram of heights.
 
-    For a map, missing points are grey and hatched, and spikes and the lowest and highest 0.1 % of heights are left out.
-    title: by default the name of the surface. asperities: asperities to mark, if their method gives positions.
+    Of a map, missing points are grey and hatched. Its colours and the histogram leave out spikes and the lowest and highest 0.1
+    % of heights. title: by default the name of the surface. asperities: asperities to mark, if their method gives positions.
     """
     shape = (8.0, 3.2) if surface.is_profile else (4.4 * min(max(surface.size[1] / surface.size[0], 0.5), 2.2) + 1.6, 4.8)
     figure = Figure(figsize=(shape[0] + 3.4, shape[1]), layout="compressed")
@@ -67,9 +67,9 @@ def map_figure(surface: HeightMap, title: str = "", asperities: Asperities | Non
 
 
 def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor: float) -> str:
-    """Mark every asperity in a picture, and return a text that says what the marks are.
+    """Mark every asperity in a picture of heights, and return a text on the marks.
 
-    Marks are smaller if there are many. factor: factor from metres to the unit of the height axis.
+    factor: from metres to the unit of the height axis. Marks are smaller if there are many.
     """
     if not len(asperities.places):
         return f"{plain(asperities.method)}: averages only, no places"
@@ -85,14 +85,14 @@ def _draw_places(axes: Axes, surface: HeightMap, asperities: Asperities, factor:
 
 
 def _some(heights: np.ndarray) -> np.ndarray:
-    """Return evenly spaced heights, at most a million, for a quick histogram."""
+    """Return evenly spaced ones of the heights, at most a million, for a quick histogram."""
     return heights[:: -(-heights.size // _ENOUGH)]
 
 
 def _limits(heights: np.ndarray) -> tuple[float, float]:
-    """Return the height limits of a picture, without spikes and without the outer 0.1 % of heights at each end.
+    """Return the height limits of a picture, which leave out spikes and the outer 0.1 % of heights at each end.
 
-    If all heights are equal, the limits are their minimum and maximum.
+    If all other heights are equal, the limits are the minimum and maximum of all.
     """
     low, below, middle, above, high = np.percentile(heights, (_OUTLYING, 17.0, 50.0, 83.0, 100.0 - _OUTLYING))
     reach = _FAR * 0.5 * (above - below)
@@ -105,7 +105,7 @@ def _draw_map(axes: Axes, surface: HeightMap, ends: tuple[float, float], factor:
     step = [-(-count // _MOST) for count in surface.heights.shape]
     shown = np.ma.masked_invalid(surface.heights[:: step[0], :: step[1]]) * factor
     across, length = prefix("scan_size", max(surface.size))
-    # The last of every few points stands for more than is there: the picture ends where the map does.
+    # With skipped points the last pixel reaches beyond the map; xlim and ylim end the picture at the map.
     top, right = (n * k * pitch * across for n, k, pitch in zip(shown.shape, step, surface.pitch, strict=True))
     if surface.missing:
         axes.patch.set(**_ABSENT)
@@ -152,7 +152,7 @@ def _histogram(axes: Axes, heights: np.ndarray, ends: tuple[float, float], unit:
 
 
 def _shares(heights: np.ndarray, ends: tuple[float, float], most: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return edges and densities of a histogram of heights between two limits.
+    """Return edges (n + 1,) and densities (n,) of a histogram of heights between the two limits `ends`.
 
     The densities refer to all heights, also those outside the limits. most: largest number of bins.
     """
@@ -168,10 +168,9 @@ def _bell(z: np.ndarray, mean: float, deviation: float) -> np.ndarray:
 
 
 def spectrum_figure(spectrum: BinnedSpectrum | Mapping[str, BinnedSpectrum], title: str = "") -> Figure:
-    """Draw power spectra against the wavevector, with the reliable band shaded and its marks filled.
+    """Draw power spectra against the wavevector, with the reliable band of wavelengths shaded and its marks filled.
 
-    spectrum: one spectrum, or several by name, all of maps or all of profiles. The shaded band is that of the first
-    spectrum.
+    spectrum: one spectrum, or spectra by name, all of maps or all of profiles. The shaded band is that of the first spectrum.
     """
     named = {"": spectrum} if isinstance(spectrum, BinnedSpectrum) else dict(spectrum)
     figure, (axes,) = canvas(8.2, 5.6)
@@ -218,7 +217,7 @@ def _wavelengths_above(axes: Axes, factor: float) -> None:
 
 
 def _round_lengths(low: float, high: float) -> list[float]:
-    """Return round lengths between two lengths: powers of ten, or also 2 and 5 times these if they are too few."""
+    """Return round lengths [m] between two lengths: powers of ten or, if fewer than two lie there, 2 and 5 times these too."""
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     tens, more = ([lead * 10.0**power for power in powers for lead in leads] for leads in ((1,), (1, 2, 5)))
     tens, more = ([length for length in lengths if low <= length <= high] for lengths in (tens, more))
@@ -231,7 +230,8 @@ def _round_lengths(low: float, high: float) -> list[float]:
 def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | None = None, title: str = "") -> Figure:
     """Draw the distribution of asperity heights by each method, with sigma, R and N in the legend.
 
-    A method that gives only averages is drawn as a dashed Gaussian. surface: height map whose points are drawn in grey.
+    A method that gives averages only is drawn as a dashed Gaussian. surface: height map whose height distribution is drawn in
+    grey.
     """
     sets = list(asperity_sets)
     figure = Figure(figsize=(11, 5.2), layout="constrained")
@@ -256,9 +256,9 @@ def asperity_figure(asperity_sets: Iterable[Asperities], surface: HeightMap | No
 
 
 def _ends(sets: list[Asperities]) -> tuple[float, float]:
-    """Return the height limits [m] of the asperity picture.
+    """Return the height limits [m] of the picture of asperities.
 
-    They follow from the heights of single asperities, or from averages if no method gives single asperities.
+    They follow from the heights of single asperities or, if no method gives these, from mean and deviation of the heights.
     """
     each = [_limits(asperities.heights) for asperities in sets if asperities.count and asperities.deviation > 0.0]
     each = each or [

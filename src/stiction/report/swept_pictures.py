@@ -40,14 +40,14 @@ if TYPE_CHECKING:
     import xarray
 
 _LINES, _PANELS, _MAPS, _MULTIPLES = 6, 3, 6, 3
-_MARKED = 30  # points of a line, up to which each has a mark
-_DECADE = 9.0  # an axis whose values span more than this is logarithmic if they are spaced so
+_MARKED = 30  # largest number of points of a line that has marks
+_DECADE = 9.0  # smallest ratio of the ends of a logarithmic axis
 
 
 def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
     """Draw friction against the array parameters of a case, at some of its loads or separations.
 
-    For a model without friction the contact area is drawn.
+    data: result of `predict` or `solve` with array parameters. For a model without friction the contact area is drawn.
     """
     dims, points = varied(data), points_dimension(data)
     if len(dims) > 2 or (len(dims) == 2 and min(data.sizes[dim] for dim in dims) > _LINES):
@@ -73,7 +73,7 @@ def swept_figure(data: "xarray.Dataset", title: str = "") -> Figure:
 def _lines(axes: Axes, data: "xarray.Dataset", against: str, by: str | None) -> None:
     """Draw a result against the dimension `against`, one line for each of a few positions along the dimension `by`.
 
-    A single line is drawn with its interval if the interval is known.
+    by: None draws a single line, with its interval if that is known.
     """
     name = shown_quantity(data)
     x, seen = _x_values(data, against), []
@@ -120,10 +120,11 @@ def _place_in_words(data: "xarray.Dataset", place: "dict[str, int]") -> str:
 
 
 def _maps(data: "xarray.Dataset", dims: list[str]) -> Figure:
-    """Draw heat maps over the two dimensions that have most values.
+    """Draw heat maps over two of the array parameters.
 
-    A sweep of two dimensions has one map for each of some points. A sweep of more dimensions has a grid of maps at the
-    middle point, for some values of the next two dimensions; all further dimensions are at their middle index.
+    A sweep of two parameters has one map for each of some loads or separations. A sweep of more parameters has a grid of maps
+    at the middle load: the two with most values span each map, some values of the next two span the grid, and all others are at
+    their middle value.
     """
     points = points_dimension(data)
     count = data.sizes[points] if points else 1
@@ -167,7 +168,7 @@ def _rises(values: np.ndarray) -> bool:
 
 
 def _x_values(data: "xarray.Dataset", dim: str) -> np.ndarray:
-    """Return the positions on the x axis of all points along a dimension.
+    """Return the positions on an axis of all points along a dimension.
 
     They are the values of the first quantity that varies along it, or 1, 2, 3, ... if these values are not sorted.
     """
@@ -204,7 +205,7 @@ def _name_axis(axes: Axes, which: str, data: "xarray.Dataset", dim: str) -> None
 
 
 def _in_ratios(values: np.ndarray) -> bool:
-    """Return whether values span a decade and have steps of more equal ratio than equal difference."""
+    """Return whether values suit a logarithmic axis: they span about a decade, and their ratios vary less than their steps."""
     if values.size < 3 or values.min() <= 0.0 or values.max() < _DECADE * values.min():
         return False
     even, ratios = np.abs(np.diff(values)), np.abs(np.diff(np.log(values)))

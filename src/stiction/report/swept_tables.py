@@ -1,4 +1,4 @@
-"""Build the terminal table of a parameter sweep: a row for each combination, mu at some of the points."""
+"""Build the terminal table of a parameter sweep: a row for each combination of parameters, mu at some of the loads."""
 
 from itertools import product
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import xarray
 
 _ROWS, _POINTS = 9, 4
-# What the points of a curve are called, as dimensions of a result.
+# Names of the dimension of loads or separations.
 _POINT_NAMES = ("load", "mean_separation", "separation")
 _HEADS = {"friction_coefficient": "mu", "contact_area": "area"}
 
@@ -33,19 +33,19 @@ def varied(data: "xarray.Dataset") -> list[str]:
 
 
 def coordinates_along(data: "xarray.Dataset", dim: str) -> list[str]:
-    """Return the names of the quantities that vary along a dimension."""
+    """Return the names of the quantities that vary along a dimension of a result."""
     return [str(name) for name, coordinate in data.coords.items() if coordinate.dims == (dim,)]
 
 
 def of_value(data: "xarray.Dataset", name: str, index: int) -> str:
-    """Format one value of a varied quantity with its unit: "200 nm"."""
+    """Format the value at an index of a varied quantity with its unit: "200 nm"."""
     quantity = name.rpartition(".")[2]
     value = data[name].values[index]
     return shown(float(value), quantity) if quantity in QUANTITIES else f"{value:g}"
 
 
 def of_point(data: "xarray.Dataset", index: int) -> str:
-    """Format the load or separation with this index: "P = 1 N", "d/sigma = 2"."""
+    """Format the load or separation at an index with its symbol: "P = 1 N", "d/sigma = 2"."""
     dim = points_dimension(data)
     if dim is None:
         return "at the point"
@@ -55,16 +55,17 @@ def of_point(data: "xarray.Dataset", index: int) -> str:
 
 
 def _head(name: str) -> str:
-    """Return a two-line column head: the part of the contact above the symbol, "second" above "H"."""
+    """Return a two-line column head for a varied quantity: "second" above "H" for "second.hardness"."""
     part, _, quantity = name.rpartition(".")
     symbol = QUANTITIES[quantity].symbol if quantity in QUANTITIES else quantity
     return f"{part.replace('.', ' ')}\n{symbol}".strip()
 
 
 def swept_table(data: "xarray.Dataset", all_rows: bool = False) -> Table:
-    """Return a table of about nine combinations of array parameters, with columns for at most four points.
+    """Return a table with a row for each of some combinations of array parameters, and mu at a few loads or separations.
 
-    all_rows: show every combination.
+    At most four loads or separations have a column, or two if mu has an interval. all_rows: show every combination, not about
+    nine.
     """
     name, dims, points = shown_quantity(data), varied(data), points_dimension(data)
     intervals = f"{name}_low" in data

@@ -20,7 +20,7 @@ from stiction.quantities.units import show
 if TYPE_CHECKING:
     import xarray
 
-_MARK = "\ue000"  # of private use: no name has it
+_MARK = "\ue000"  # a character for private use, which no name contains
 _WIDE = 10_000
 
 
@@ -28,7 +28,8 @@ _WIDE = 10_000
 class Column:
     """Describe a column of a table.
 
-    right: whether it is right-aligned. wrap: whether its cells may wrap. most: largest width in characters.
+    head: text above the column. right: whether it is right-aligned. wrap: whether its cells may wrap. most: largest width in
+    characters; None for no limit.
     """
 
     head: str
@@ -38,7 +39,10 @@ class Column:
 
 
 def numbers(*heads: str, wrap: bool = False) -> list[Column]:
-    """Return right-aligned columns with these heads."""
+    """Return right-aligned columns with these heads.
+
+    wrap: whether their cells may wrap.
+    """
     return [Column(head, True, wrap) for head in heads]
 
 
@@ -46,12 +50,10 @@ def numbers(*heads: str, wrap: bool = False) -> list[Column]:
 class Table:
     """Store a table as rows of cells; the first cell of a row is its name.
 
-    A cell is a text or, on a page, a list of lines.
-
-    looks: style of each row, "bold", "dim" or "". ruled: whether a line separates heads and rows. gap: number of spaces
-    between columns. whole: never shorten a name; a name that does not fit stands on a line above its row. stacked: on a
-    narrow page, put the cells of a row below one another, each with the head of its column. ranked: the first rows matter
-    most.
+    A cell is a text or, on a page, a list of lines. looks: style of each row, "bold", "dim" or "". ruled: whether a line
+    separates heads and rows. gap: number of spaces between columns. whole: never shorten a name; a name that does not fit
+    stands on a line above its row. stacked: on a narrow page, put the cells of a row below one another, each with the head of
+    its column. ranked: whether the first rows are the most important.
     """
 
     columns: Sequence[Column]
@@ -70,9 +72,9 @@ class Table:
         return [column.head for column in self.columns]
 
     def few(self, most: int) -> "Table":
-        """Return a table of at most `most` rows.
+        """Return this table with at most `most` rows.
 
-        A ranked table keeps its first rows; others keep evenly spaced rows including the first and the last.
+        A ranked table keeps its first rows. Another table keeps evenly spaced rows, including the first and the last.
         """
         chosen = range(min(len(self.rows), most)) if self.ranked else spread_rows(len(self.rows), most)
         looks = [self.looks[row] for row in chosen] if self.looks else ()
@@ -84,7 +86,7 @@ class Table:
             yield self._printed(names, self.heads[0])
             return
         others = console.measure(self._printed([""] * len(names)), options=options.update(width=_WIDE))
-        # As wide as the other columns would be, if one name has room then, else wrapped.
+        # The other columns get their full width if the shortest name then has room; otherwise they are wrapped.
         room = options.max_width - others.maximum
         room = room if room >= min(map(len, names), default=0) else options.max_width - others.minimum
         above = [name for name in names if len(name) > room]
@@ -136,7 +138,7 @@ def with_powers(text: str) -> str:
 
 
 def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
-    """Return a list with one table of bulleted notes; the list is empty without notes.
+    """Return a list with one table of the lines as bulleted notes; [] without lines.
 
     look: style of the notes.
     """
@@ -145,7 +147,10 @@ def notes(lines: Iterable[str], look: str = "dim") -> list[Table]:
 
 
 def shown(value: float, name: str, digits: int = 4) -> str:
-    """Format an SI value of the named quantity with a prefixed unit; "-" for NaN or infinity."""
+    """Format an SI value of a quantity with a prefixed unit; "-" for NaN or infinity.
+
+    name: key of QUANTITIES.
+    """
     return with_powers(show(value, name, digits)) if np.isfinite(value) else "-"
 
 
@@ -160,9 +165,9 @@ def with_unit(variable: "xarray.DataArray", value: float | None = None, digits: 
 
 
 def prefix(quantity: str, largest: float) -> tuple[float, str]:
-    """Return the prefixed unit that suits a quantity, and the factor from SI to it: (factor, unit).
+    """Return (factor, unit): a prefixed unit that suits a quantity, and the factor from its SI unit.
 
-    largest: largest SI value to be shown.
+    quantity: key of QUANTITIES. largest: largest SI value to be shown.
     """
     size = 10.0 ** math.floor(math.log10(largest)) if largest > 0.0 else 1.0
     text, _, unit = show(size, quantity).partition(" ")
@@ -170,17 +175,20 @@ def prefix(quantity: str, largest: float) -> tuple[float, str]:
 
 
 def unit_for(quantity: str, largest: float) -> tuple[float, str]:
-    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`."""
+    """Return (factor, unit) for drawing SI values of a quantity whose largest value is `largest`.
+
+    Only lengths and asperity densities get a unit; other quantities are drawn in SI, as (1.0, "").
+    """
     if quantity == "asperity_density":
         return next(((per, unit) for per, unit in ((1e-12, "1/µm²"), (1e-6, "1/mm²")) if largest * per >= 0.1), (1.0, "1/m²"))
     return prefix(quantity, largest) if QUANTITIES[quantity].unit == "m" else (1.0, "")
 
 
-_LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # of rows, by the first word of the name
+_LOOKS = {"mu": "bold green", "warning": "yellow", "outside": "yellow"}  # style of a row by the first word of its name
 
 
 def facts(pairs: Iterable[tuple[str, Any]]) -> Table:
-    """Return a table of names and texts, with mu and warnings highlighted; rows without text are omitted."""
+    """Return a table of pairs (name, text), with mu and warnings highlighted; pairs without text are left out."""
     rows = [pair for pair in pairs if pair[1]]
     looks = [_LOOKS.get(name.partition(" ")[0], "") for name, _ in rows]
     return Table([Column(""), Column("", wrap=True)], rows, looks=looks)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 _NOTED: tuple[type[Record], ...] = (RoughSurface, AsperityLaw, TangentialLaw, FilmLaw)
 _ROWS = 12
-_WIDE = 1e4  # a column that spans more than this has a prefix in each cell, not one in its head
+_WIDE = 1e4  # ratio of the ends of a column above which each cell has a prefixed unit of its own
 # Result -> head of its column.
 HEADS = {
     "mean_separation": "separation",
@@ -41,9 +41,9 @@ HEADS = {
 
 
 def curve_table(data: "xarray.Dataset", all_rows: bool = False, heads: Mapping[str, str] | None = None) -> Table:
-    """Return a table of about twelve points of a curve, or of all points, in prefixed units.
+    """Return a table of about twelve loads or separations of a result, or of all, in prefixed units.
 
-    heads: column head by name of the result; by default HEADS.
+    heads: column head by name of the variable; by default HEADS.
     """
     heads = HEADS if heads is None else heads
     count = data["load"].size
@@ -68,7 +68,8 @@ def rows_shown(data: "xarray.Dataset") -> str:
 def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tuple[str, list[str]]:
     """Return the unit for the head of a column, and the texts of its cells.
 
-    chosen: indices of the rows to show.
+    variable: the result. name: key of QUANTITIES. chosen: indices of the rows to show. The unit is "" if there is none, or if
+    the values span more than four decades: then each cell has a unit of its own.
     """
     values = np.broadcast_to(variable.values, max(variable.size, chosen.max() + 1))[chosen]
     if values.dtype.kind in "OU":
@@ -82,7 +83,7 @@ def _column(variable: "xarray.DataArray", name: str, chosen: np.ndarray) -> tupl
 
 
 def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
-    """Return a table that describes the solved case: contact, groups, model, grade and pull-off force."""
+    """Return a table that describes a solved case: contact, dimensionless groups, model, grade and pull-off force."""
     return facts(
         [
             ("case", case.title),
@@ -96,7 +97,7 @@ def run_summary(case: "Case", data: "xarray.Dataset") -> Table:
 
 
 def _contact(subject: Any) -> list[tuple[str, str]]:
-    """Describe a contact in rows of heading and text; no rows for a case of dimensionless groups."""
+    """Describe a contact in pairs (heading, text); [] for a case of dimensionless groups."""
     if not isinstance(subject, Contact):
         return []
     rows = [("bodies", f"{_material(subject.first)} against {_material(subject.second)}")]
@@ -119,14 +120,20 @@ def _numbers(part: Any) -> str:
 
 
 def _number(value: Any, name: str) -> str:
-    """Format one number, or the ends of an array: "100 nm to 2 um (5 values)"."""
+    """Format a number of the contact with its unit or, if it is an array, its ends: "100 nm to 2 um (5 values)".
+
+    name: key of QUANTITIES.
+    """
     ends = (value.min(), value.max()) if hasattr(value, "dims") else (value,)
     text = " to ".join(show(float(end), name).replace("m^2", "m²") for end in ends)
     return f"{text} ({value.size} values)" if hasattr(value, "dims") else text
 
 
 def in_brief(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield a short answer: title, mu at the middle load with its interval, model, and first validity warning."""
+    """Yield a short answer: title, mu at the middle load with its interval, model, and the first validity warning.
+
+    data: result of `solve` for the case.
+    """
     if case.title:
         yield Text(case.title, style="bold")
     warnings = [str(warning) for warning in warnings_of(data)]
@@ -160,7 +167,7 @@ def _without_band(data: "xarray.Dataset") -> str:
     )
 
 
-# Groups that depend on the materials only; they are left out where the materials are shown.
+# Groups of the materials only, which are not listed next to the materials themselves.
 _OF_MATERIALS = (
     "nu", "hardness_to_yield", "K_beta", "film_nu", "film_K_beta", "layer_n_H", "layer_nu", "coated_nu", "counter_nu",
 )  # fmt: skip
@@ -237,14 +244,17 @@ def _measured(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def outside_validity(data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield the validity warnings of a result, highlighted, below a heading."""
+    """Yield a heading and the validity warnings of a result, highlighted; nothing without warnings."""
     if warnings := warnings_of(data):
         yield Text("outside the range of validity", style="bold yellow")
         yield from notes(map(str, warnings), "yellow")
 
 
 def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:
-    """Yield one line for each model record, sorted by kind: key, grade and title, cut to the terminal width."""
+    """Yield one line for each model or law, below a heading for each kind: key, grade and title, cut to the terminal width.
+
+    rows: records of models as dicts, sorted by kind.
+    """
     kind = ""
     for row in rows:
         if kind != row["kind"]:
@@ -254,7 +264,7 @@ def models_list(rows: Iterable[Mapping[str, Any]]) -> Iterator[Text]:
         yield Text.assemble(key, f" {row['grade']}  {row['title']}", no_wrap=True, overflow="ellipsis")
 
 
-# The ends of lines inside a paragraph of Markdown: the terminal breaks lines itself.
+# Line ends inside a paragraph of Markdown are removed, because the terminal breaks lines itself.
 _LINE_ENDS = re.compile(r"^([^\s|].*)\n(?=[^\s|-])", re.MULTILINE)
 # Entries of a record that are shown in full, with their headings.
 _IN_FULL = {
@@ -264,7 +274,10 @@ _IN_FULL = {
 
 
 def model_in_full(row: Mapping[str, Any]) -> Group:
-    """Describe one model record completely, with the assumptions and equations of its module."""
+    """Describe one model or law completely, with its assumptions and equations.
+
+    row: its record as a dict.
+    """
     pairs = [(row["key"], f"{row['title']} ({row['kind']}, grade {row['grade']})")]
     for name, head in _IN_FULL.items():
         value = row.get(name) or []

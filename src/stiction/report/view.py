@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
     from stiction.contact.subject import Subject
 
-MOST_LINES = 15  # that a command prints on a terminal of 80 columns, unless all of it is asked for
+MOST_LINES = 15  # largest number of lines of a short answer on a terminal of 80 columns
 _COLUMNS, _ROWS = 80, 5
 
 
 def lines_of(part: Any, columns: int = _COLUMNS) -> int:
-    """Return how many lines a text or table takes on a terminal of `columns` characters."""
+    """Return how many lines a text or a table takes on a terminal that is `columns` characters wide."""
     from rich.console import Console
     from rich.text import Text
 
@@ -30,10 +30,10 @@ def lines_of(part: Any, columns: int = _COLUMNS) -> int:
 
 
 def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = False) -> Iterator[Any]:
-    """Yield the parts of an answer that fit into MOST_LINES, then a line on how to see the rest.
+    """Yield the parts of an answer that fit into MOST_LINES lines, then a line on how to see the rest.
 
-    Tables are shortened to five rows. A part that does not fit is left out. written: reserve room for a line about the
-    written files.
+    parts: texts and tables. Tables are shortened to five rows, and a part that does not fit is left out. columns: width of the
+    terminal in characters. written: whether to reserve room for a line about the written files.
     """
     left = MOST_LINES - 1 - 2 * written
     for part in filter(None, parts):
@@ -46,7 +46,7 @@ def in_short(parts: Iterable[Any], columns: int = _COLUMNS, written: bool = Fals
 
 
 class Picture(NamedTuple):
-    """Store how to draw a picture, which happens only when it is needed.
+    """Store how to draw a picture, so that it is drawn only when it is needed.
 
     description: text for screen readers. draw: function that returns the figure.
     """
@@ -60,10 +60,9 @@ class Picture(NamedTuple):
 
 
 def picture(description: str, place: str, *arguments: Any) -> Picture:
-    """Return a picture that a function of this package draws from the given arguments.
+    """Return a Picture that a function of this package draws from the given arguments.
 
-    place: the function as "module.function". It is imported only when the picture is drawn, because matplotlib may be
-    missing.
+    place: the function as "module.function". It is imported only when the picture is drawn, because matplotlib may be missing.
     """
 
     def draw() -> "Figure":
@@ -75,9 +74,9 @@ def picture(description: str, place: str, *arguments: Any) -> Picture:
 
 
 def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> dict[str, Picture]:
-    """Return the picture of the adhesion and plasticity maps, by file name.
+    """Return the picture of the adhesion and plasticity maps of a contact, by file name.
 
-    The dict is empty for dimensionless groups and for a coated contact without adhesion.
+    The dict is empty for dimensionless groups, and for a coated contact without adhesion. data: result of the contact.
     """
     if not isinstance(subject, Contact) or (subject.coating is not None and not subject.work_of_adhesion):
         return {}
@@ -87,12 +86,12 @@ def regime_picture(subject: "Subject", data: "xarray.Dataset", title: str) -> di
 
 @dataclass(frozen=True)
 class View:
-    """Store the texts, tables, files and pictures of one result, for all outputs.
+    """Store the texts, tables, files and pictures of one result, for terminal, page and files.
 
-    data: the dataset, written as `name`.nc; None if there is none. parts: function that returns the texts and tables for a
-    terminal. record: function that returns the content for JSON. files: functions that write a file, by file name. pictures: by
-    file name. warnings: sentences. short: function that returns the short answer, most important part first; by default it is
-    `parts`. is_brief: whether `parts` already is the short answer.
+    data: the dataset, written as `name`.nc; None if there is none. parts: function that returns all texts and tables for a
+    terminal. record: function that returns the content for JSON. files: functions that write a file to a path, by file name.
+    pictures: by file name. warnings: sentences. short: function that returns the short answer, most important part first; by
+    default it is `parts`. is_brief: whether `parts` already is the short answer.
     """
 
     name: str
@@ -106,7 +105,7 @@ class View:
     is_brief: bool = False
 
     def writers(self) -> dict[str, Callable[[Path], None]]:
-        """Return the function that writes each table, dataset or picture to a path, by file name."""
+        """Return, by file name, the functions that write the tables, the dataset and the pictures to a path."""
         files, data = dict(self.files), self.data
         if data is not None:
             files[f"{self.name}.nc"] = lambda path: write_netcdf(data, path)

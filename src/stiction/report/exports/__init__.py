@@ -1,7 +1,8 @@
 """File formats of other programs, one module for each.
 
-Each module has a function `content(table)` that returns the content of the file. Its docstring cites the manual of
-the program.
+Each module has a function `content(table)` that returns the content of the file. Its argument is a friction table: the dataset
+of `stiction.export`, with mu against the nominal pressure in the units that the user chose. The docstring of the module cites
+the manual of the program.
 """
 
 import pkgutil

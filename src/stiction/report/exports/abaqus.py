@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 def surface_behavior(table: "xarray.Dataset") -> list[str]:
     """Return the *SURFACE BEHAVIOR lines of a friction table: contact pressure against overclosure.
 
-    The overclosure is 0 at the separation that the table, extrapolated linearly, has without pressure.
+    table: dataset of `export`, of bodies without a film. The overclosure is the approach of the mean planes from the separation
+    at which the pressure, extrapolated linearly from the first two rows, is 0.
     """
     pressure, gap = table["nominal_pressure"].values, table["mean_separation"].values
     touch = gap[0] + pressure[0] * (gap[0] - gap[1]) / (pressure[1] - pressure[0])
@@ -25,14 +26,20 @@ def surface_behavior(table: "xarray.Dataset") -> list[str]:
 
 
 def at_stated_load(table: "xarray.Dataset", what: str) -> str:
-    """Return a comment line that states the load and the pressure of the numbers that stand for one load."""
+    """Return a comment line with load and pressure of the numbers that the file gives for a single load.
+
+    table: dataset of `export`. what: name of these numbers.
+    """
     row = table.isel(row=table.attrs["working_row"])
     load, pressure = (f"{float(row[name]):.6g} {row[name].attrs['units']}" for name in ("load", "nominal_pressure"))
     return f"** {what} at the load {load}, pressure {pressure}"
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as text of an Abaqus input file."""
+    """Return mu against nominal pressure as text of an Abaqus input file.
+
+    table: dataset of `export`, in its consistent units.
+    """
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION"]
     slip = ""
     if "elastic_slip" in table:

@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as APDL commands."""
+    """Return mu against nominal pressure as APDL commands.
+
+    table: dataset of `export`, in its consistent units.
+    """
     lines = [f"! {text}" for text in table.attrs["comments"]]
     if "tangential_stiffness" in table:
         stiffness = table["tangential_stiffness"][table.attrs["working_row"]]

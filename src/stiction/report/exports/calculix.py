@@ -19,14 +19,15 @@ _MOST_ROWS = 20
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as text of a CalculiX input file.
+    """Return mu at the stated load, and pressure against overclosure, as text of a CalculiX input file.
 
-    Raises InputError if the table has no tangential stiffness, because *FRICTION needs one.
+    table: dataset of `export`, in its consistent units. Raises InputError if the table has no tangential stiffness, because
+    *FRICTION needs one.
     """
     if "tangential_stiffness" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))
         raise InputError("to", "calculix", "a format that needs no stiffness, e.g. abaqus", why)
     mu, slope = (float(table[name][table.attrs["working_row"]]) for name in ("friction_coefficient", "tangential_stiffness"))
-    few = table.isel(row=spread_rows(table.sizes["row"], _MOST_ROWS - 1))  # and that without pressure
+    few = table.isel(row=spread_rows(table.sizes["row"], _MOST_ROWS - 1))  # one row is for zero pressure
     lines = [*(f"** {text}" for text in table.attrs["comments"]), "*SURFACE INTERACTION, NAME=STICTION", *surface_behavior(few)]
     return "\n".join([*lines, at_stated_load(table, "mu and stick slope"), "*FRICTION", f"{mu:.8g}, {slope:.8g}"]) + "\n"

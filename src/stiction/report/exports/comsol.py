@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as text of a COMSOL spreadsheet file."""
+    """Return all columns of a friction table but the load as text of a COMSOL spreadsheet file.
+
+    table: dataset of `export`, in its consistent units.
+    """
     names = [name for name in table if name != "load"]
     heads = [f"{name} [{table[name].attrs['units']}]" for name in names]
     lines = [f"% {text}" for text in (*table.attrs["comments"], "   ".join(heads))]

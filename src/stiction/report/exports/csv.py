@@ -9,9 +9,9 @@ if TYPE_CHECKING:
 
 
 def heads_and_rows(table: "xarray.Dataset") -> list[list]:
-    """Return a friction table as lists: first the heads "name [unit]", then one list for each row.
+    """Return a friction table as a list of lists: the heads "name [unit]", then one list of numbers for each row.
 
-    Numbers have nine significant digits.
+    table: dataset of `export`. Numbers have nine significant digits.
     """
     units = {name: variable.attrs["units"] for name, variable in table.items()}
     heads = [f"{name} [{unit}]" if unit != "1" else str(name) for name, unit in units.items()]
@@ -20,7 +20,10 @@ def heads_and_rows(table: "xarray.Dataset") -> list[list]:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as CSV text, with nine significant digits."""
+    """Return a friction table as CSV text, with nine significant digits.
+
+    table: dataset of `export`, in its consistent units.
+    """
     text = io.StringIO(newline="")
     csv.writer(text, lineterminator="\n").writerows(heads_and_rows(table))
     return text.getvalue()

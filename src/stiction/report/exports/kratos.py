@@ -12,7 +12,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return mu at the stated load as JSON text, to be put below "Parameters" of the Kratos contact process."""
+    """Return mu at the stated load as JSON text, to be put below "Parameters" of the Kratos contact process.
+
+    table: dataset of `export`.
+    """
     mu = round(float(table["friction_coefficient"][table.attrs["working_row"]]), 8)
     parameters = {"contact_type": "Frictional", "frictional_law": "Coulomb", "friction_coefficients": {"0": mu}}
     return json.dumps(parameters, indent=4) + "\n"

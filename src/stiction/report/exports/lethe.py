@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return friction and surface energy of two spheres as text of a Lethe parameter file.
+    """Return friction coefficient, surface energy and elastic constants of two spheres as text of a Lethe parameter file.
 
-    Raises InputError if the table has no spheres.
+    table: dataset of `export` with spheres, in its consistent units. Raises InputError if it has no spheres.
     """
     spheres, load, mu, pull_off = sphere_contact(table)
     shared = {

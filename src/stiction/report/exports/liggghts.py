@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return friction coefficient and cohesion of two spheres as variables of a LIGGGHTS input script.
+    """Return friction coefficient and cohesion energy density of two spheres as variables of a LIGGGHTS input script.
 
-    Raises InputError if the table has no spheres.
+    table: dataset of `export` with spheres, in its consistent units. Raises InputError if it has no spheres.
     """
     spheres, load, mu, pull_off = sphere_contact(table)
     moduli = zip(spheres["youngs_modulus"], spheres["poissons_ratio"], strict=True)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def content(table: "xarray.Dataset") -> str:
     """Return the constants of the LuGre model as JSON text, one value for each load of a friction table.
 
-    Raises InputError if the table has no tangential stiffness.
+    table: dataset of `export`, in its consistent units. Raises InputError if the table has no tangential stiffness.
     """
     if "elastic_slip" not in table:
         why = next(line for line in table.attrs["comments"] if line.startswith("no stiffness"))

@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 
 def content(table: "xarray.Dataset") -> str:
-    """Return a friction table as a [Functions] block of a MOOSE input file."""
+    """Return mu against nominal pressure as a [Functions] block of a MOOSE input file.
+
+    table: dataset of `export`, in its consistent units.
+    """
     columns = (table["nominal_pressure"].values, table["friction_coefficient"].values)
     x, y = (" ".join(f"{value:.8g}" for value in column) for column in columns)
     lines = [f"# {text}" for text in table.attrs["comments"]]

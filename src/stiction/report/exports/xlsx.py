@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 def content(table: "xarray.Dataset") -> bytes:
     """Return a friction table as the bytes of an Excel workbook.
 
-    Raises InputError if openpyxl is not installed.
+    table: dataset of `export`, in its consistent units. Raises InputError if openpyxl is not installed.
     """
     require("--to xlsx", "openpyxl")
     import openpyxl

@@ -27,13 +27,13 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 
-_DIGITS = 6  # of a load that is read: its result differs in the sixth
+_DIGITS = 6  # digits of the load in a command, enough for the same result to about six digits
 
 
 def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
-    """Return the command line that computes one model of a comparison alone, at the working load.
+    """Return the command line that solves the case of a comparison with one of its models, at the working load.
 
-    exact: whether to state the load with all its digits.
+    data: result of `compare`. exact: whether to state the load with all its digits.
     """
     case = data.attrs.get("case_file", "CASE.toml")
     load = _load_in_words(data, exact)
@@ -41,21 +41,27 @@ def run_command(data: "xarray.Dataset", model: str, exact: bool = False) -> str:
 
 
 def _load_in_words(data: "xarray.Dataset", exact: bool) -> str:
-    """Return the working load in a form that the option --load accepts; "" without a working load."""
+    """Return the working load in a form that the option --load accepts; "" without a working load.
+
+    exact: whether to state the load with all its digits.
+    """
     if "working_load" not in data.attrs:
         return ""
     unit, load = data["load"].attrs.get("units", "1"), float(data.attrs["working_load"])
     if unit == "1":
         return f"{load!r}" if exact else f"{load:.{_DIGITS}g}"
-    return f"{load!r} {unit}" if exact else show(load, "load", _DIGITS).replace("µ", "u")  # which every keyboard has
+    return f"{load!r} {unit}" if exact else show(load, "load", _DIGITS).replace("µ", "u")  # every keyboard has the letter u
 
 
-# Key of a row -> text of the comparison, null where it is empty.
+# Key of a JSON row -> variable of the comparison; empty texts become null.
 _TEXTS = {"why_not": "why_not", "family": "family_of_curve", "plastic_junctions_resist": "plastic_junctions_resist"}
 
 
 def comparison(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return a comparison as a dict for JSON: attributes, and one entry with results for each model."""
+    """Return a comparison as a dict for JSON: attributes, and for each model its results at the working load and its curve.
+
+    data: result of `compare`.
+    """
     units = {name: data[name].attrs.get("units", "1") for name in RESULTS}
     rows = []
     for index, name in enumerate(data["model"].values):
@@ -76,7 +82,7 @@ def comparison(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
-    """Return the friction of one model at the working load by each asperity method, with its range.
+    """Return the friction of one model at the working load by each asperity method, with its range, as entries for JSON.
 
     The dict is empty if the roughness was not measured in scans.
     """
@@ -92,9 +98,9 @@ def _over_methods(result: "xarray.Dataset") -> dict[str, Any]:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the results of all models at the working load.
+    """Return the results of all models at the working load, as a dataset over `model`.
 
-    Friction has its range over asperity methods if the roughness was measured in scans.
+    data: result of `compare`. Friction has its range over asperity methods if the roughness was measured in scans.
     """
     mu, *others = (f"{name}_at_load" for name in ("friction_coefficient", *RESULTS[:-1]))
     names = [mu, *(f"{mu}_{end}" for end in ("low", "high") if f"{mu}_{end}" in data), *others]
@@ -114,9 +120,10 @@ GROUP_HEADS = ("model, and others that agree", "mu", "area error", "in the model
 class Group:
     """Store one row of a comparison: models that agree on mu.
 
-    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: known mean errors
-    of the contact area on benchmark surfaces. least, most: range of mu after correction for both ends of the 90 % interval of
-    this error; equal to low and high if the error is unknown. status: status of the first model.
+    family: what their friction is based on. names: models, by ascending mu. low, high: range of mu. errors: mean error of the
+    contact area on benchmark surfaces, of each model for which it is known. least, most: range of mu after correction for both
+    ends of the 90 % interval of that error; equal to low and high if no error is known. status: status of the first model, a
+    text that begins with "fits", "does not fit" or "cannot".
     """
 
     family: str
@@ -130,7 +137,7 @@ class Group:
 
     @property
     def title(self) -> str:
-        """Return the name of the first model and the number of other models, "hertz +2"."""
+        """Return the name of the first model and the number of the others, "hertz +2"."""
         return self.names[0] + (f" +{len(self.names) - 1}" if len(self.names) > 1 else "")
 
     @property
@@ -140,12 +147,12 @@ class Group:
 
     @property
     def kind(self) -> tuple[str, bool, str]:
-        """Return the properties, besides mu, that must be equal for models to share a row."""
+        """Return the properties that models must have in common, besides agreeing on mu, to share a row."""
         return self.family, self.possible, self.status.split(";")[0] if self.fits else ""
 
     @property
     def possible(self) -> bool:
-        """Return whether the models can be right for this contact, physically."""
+        """Return whether the models can be right for this contact at all, by physics."""
         return not self.status.startswith("cannot")
 
 
@@ -153,7 +160,7 @@ def groups_of(data: "xarray.Dataset", every: bool = False) -> list[Group]:
     """Return groups of models whose mu at the working load agrees within 10 %.
 
     Groups within their claimed range come first, then other possible groups, then impossible ones. Among equals, groups are
-    sorted by family and mu. every: put each model into a group of its own.
+    sorted by family and mu. data: result of `compare`. every: whether each model is a group of its own.
     """
     models = [data.isel(model=index) for index in range(data.sizes["model"])]
     alone = [_group([model]) for model in models if np.isfinite(model[_MU].item())]
@@ -182,9 +189,9 @@ def _group(models: "list[xarray.Dataset]") -> Group:
 
 
 def _ends(result: "xarray.Dataset", mu: float) -> list[float]:
-    """Return mu after correction for both ends of the 90 % interval of the area error on benchmark surfaces.
+    """Return [mu, mu], each corrected for one end of the 90 % interval of the model's area error on benchmark surfaces.
 
-    mu is unchanged where that interval is unknown.
+    mu stays unchanged if that interval is unknown.
     """
     errors = json.loads(result["measured_error"].item()) or {}
     ends = [errors.get(f"area_{end}") or [None] for end in ("high", "low")]
@@ -200,10 +207,10 @@ def group_row(group: Group) -> tuple[str, str, str, str]:
 
 
 def groups_table(groups: list[Group], room: int | None = None, silent: int = 0, more: str = ALL) -> Iterator[Table | Text]:
-    """Yield a table of the groups that fit into `room` lines, then a line that counts the omitted models.
+    """Yield a table of the groups that fit into `room` lines, then a line that counts the models left out.
 
-    room: None for all groups. silent: number of models without friction because the interface is not stated. more: text
-    that says where every model is listed.
+    room: None for all groups. silent: number of models without friction because the interface is not stated. more: text on
+    where every model is listed.
     """
     shown = groups if room is None else [group for group in groups if group.possible]
 
@@ -226,7 +233,11 @@ def _table(groups: list[Group]) -> Table:
 
 
 def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) -> str:
-    """State how many models the table omits, and why; "" if it omits none."""
+    """State how many models a table leaves out, and why; "" if it leaves out none.
+
+    groups: all groups. shown: the groups in the table. silent: number of models without friction, because no interface is
+    stated.
+    """
     counts = [
         (sum(len(group.names) for group in groups if group.possible and group not in shown), "more models not shown"),
         (sum(len(group.names) for group in groups if not group.possible and group not in shown), "cannot be right here"),
@@ -236,23 +247,27 @@ def left_out_in_words(groups: list[Group], shown: list[Group], silent: int = 0) 
 
 
 def silent_models(case: "Case", data: "xarray.Dataset") -> int:
-    """Return how many models give no friction because neither interface nor shear strength is stated."""
+    """Return how many models give a contact area but no friction, because the case states no interface and no shear strength.
+
+    data: result of `compare` for the case.
+    """
     contact = case.subject
     if not isinstance(contact, Contact) or contact.interface is not None or contact.interfacial_shear_strength is not None:
         return 0
     return int((data[_MU].isnull() & data["contact_area_at_load"].notnull()).sum())
 
 
-# Rows of the answer that stand above the models, with mu.
+# Rows of the answer that, with mu, stand above the table of models.
 _OF_ANSWER = ("friction force", "warning", "not used")
 
 
 def comparison_view(
     case: "Case", data: "xarray.Dataset", prediction: "xarray.Dataset | None" = None, every: bool = False, more: str = ALL
 ) -> View:
-    """Return the view of a comparison of models, with the prediction above it.
+    """Return the view (texts, tables, files and pictures) of a comparison of models, with the prediction above it.
 
-    every: show each model in a row of its own, with all notes. more: text that says where every model is listed.
+    data: result of `compare` for the case. prediction: result of `predict`, or None. every: whether to show each model in a row
+    of its own, with all notes. more: text on where every model is listed.
     """
     measured = case.measured
     groups = groups_of(data, every) if "working_load" in data.attrs else []

@@ -1,4 +1,4 @@
-"""Build the view of any dataset that has no view of its own: tables and files."""
+"""Build the view (terminal tables and files) of a study result for which no special view exists."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -18,9 +18,9 @@ _ROWS, _COLUMNS = 12, 6
 
 
 def dataset_view(name: str, data: "xarray.Dataset") -> View:
-    """Return the view of a dataset: its scalars, and a table and a CSV file for each dimension.
+    """Return the view of any dataset: its single values, and for each dimension a table and a CSV file.
 
-    name: name of the study; file names begin with it.
+    name: name of the study, which begins the names of the files.
     """
     ordered = [*data.coords, *data.data_vars]
     columns = {str(along): [variable for variable in ordered if data[variable].dims == (along,)] for along in data.dims}

@@ -24,9 +24,10 @@ _ROWS = 12
 
 
 def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
-    """Return the variables along a dimension by column name.
+    """Return the names of the variables along a dimension of a design result, by column name.
 
-    along: "design" for the best designs, "pareto" for the Pareto front, "evaluated" for all evaluated designs.
+    along: "design" for the best designs, "pareto" for the Pareto front, "evaluated" for all evaluated designs. The column name
+    is the variable name without that prefix.
     """
     before = "" if along == "design" else f"{along}_"
     names = [str(name) for name in data.data_vars if data[name].dims == (along,)]
@@ -34,9 +35,9 @@ def columns_of(data: "xarray.Dataset", along: str) -> dict[str, str]:
 
 
 def design_table(data: "xarray.Dataset", along: str) -> Table:
-    """Return a table of the designs along a dimension, one row each, at most twelve rows.
+    """Return a table of the designs along a dimension, one row for each, at most twelve.
 
-    along: dimension, as for `columns_of`.
+    data: result of `design`. along: "design" or "pareto", as for `columns_of`.
     """
     columns = columns_of(data, along)
     shown_columns = [name for name in columns if name not in ("constraint_violation", "violated")]
@@ -66,7 +67,7 @@ def _cell(name: str, value: Any) -> str:
 
 
 def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield notes on a design: its objectives and constraints, and whether they are met."""
+    """Yield notes on a design result: its objectives and constraints, and whether they are met."""
     used = data.attrs
     yield Text("objective: " + "; ".join(used["objectives"].split("\n")))
     if used["limits"]:
@@ -85,7 +86,10 @@ def design_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def _which(data: "xarray.Dataset", row: int) -> str:
-    """Return the list choices of a design in brackets, to tell it from others; "" if there is only one design."""
+    """Return what was chosen from lists for a design, in brackets, to tell it from other designs; "" if there is only one.
+
+    row: index of the design.
+    """
     taken = [
         data[name].values[row]
         for name in data.data_vars
@@ -95,9 +99,9 @@ def _which(data: "xarray.Dataset", row: int) -> str:
 
 
 def design_view(design: "DesignSearch", folder: Path | None = None) -> View:
-    """Return the view of a design study.
+    """Return the view (texts, tables, files and pictures) of a design study.
 
-    folder: output folder, to which paths in the designed case file are relative; None writes no case file.
+    folder: output folder, to which the paths in the designed case file are relative; None writes no case file.
     """
     data = design.data()
 

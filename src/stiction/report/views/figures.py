@@ -1,4 +1,4 @@
-"""Build the view of the figures of the 2015 paper and of the map of its claims."""
+"""Build the view of the figures of the 2015 paper on soft coatings, and of the map of its claims."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -15,9 +15,10 @@ if TYPE_CHECKING:
 
 
 def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
-    """Return a table that states, for each claim and variant, for which part of the theta-lambda plane the claim holds.
+    """Return a table of the fractions of the theta-lambda plane in which each claim holds, with a row for each model variant.
 
-    point: theta and lambda of the last column, which gives the share of films for which the claim holds at that point.
+    rows: results of `claims.summary`. point: theta and lambda of the last column, as text. That column has the fraction of the
+    films for which the claim holds at this point.
     """
     some, not_comparable, there = numbers("for some", "not com-\nparable", point, wrap=True)
     columns = [Column("claim"), Column("variant"), Column("holds for all films", wrap=True), some,
@@ -38,7 +39,10 @@ def claims_table(rows: Iterable[Mapping[str, Any]], point: str) -> Table:
 
 
 def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
-    """Return a table with the text of each claim and its exact definition."""
+    """Return a table with the text of each claim and its exact definition.
+
+    rows: results of `claims.summary`.
+    """
     unique = {row["claim"]: f"{row['says']}\nholds if {row['definition']}" for row in rows}
     return facts((f"({key})", text) for key, text in unique.items())
 
@@ -46,7 +50,8 @@ def claims_meaning(rows: Iterable[Mapping[str, Any]]) -> Table:
 def figures_view(panels: "list[PanelCurves]", claims: "ClaimMap", point: Mapping[str, float], variant: str) -> View:
     """Return the view of figures 1 to 3 of the 2015 paper and of its claims.
 
-    point: theta and lam of the figures. variant: variant of the model that draws the figures.
+    panels: curves of the figures. claims: map of the claims. point: theta and lam of the figures. variant: variant of the model
+    that draws the figures.
     """
     theta, lam = point["theta"], point["lam"]
     rows = summary(claims, theta, lam)

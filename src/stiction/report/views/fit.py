@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
 
 def parameter_table(data: "xarray.Dataset") -> Table:
-    """Return a table of the fitted parameters: best value, 95 % interval and searched range."""
+    """Return a table of the fitted parameters: best value, both ends of the 95 % interval, and searched range.
+
+    data: result of `fit`. An end that the data do not determine is marked as open.
+    """
     rows = []
     for number, name in enumerate(data["parameter"].values.tolist()):
         row, quantity = data.isel(parameter=number), name.partition(" (")[0].rpartition(".")[2]
@@ -49,7 +52,10 @@ def fit_notes(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def evidence_table(data: "xarray.Dataset") -> Table:
-    """Return a table of the compared models of a fit, those that the data support best first."""
+    """Return a table of the models that a fit compared, with the best supported by the data first.
+
+    Columns: chi-square or scatter of the residuals, AICc, weight, and error of cross-validation; or why a model was not fitted.
+    """
     left = "chi_square" if "chi_square" in data else "scatter"
     rows: list[list[Any]] = []
     for number, name in enumerate(data["model"].values.tolist()):
@@ -64,7 +70,7 @@ def evidence_table(data: "xarray.Dataset") -> Table:
 
 
 def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return the fitted parameters as column heads and rows for a CSV file, in SI units."""
+    """Return the fitted parameters and their correlations as (column heads, rows) for a CSV file, in SI units."""
     keys = ["unit", "value", "low", "high", "open_low", "open_high", "standard_error"]
     heads = ["parameter", *keys]
     rows = zip(rows_of(data, heads), data["correlation"].values.tolist(), strict=True)
@@ -72,7 +78,7 @@ def parameter_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return measured and fitted values as column heads and rows for a CSV file, in SI units."""
+    """Return measured and fitted values with their residuals as (column heads, rows) for a CSV file, in SI units."""
     keys = ["sample", "quantity", "measured_load", "measured", "error", "fitted", "residual"]
     return keys, rows_of(data, keys)
 
@@ -81,10 +87,10 @@ _OTHERS = ("parameter", "other_parameter", "row", "model")
 
 
 def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> View:
-    """Return the view of a fit.
+    """Return the view (texts, tables, files and pictures) of a fit.
 
-    fit: a fit, or (path of the case, case, prediction with measured friction, whether to show details). folder: output
-    folder, to which paths in the fitted case file are relative.
+    fit: a fit, or the tuple (path of the case, case, prediction that uses measured friction, whether to show details). folder:
+    output folder, to which the paths in the fitted case file are relative; None writes no case file.
     """
     if isinstance(fit, tuple):
         return _prediction_view(fit, folder)
@@ -113,7 +119,10 @@ def fit_view(fit: "FitResult | tuple[Any, ...]", folder: Path | None = None) -> 
 
 
 def _prediction_view(fit: tuple[Any, ...], out: Path | None) -> View:
-    """Return the view of a prediction that uses measured friction. out: output folder."""
+    """Return the view of a prediction that uses measured friction.
+
+    fit: (path of the case, case, prediction, whether to show details). out: output folder; None writes no case file.
+    """
     path, case, data, details = fit
     view = prediction_view(case, data, str(path), details, out is not None)
     if out is not None and "parameter" in data.dims:

@@ -25,10 +25,10 @@ _COLUMNS = [f"{name}{end}" for name in _RESULTS for end in ("", "_low", "_high")
 
 
 def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bool = False, saved: bool = False) -> View:
-    """Return the view of a prediction.
+    """Return the view (texts, tables, files and pictures) of a prediction.
 
-    file: name of the case file, for the commands that the view suggests. details: whether to show the full answer.
-    saved: whether files are written, about which the output has one more line.
+    data: result of `predict` for the case. file: name of the case file, for the commands that the view suggests. details:
+    whether to show the full answer. saved: whether files are written, for which the output needs one more line.
     """
 
     def parts() -> Iterator[Any]:
@@ -58,7 +58,10 @@ def prediction_view(case: "Case", data: "xarray.Dataset", file: str, details: bo
 
 
 def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
-    """Return the table of an answer; if it exceeds `most` lines, the least important rows are omitted."""
+    """Return the table of an answer with at most `most` lines, from which the least important rows are left out.
+
+    rows: pairs (heading, text).
+    """
     for name in ("model", "along the load", "checked against", "uncertainty from", "if worn through"):
         if lines_of(facts(rows)) <= most:
             break
@@ -67,7 +70,10 @@ def _in_short(rows: list[tuple[str, str]], most: int) -> Any:
 
 
 def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
-    """Return the view of the predictions for a case with array parameters."""
+    """Return the view of the predictions for a case with array parameters.
+
+    details: whether the table has a row for every combination.
+    """
 
     def parts() -> Iterator[Any]:
         if case.title:
@@ -82,7 +88,7 @@ def _swept_view(case: "Case", data: "xarray.Dataset", details: bool) -> View:
 
 
 def _details(case: "Case", data: "xarray.Dataset") -> Iterator[Any]:
-    """Yield the texts that only the detailed answer shows: curve, warnings, models, samples, inputs and interface."""
+    """Yield what only the detailed answer shows: curve, warnings, weights of models, samples, inputs and interface state."""
     if data["load"].size > 1:
         yield from ("", curve_table(data, heads=PREDICTION_HEADS))
     yield ""
@@ -113,7 +119,7 @@ def _comments(case: "Case", data: "xarray.Dataset") -> list[str]:
 
 
 def plain(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Convert attributes that are lists or dicts to JSON text, because netCDF files cannot store them."""
+    """Return a dataset with its list and dict attributes as JSON texts, because netCDF files cannot store lists and dicts."""
     texts = {
         name: json.dumps(value, ensure_ascii=False) for name, value in data.attrs.items() if isinstance(value, dict | list)
     }

@@ -29,9 +29,9 @@ _ROWS = 12
 
 
 def band_table(data: "xarray.Dataset") -> Table | Text:
-    """Return a table of the nominal result, its quantiles over uncertain inputs, and the largest sampling error of these.
+    """Return a table of a result, its quantiles over the uncertain inputs, and the largest sampling error of these quantiles.
 
-    It has about twelve points. Of several array parameters the first values are shown.
+    The table has about twelve loads or separations. Of array parameters only the first values are shown.
     """
     name = shown_quantity(data)
     if f"{name}_quantile" not in data:
@@ -56,7 +56,7 @@ def band_lines(data: "xarray.Dataset") -> Iterator[Any]:
 
 
 def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
-    """Yield notes on the uncertain inputs: which they are, how they were sampled, and how many samples are excluded."""
+    """Yield notes on the uncertain inputs: which they are, how they were sampled, and what fraction of samples is excluded."""
     used = data.attrs
     for line in used["uncertain_inputs"].splitlines():
         yield f"uncertain: {line}"
@@ -69,29 +69,35 @@ def uncertain_notes(data: "xarray.Dataset") -> Iterator[str]:
 
 
 def draws_in_words(used: Mapping[str, Any]) -> str:
-    """State the number of random samples and their seed. used: attributes of a result."""
+    """State the number of random samples of the uncertain inputs and their seed.
+
+    used: attributes of a result.
+    """
     return f"random samples of the uncertain inputs: {used['uncertainty'].replace(' points', '')}"
 
 
 def with_meaning(warning: str) -> str:
-    """Replace the quantity that starts a validity warning by its meaning."""
+    """Return a validity warning in which the name of the quantity at its start is replaced by the quantity's meaning."""
     name, _, rest = warning.partition(" ")
     return f"{QUANTITIES[name].meaning} {rest}" if name in QUANTITIES else warning
 
 
 def in_draws(share: float, text: str) -> str:
-    """State in which fraction of the random samples a validity warning applies.
+    """State the fraction of the random samples to which a validity warning applies.
 
     share: the fraction. text: the warning.
     """
     return f"in {share:.1%} of the random samples of the inputs: {text}"
 
 
-_FEW = 5  # rows of a short answer
+_FEW = 5  # rows in a short answer
 
 
 def run_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False) -> View:
-    """Return the view of a solved case. all_rows: show every point of the curve."""
+    """Return the view (texts, tables, files and pictures) of a case that one model solved.
+
+    data: result of `solve` for the case. all_rows: whether to show every load or separation of the curve.
+    """
 
     def table(path: Path) -> None:
         wide = in_columns(data, METHOD, "by_method")

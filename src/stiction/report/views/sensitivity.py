@@ -1,4 +1,4 @@
-"""Build the view of a sensitivity study, which ranks the inputs by importance at the working load."""
+"""Build the view of a sensitivity study, which ranks the inputs by their importance at the working load."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -29,7 +29,7 @@ _HEADS = {"friction_coefficient": "mu", "contact_area": "area", "load": "load", 
 def results_of(data: "xarray.Dataset", end: str) -> list[str]:
     """Return the names of the results for which the variable `{result}_{end}` exists, friction first.
 
-    end: e.g. "total_order". Results whose values are all NaN are omitted, except the first.
+    end: e.g. "total_order". Results with NaN only are left out, except the first.
     """
     there = [name for name in _HEADS if f"{name}_{end}" in data]
     return there[:1] + [name for name in there[1:] if np.isfinite(data[f"{name}_{end}"].values).any()]
@@ -40,7 +40,7 @@ def head_of(name: str) -> str:
 
 
 def working_place(data: "xarray.Dataset") -> int:
-    """Return the index of the point nearest to the working load, or the middle index if there is no working load."""
+    """Return the index of the load nearest to the working load; the middle index if the study has no working load."""
     dim = points_dimension(data)
     count = data.sizes[dim] if dim else 1
     if "working_load" not in data.attrs or dim != "load":
@@ -49,21 +49,24 @@ def working_place(data: "xarray.Dataset") -> int:
 
 
 def at_working_load(data: "xarray.Dataset") -> "xarray.Dataset":
-    """Return the results at the working load, without the other points."""
+    """Return the results of a sensitivity study at the working load only."""
     dim = points_dimension(data)
     return data.isel({dim: working_place(data)}) if dim else data
 
 
 def ranked(results: "xarray.Dataset", name: str, end: str, dim: str) -> np.ndarray:
-    """Return the indices along `dim` that sort the variable `{name}_{end}` by descending absolute value, NaN last."""
+    """Return the indices along `dim` that sort the variable `{name}_{end}` by descending absolute value, NaN last.
+
+    results: sensitivity study at its working load.
+    """
     size = np.abs(results[f"{name}_{end}"].values)
     return np.argsort(np.where(np.isfinite(size), -size, np.inf), kind="stable")
 
 
 def indices_table(data: "xarray.Dataset") -> Table:
-    """Return a ranked table of Sobol indices and Morris effects of the first result.
+    """Return a table of Sobol indices and Morris effects of the first result, the most important input first.
 
-    Other results have a column with their total indices.
+    Each other result has a column with its total indices.
     """
     results, (first, *others) = at_working_load(data), results_of(data, "total_order")
     heads = [f"{_HEADS[first]}\ntotal", "\n95 %", "\nfirst", "\neffect", *(f"{_HEADS[name]}\ntotal" for name in others)]
@@ -83,7 +86,10 @@ def _share(row: "xarray.Dataset", name: str) -> str:
 
 
 def log_sensitivities_table(data: "xarray.Dataset") -> Table:
-    """Return a table of d ln y/d ln x at the working load for every input number x, ranked by friction."""
+    """Return a table of the logarithmic sensitivities d ln y/d ln x at the working load, ranked by their effect on friction.
+
+    y are the results, such as mu, and x all input numbers.
+    """
     results, names = at_working_load(data), results_of(data, "log_sensitivity")
     order: Any = ranked(results, names[0], "log_sensitivity", "number") if names else []
     rows = [
@@ -102,7 +108,7 @@ def _signed(value: float) -> str:
 
 
 def share_tables(data: "xarray.Dataset") -> Iterator[Table]:
-    """Yield two tables: each source's share of the variance of ln mu, and the logarithmic sensitivities of mu."""
+    """Yield two tables: the share of the variance of ln mu of each source, and the logarithmic sensitivities of mu."""
     parts = zip(data["input"].values.tolist(), data["friction_coefficient_share"].values.tolist(), strict=True)
     rows = [(part_name(name), f"{share:.0%}") for name, share in parts]
     yield Table([Column("mu varies with"), *numbers("share")], rows, ranked=True)
@@ -139,7 +145,10 @@ _TABLES = {"sensitivity.csv": "input", "log_sensitivities.csv": "number"}
 
 
 def sensitivity_view(data: "xarray.Dataset", groups: Mapping[str, float] | None = None) -> View:
-    """Return the view of a sensitivity study. groups: dimensionless groups of the contact, for JSON."""
+    """Return the view (texts, tables, files and pictures) of a sensitivity study.
+
+    groups: dimensionless groups of the contact by name, for JSON.
+    """
 
     def parts() -> Iterator[Any]:
         if _SHARE in data:

@@ -32,7 +32,7 @@ _ONE_MODEL = "This is mu of one model. `stiction run` predicts mu of the contact
 def sliding_table(data: "xarray.Dataset") -> Table:
     """Return a table of a result of `slide`, one row for each load.
 
-    Columns: mu, largest tangential force over load, its displacement, and the tangential stiffness at rest.
+    Columns: mu, largest tangential force over load, the displacement of that force, and the tangential stiffness at rest.
     """
     return curve_table(data.drop_dims("displacement"), True, _HEADS)
 
@@ -53,8 +53,11 @@ def _animate(data: "xarray.Dataset", path: Path) -> None:
 
 
 def sliding_view(case: "Case", data: "xarray.Dataset") -> View:
-    """Return the view of a result of `slide`."""
-    numbers = data.drop_dims(["row", "column"], errors="ignore")  # of a map also the state of its points
+    """Return the view (texts, tables, files and pictures) of a result of `slide`.
+
+    data: the result for the case.
+    """
+    numbers = data.drop_dims(["row", "column"], errors="ignore")  # a solved map also has the state of each of its points
 
     def parts() -> Iterator[Any]:
         yield from (run_summary(case, data), "", sliding_table(numbers), "")

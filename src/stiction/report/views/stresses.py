@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from stiction.case.read import Case
 
 
-# What the columns are.
+# Meanings of the table columns.
 MEANINGS = (
     "a/t: contact radius of the mean touching asperity over the thickness of a film",
     "stress / Y, where: largest von Mises stress over the yield stress there, and in what",
@@ -32,9 +32,10 @@ _HEADS = {
 
 
 def stresses_view(case: "Case", data: "xarray.Dataset", all_rows: bool = False, with_section: bool = False) -> View:
-    """Return the view of the film stresses of a case.
+    """Return the view (texts, tables, files and pictures) of the film stresses of a case.
 
-    all_rows: show every point of the curve. with_section: whether to compute also the stresses in a cross-section, for files.
+    data: result of `film_stresses` for the case. all_rows: whether to show every point of the curve. with_section: whether to
+    compute the stresses in a cross-section too, for the files.
     """
 
     def parts() -> Iterator[Any]:

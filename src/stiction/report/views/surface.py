@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def surface_summary(analysis: Analysis) -> Table:
-    """Return a table of a scan: size, heights, slopes, curvatures and spectral moments."""
+    """Return a table of a scan: size, heights, roughness parameters, slopes, curvatures and spectral moments."""
     surface, measured, spectrum = analysis.surface, analysis.statistics, analysis.spectrum
     rows, columns = surface.heights.shape
     y, x = (shown(length, "scan_size") for length in surface.size)
@@ -65,14 +65,14 @@ def surface_summary(analysis: Analysis) -> Table:
 
 
 def _profile_row(surface: HeightMap, measured: Statistics) -> tuple[str, str]:
-    """Return the row with the parameters of a profile by their names of ISO 21920-2."""
+    """Return (heading, text) with the parameters of a profile under their names in ISO 21920-2."""
     values = profile_parameters(surface, measured).items()
     texts = {name: shown(value, "scan_size") if name[1:] in ("a", "q", "t") else short(value) for name, value in values}
     return "ISO 21920-2", ", ".join(f"{name} = {text}" for name, text in texts.items())
 
 
 def _areal_rows(surface: HeightMap) -> list[tuple[str, str]]:
-    """Return rows with Sp, Sv, Sdr, Sal, Str, Sk, Spk, Svk, Smr1 and Smr2 of ISO 25178-2."""
+    """Return pairs (heading, text) with Sp, Sv, Sdr, Sal, Str, Sk, Spk, Svk, Smr1 and Smr2 of ISO 25178-2."""
     parameters = asdict(areal_parameters(surface))
     ratios = {"Sdr", "Str", "Smr1", "Smr2"}
     texts = {
@@ -114,7 +114,7 @@ def _in_short(analysis: Analysis) -> str:
 
 
 def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
-    """Return lines that use this surface in a case file, once by the scan and once by its asperities.
+    """Return the lines of a case file that use this surface, once by the scan and once by the numbers of its asperities.
 
     case_table: roughness table of a case that reads the scan again.
     """
@@ -125,10 +125,10 @@ def use_this(analysis: Analysis, case_table: Mapping[str, Any]) -> list[Text]:
 
 
 def asperity_numbers(analysis: Analysis) -> dict[str, Any]:
-    """Return the roughness table of a case with the asperities of this surface; empty if none were found.
+    """Return the roughness table of a case with sigma, R and N of this surface; {} if no asperities were found.
 
     The heights are stated as Weibull only if a Weibull distribution was fitted and the kind of surface is unknown. Other
-    heights are stated as Gaussian, because model errors are known for these.
+    heights are stated as Gaussian, because the errors of the models are known for these.
     """
     if not analysis.standing:
         return {}
@@ -160,7 +160,7 @@ def _moments(profile: ProfileMoments) -> str:
 
 
 def asperity_table(analysis: Analysis) -> Table:
-    """Return a table of sigma, R and N of one scan by each asperity method."""
+    """Return a table of sigma, R and N of one scan by each asperity method, with number, heights and skewness."""
     rows = []
     for method, result in analysis.asperities.items():
         cells = _cells(result.deviation, result.radius, result.density)
@@ -170,7 +170,7 @@ def asperity_table(analysis: Analysis) -> Table:
 
 
 def surface_notes(analysis: Analysis) -> list[Table]:
-    """Return notes on how each asperity method works here, and why a method found nothing."""
+    """Return notes on how each asperity method works on this surface, and why a method found nothing."""
     lines = []
     if analysis.spikes:
         lines.append(
@@ -186,7 +186,7 @@ def surface_notes(analysis: Analysis) -> list[Table]:
 def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) -> Table:
     """Return a table of the combined sigma, R and N of both bodies by each asperity method; the method used is bold.
 
-    data: result of the case; it adds mu at the smallest and the largest compressive load.
+    data: result of the case, which adds mu at the smallest and at the largest compressive load; None for no mu.
     """
     friction = None if data is None else data.get("friction_coefficient_by_method")
     loads = _ends(data) if friction is not None and data is not None else []
@@ -201,7 +201,7 @@ def roughness_table(measured: "Measured", data: "xarray.Dataset | None" = None) 
 
 
 def roughness_notes(measured: "Measured") -> list[Table]:
-    """Return notes on the asperity method used, methods that found nothing, and how the scans were processed."""
+    """Return notes on the asperity method used, on methods that found nothing, and on how the scans were processed."""
     count = measured.counts[measured.method]
     counted = f" ({count} asperities)" if count else ""
     band = "; a band of mu is the range over all methods" if len(measured.by_method) > 1 else ""
@@ -212,7 +212,7 @@ def roughness_notes(measured: "Measured") -> list[Table]:
 
 
 def map_notes(data: "xarray.Dataset") -> list[Table]:
-    """Return notes on a solved map: preparation, resolution, and contact area at the last load."""
+    """Return notes on the contact of a height map: preparation, resolution, and contact area at the last load."""
     last = data.isel({name: -1 for name in data["load"].dims})
     every = int(last["point_spacing"])
     lines = [
@@ -229,14 +229,14 @@ def map_notes(data: "xarray.Dataset") -> list[Table]:
 
 
 def contact_table(contact: "ContactOfMap") -> Table:
-    """Return a table of the contact of a map, one row for each nominal pressure."""
+    """Return a table of the contact of a height map, one row for each nominal pressure."""
     heads = (re.sub(r" (?=in |load)|(?=/\(|/Sq)", "\n", head) for head in contact.columns)
     rows = [[short(value, 3) for value in row] for row in zip(*contact.columns.values(), strict=True)]
     return Table(numbers(*heads, wrap=True), rows)
 
 
 def contact_notes(contact: "ContactOfMap") -> list[Text]:
-    """Return notes on how the contact of a map was solved, with its validity warnings."""
+    """Return notes on how the contact of a height map was solved, with its validity warnings."""
     yields = "elastic" if contact.hardness is None else f"no pressure above {contact.hardness:g} E* h'"
     of_map = contact.curve.of_map
     solved = (
@@ -277,10 +277,10 @@ def surface_view(
     resolution: "xarray.Dataset | None" = None,
     details: bool = False,
 ) -> View:
-    """Return the view of a measured surface.
+    """Return the view (texts, tables, files and pictures) of a measured surface.
 
-    case_table: roughness table of a case that reads the scan again. solved: contact of the map. resolution: resolution
-    study, to be written to files. details: whether to print all results.
+    case_table: roughness table of a case that reads the scan again. solved: contact of the height map, or None. resolution:
+    resolution study to be written to files, or None. details: whether to print all results.
     """
 
     def parts() -> Iterator[Any]:

@@ -43,7 +43,7 @@ def sweep_view(store: "Store", out: Path, computed: int, seconds: float) -> View
 
 
 def _friction(store: "Store") -> Iterator[str]:
-    """Yield lines on mu over all points of a sweep: its range, or its scatter between maps; none without mu."""
+    """Yield lines on mu over all points of a sweep: its range, or its scatter between height maps; none without mu."""
     names = ("friction_coefficient", "friction_coefficient_low", "friction_coefficient_high")
     known = {name: np.asarray(store.group[name]) for name in names if name in store.group} if store.plan.size <= _MOST else {}
     if store.plan.maps and names[0] in known and not store.plan.sweep.statistics:
@@ -60,9 +60,9 @@ def _friction(store: "Store") -> Iterator[str]:
 
 
 def _scatter(mu: np.ndarray, loads: np.ndarray | None) -> Iterator[str]:
-    """Yield for each load the median of mu and its scatter between maps.
+    """Yield a line for each load with the median of mu and its scatter between height maps.
 
-    mu: (maps, loads); NaN is ignored.
+    mu: (maps, loads); NaN is ignored. loads: [N]; None if the sweep states separations.
     """
     for index, column in enumerate(mu.T):
         there = column[np.isfinite(column)]

@@ -1,4 +1,4 @@
-"""Build the view of a validation: how well models and the prediction agree with measured series."""
+"""Build the view of a validation: how well the models and the prediction agree with measured series."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ _HOW = {
 
 
 def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
-    """Yield the title, source and note of a measured series, and its number of values."""
+    """Yield title, source and note of a measured series, and its number of values."""
     about = data.attrs
     if about["kind"] == "synthetic":
         yield Text("SYNTHETIC: these values were made up; nobody measured them.", style="bold yellow")
@@ -39,7 +39,7 @@ def origin_lines(data: "xarray.Dataset") -> Iterator[Text]:
 
 
 def validation_table(data: "xarray.Dataset") -> Table:
-    """Return a table of the models: grade, number of predicted values, error, and ranges that the series leaves."""
+    """Return a table of the models: grade, number of predicted values, error, and claimed ranges that the series leaves."""
     errors = {"bias": "mean ratio", "factor": "factor off"}
     if np.isfinite(data["error"].values).any():
         errors["in_errors"] = "in errors"
@@ -55,9 +55,9 @@ def validation_table(data: "xarray.Dataset") -> Table:
 
 
 def prediction_table(data: "xarray.Dataset") -> Table | None:
-    """Return a table of measured and predicted friction; None if nothing was predicted.
+    """Return a table of measured and predicted friction at each load; None if nothing was predicted.
 
-    Each row states whether the 50 % and 90 % intervals contain the measured value.
+    Each row states whether the 50 % and the 90 % interval contain the measured value.
     """
     rows = []
     for index in np.flatnonzero(np.isfinite(data["prediction"].sel(quantile=0.5))):
@@ -72,7 +72,7 @@ def prediction_table(data: "xarray.Dataset") -> Table | None:
 
 
 def row_rows(data: "xarray.Dataset") -> tuple[list[str], list[list[Any]]]:
-    """Return column heads and rows of measured and predicted values in SI units, for a CSV file."""
+    """Return (column heads, rows) with measured and predicted values in SI units, for a CSV file."""
     columns = ["quantity", "sample", "load", "measured", "error"]
     levels = [f"prediction_{level:g}" for level in data["quantile"].values]
     rows = zip(rows_of(data, columns), data["prediction"].values.T.tolist(), data["predicted"].values.T.tolist(), strict=True)
@@ -92,9 +92,9 @@ def validation_record(data: "xarray.Dataset") -> dict[str, Any]:
 
 
 def validation_view(series: "Mapping[str, xarray.Dataset]") -> View:
-    """Return the view of models and prediction against measured series.
+    """Return the view of models and prediction compared with measured series.
 
-    series: results by name of the series.
+    series: result of `validate` by name of the series.
     """
 
     def parts() -> Iterator[Any]:
