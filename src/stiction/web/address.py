@@ -1,4 +1,7 @@
-"""Pack the tables of a case into the address of the page, and read them back."""
+"""Pack a case into the address of the page, and read it back.
+
+The tables of a case are nested dicts, as they are read from a case file in TOML.
+"""
 
 import base64
 import binascii
@@ -18,13 +21,13 @@ _STATE = "a case, as this page writes it into its address"
 
 
 def encoded(tables: Mapping[str, Any]) -> str:
-    """Return case tables as text for the address of the page; "" if the text would be too long."""
+    """Return the tables of a case as compressed text for the address of the page; "" if it exceeds 20,000 characters."""
     text = base64.urlsafe_b64encode(zlib.compress(as_toml(tables).encode(), 9)).decode().rstrip("=")
     return text if len(text) <= _LONGEST else ""
 
 
 def decoded(text: str) -> dict[str, Any]:
-    """Return the case tables that the text of an address holds.
+    """Return the tables of a case from the text of an address, the inverse of `encoded`.
 
     Raises InputError for damaged text, or for a case above 200,000 bytes.
     """
@@ -39,12 +42,15 @@ def decoded(text: str) -> dict[str, Any]:
         return tomllib.loads(content.decode())
     except InputError:
         raise
-    except (binascii.Error, zlib.error, ValueError, RecursionError):  # no base 64, not packed, no UTF-8, no TOML
+    except (binascii.Error, zlib.error, ValueError, RecursionError):  # not base64, not zlib, not UTF-8, not TOML
         raise InputError("address", text[:40], _STATE) from None
 
 
 def files_named(tables: Mapping[str, Any]) -> list[str]:
-    """Return the paths of all files that case tables name: materials, scans, maps, samples and measured series."""
+    """Return the paths of all files that a case names: materials, scans, height maps, samples and measured series.
+
+    tables: nested dicts, as read from a case file.
+    """
     found = [tables["materials"]] if isinstance(tables.get("materials"), str) else []
     rough = roughness_in(tables)
     if isinstance(rough, Mapping):
@@ -56,7 +62,7 @@ def files_named(tables: Mapping[str, Any]) -> list[str]:
 
 
 def _files_in(value: Any) -> Iterator[str]:
-    """Yield the file paths under the keys "file", "samples" and "data" of nested case tables."""
+    """Yield the file paths under the keys "file", "samples" and "data" of nested dicts and lists."""
     if isinstance(value, Mapping):
         yield from (str(value[key]) for key in ("file", "samples", "data") if isinstance(value.get(key), str))
         for one in value.values():
@@ -67,13 +73,13 @@ def _files_in(value: Any) -> Iterator[str]:
 
 
 def refuse_other_files(tables: Mapping[str, Any], allowed: Iterable[str]) -> None:
-    """Raise InputError if case tables name a file that is not among the allowed ones.
+    """Raise InputError if a case names a file that is not among the allowed ones.
 
-    Anybody can write an address, so it must not give access to other files of this machine. allowed: files of the served case
-    and uploaded files.
+    Anybody can write an address, so an address must not give access to other files of this machine. tables: nested dicts, as
+    read from a case file. allowed: paths of the files of the served case and of uploaded files.
     """
     known = set(allowed)
     for name in files_named(tables):
         if name not in known:
-            there = ", ".join(sorted(Path(name).name for name in known)) or "none"  # visitors need no folder of this machine
+            there = ", ".join(sorted(Path(name).name for name in known)) or "none"  # folders of this machine stay hidden
             raise InputError("file", name, f"a file of the served case, or an uploaded file (now: {there})")

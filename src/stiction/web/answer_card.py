@@ -1,4 +1,4 @@
-"""The answer card above every tab: mu, its interval, its reliability and main cause; "Why" shows details."""
+"""The answer card above every tab: mu, its interval, its confidence and main source of uncertainty; "Why" shows details."""
 
 from html import escape
 
@@ -18,7 +18,10 @@ from stiction.web.query import Answer, predicted_beside, remarks
 
 
 class AnswerCard:
-    """Show every new answer as a card; if the case names a model, show the prediction as well."""
+    """Show every new answer as a card; if the case names a model, show the prediction as well.
+
+    explorer: state of the visitor, whose answers are shown.
+    """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -36,7 +39,7 @@ class AnswerCard:
         self.show()
 
     def show(self) -> None:
-        """Show the newest answer; after an error keep the previous one, marked as old."""
+        """Show the newest answer; after an error keep the answer before it, marked as old."""
         answer = self._explorer.answer
         self._old.set_visibility(self._explorer.error is not None)
         if answer is not self._before:
@@ -70,7 +73,10 @@ class AnswerCard:
         self._draw()
 
     def _show_moved_load(self, answer: Answer) -> None:
-        """Tell the visitor that the load changed, if the case states separations and its contact was changed."""
+        """Tell the visitor that the load changed, if the case states separations and its contact was changed.
+
+        answer: the newest answer.
+        """
         pair, self._before = (self._before, answer), answer
         before, after = (one.query.tables for one in pair)
         solve = after.get("solve", {})
@@ -83,7 +89,7 @@ class AnswerCard:
         self._load_moved.set_visibility(moved)
 
 
-# Words of a next step that need a case file or a command, and those of the page.
+# Words of a next step that name a case file or a command -> words for the page.
 _ON_PAGE = {
     ": stiction fit CASE.toml --data FILE": " (tab Studies)",
     " (stiction interfaces)": "",
@@ -95,13 +101,13 @@ _ON_PAGE = {
 def card_on_page(prediction: xarray.Dataset, named: str = "") -> Card:
     """Return the short answer card of a prediction for the page, without commands, because a visitor has no case file.
 
-    A warning that the next step repeats is omitted. named: result of the model that the case names, or ""; with it, only the
-    two numbers and the main warning remain.
+    A warning that the next step repeats is left out. named: result of the model that the case names, as text, or "". With such
+    a result the card keeps only both values of mu and the main warning.
     """
-    card = card_of(at_working_load(prediction), named)  # the form shows this load, not the range around it
+    card = card_of(at_working_load(prediction), named)  # without the range of loads: the form shows the load
     if named:
         return card._replace(decides="", next_step="")
-    action = str(prediction.attrs["next_step"])  # what a measurement would give stands below "Why"
+    action = str(prediction.attrs["next_step"])  # the interval after a measurement stands below "Why"
     for words, on_page in _ON_PAGE.items():
         action = action.replace(words, on_page)
     repeated = action.startswith("state") and card.warning.removesuffix(" is not stated").lower() in action

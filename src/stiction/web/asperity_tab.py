@@ -14,7 +14,10 @@ from stiction.web.explorer import Explorer
 
 
 class AsperityTab:
-    """Draw the stresses under one asperity after every answer and after every move of the two sliders."""
+    """Draw the stresses under one asperity after every answer and after every move of the two sliders.
+
+    The sliders set the contact radius and the ratio of tangential to normal force.
+    """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -24,7 +27,7 @@ class AsperityTab:
         self._radius = self._slider("contact radius over (R sigma)^(1/2), logarithmic", -2.0, 0.5, -0.5)
         self._traction = self._slider("tangential force over normal force", 0.0, 1.0, 0.2)
         self._picture = Picture("von Mises stress in section", "", 620)
-        self._picture.element.classes("section")  # as high as its axes are to scale
+        self._picture.element.classes("section")  # this class sets a height at which both axes have the same scale
         explorer.listen(lambda: ui.timer(0.0, self.opened, once=True))
 
     def _slider(self, label: str, low: float, high: float, value: float) -> ui.slider:
@@ -33,7 +36,7 @@ class AsperityTab:
         return slider.on("update:model-value", self.opened, throttle=0.05)
 
     async def opened(self) -> None:
-        """Ask for the stresses under an asperity of the newest case."""
+        """Compute and show the stresses under an asperity of the newest case, for the values of both sliders."""
         subject = self._explorer.answer.case.subject
         await self._latest.ask(subject, 10.0 ** float(self._radius.value), float(self._traction.value))
 
@@ -67,7 +70,10 @@ class AsperityTab:
 
 
 def _section_chart(found: OneAsperity, dark: bool) -> dict[str, Any]:
-    """Draw the stress in a cross-section below the asperity in colours, with depth downwards and equal scales."""
+    """Return a chart with the stress in a cross-section below the asperity in colours, depth downwards and equal scales.
+
+    found: stresses under the asperity. dark: whether the page is dark.
+    """
     ends = [float(found.x[0]), float(found.x[-1])]
     series = [line("contact", [-1.0, 1.0], [0.0, 0.0], 1, z=4), mark("largest stress", found.at, "pin", 30, COLOURS[3])]
     if found.thickness <= found.z[-1]:

@@ -1,4 +1,4 @@
-"""Run work in threads, outside the loop that serves browsers, and only for the newest query."""
+"""Run computations in threads, outside the event loop that serves browsers, and only for the newest query."""
 
 import asyncio
 import ctypes
@@ -12,21 +12,22 @@ from typing import Any, Generic, TypeVar
 from stiction.quantities.errors import InputError
 
 _T = TypeVar("_T")
-LONGEST = 60.0  # seconds of a study
-# Users share only these threads. Two use both of two cores; a query that waits is replaced by a newer one.
+LONGEST = 60.0  # seconds, time limit of a study
+# All visitors share these threads.
 QUICK: Executor = ThreadPoolExecutor(2, thread_name_prefix="quick")
 STUDIES: Executor = ThreadPoolExecutor(1, thread_name_prefix="study")
 
 
 async def run(work: Callable[..., _T], *arguments: Any, pool: Executor = QUICK) -> _T:
-    """Return the result of a function that runs in a thread."""
+    """Run a function with its arguments in a thread of a pool, and return its result."""
     return await asyncio.get_running_loop().run_in_executor(pool, partial(work, *arguments))
 
 
 class Latest(Generic[_T]):
     """Run a function in a thread for one query at a time, and skip all waiting queries but the newest.
 
-    work: the function. show: called in the event loop with the result of `work`. refuse: called with an InputError of `work`.
+    A query is the tuple of arguments of the function. work: the function. show: called in the event loop with the result of
+    `work`. refuse: called with an InputError that `work` raised.
     """
 
     def __init__(self, work: Callable[..., _T], show: Callable[[_T], object], refuse: Callable[[InputError], object] = print):
@@ -36,11 +37,11 @@ class Latest(Generic[_T]):
 
     @property
     def is_waiting(self) -> bool:
-        """Return whether a newer query waits for its answer."""
+        """Return whether a newer query waits for its result."""
         return self._waiting is not None
 
     async def ask(self, *arguments: Any) -> None:
-        """Answer this query, or leave it to the call that answers one already."""
+        """Run the function for this query; if a run is under way, the query waits, in place of any query that waited before."""
         self._waiting = arguments
         if self._running:
             return
@@ -75,15 +76,15 @@ class Progress:
         self._guard = threading.Lock()
 
     def stop(self) -> None:
-        """Stop the study, even within a step."""
+        """Stop the study at once, even within a step."""
         self._stop.set()
         self._interrupt()
 
     def watched(self, work: Callable[["Progress"], _T]) -> _T:
-        """Run a function in this thread, and return its result.
+        """Run a function of this Progress in the current thread, and return its result.
 
-        The function is interrupted when the study is stopped or times out. The time limit starts here, not while other studies
-        run. Raises KeyboardInterrupt.
+        The function is interrupted when the study is stopped or times out. The time limit starts here, so that the time of
+        earlier studies does not count. Raises KeyboardInterrupt.
         """
         import numba  # noqa: F401  Interrupted, its import could not be repeated in this process.
 
@@ -98,7 +99,7 @@ class Progress:
             return work(self)
         finally:
             late.cancel()
-            with self._guard:  # an interrupt that was sent has arrived
+            with self._guard:  # so that an interrupt that was sent has arrived before
                 self._thread = None
 
     def _interrupt(self) -> None:
@@ -135,6 +136,6 @@ class Progress:
         return wrapped
 
     def tell(self, count: int, text: str) -> None:
-        """Record how many designs were tried, and a text on how many there will be at most."""
+        """Record how many designs were tried, `count`, and a text on how many there will be at most."""
         self.check()
         self.text, self.share = f"{count} designs tried, {text}", 0.0

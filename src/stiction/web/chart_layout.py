@@ -4,18 +4,18 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-NARROW = 420  # pixels of a chart, up to which it is narrow
-_LEAST = 340  # pixels: what a legend of a narrow chart may count on
+NARROW = 420  # largest width in pixels of a narrow chart
+_LEAST = 340  # pixels that the legend of a narrow chart has at least
 _LINE, _LETTER, _MARK = 24, 7.0, 44  # pixels of a line of a legend, of one of its letters, and of its mark with its margins
-_MOST = 42  # letters of the name of an axis in one line
-_SCALE = 52  # pixels for the scale of colours below a narrow chart
+_MOST = 42  # largest number of letters of an axis name in one line
+_SCALE = 52  # pixels for the colour scale below a narrow chart
 
 
 def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
     """Return chart options that fit wide pages and telephones.
 
-    options: as returned by `charts.chart`; options without plane axes are returned unchanged. room: pixels for the legend of a
-    wide chart.
+    options: as returned by `charts.chart`; options without plane axes are returned unchanged. room: pixels for a legend line of
+    a wide chart.
     """
     if "grid" not in options:
         return dict(options)
@@ -26,13 +26,14 @@ def fitted(options: Mapping[str, Any], room: int = NARROW) -> dict[str, Any]:
 
 
 def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, Any]:
-    """Return the options in which a narrow chart differs from a wide one.
+    """Return those chart options that differ between a narrow and a wide chart, for one of the two widths.
 
-    All of them are set for both widths, so that no option of the other width remains when the page changes.
+    All of them are set for both widths, so that no option of the other width remains when the page changes. room: pixels for a
+    legend line. narrow: whether the chart is narrow.
     """
     x, y, size = options["xAxis"], options["yAxis"], 11 if narrow else 12
     width, lines = _columns(options, room)
-    beside = not (narrow and y["type"] == "category")  # else names stand above what is drawn in their row: there is room
+    beside = not (narrow and y["type"] == "category")  # otherwise the names stand inside their rows, above the bars
     label: dict[str, Any] = {"inside": False, "verticalAlign": "middle", "padding": 0}
     if not beside:
         label = {"inside": True, "verticalAlign": "bottom", "padding": [0, 0, 9, 0], "width": _LEAST}
@@ -61,7 +62,7 @@ def _at_width(options: Mapping[str, Any], room: int, narrow: bool) -> dict[str, 
 def _columns(options: Mapping[str, Any], room: int) -> tuple[int, int]:
     """Return the width of a legend entry in pixels, and the number of legend lines.
 
-    The width is that of the longest name. A name that is longer than the room is broken into lines.
+    The width is that of the longest name. A name that is longer than `room` pixels is broken into lines.
     """
     names = dict.fromkeys(options["legend"].get("data") or [one["name"] for one in options["series"]])
     wanted = [_LETTER * len(name) for name in names] or [0.0]

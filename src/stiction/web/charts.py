@@ -1,4 +1,4 @@
-"""Turn results into the options of ECharts charts; nothing is computed here."""
+"""Turn results into options for charts of the browser library ECharts; nothing is computed here."""
 
 from html import escape
 from typing import Any
@@ -17,13 +17,13 @@ from stiction.report.table import prefix, with_powers
 COLOURS = (BLUE, ORANGE, GREEN, RED, SKY, "#CC79A7")  # Okabe and Ito's
 SHADES = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"]  # viridis, dark to light for everybody
 _DASHES = ("solid", "dashed", "dotted", [8, 3, 2, 3], [2, 2], [12, 4])
-INK = {False: "#333333", True: "#dddddd"}  # of what is written, on a light and on a dark page
+INK = {False: "#333333", True: "#dddddd"}  # colour of texts, on a light and on a dark page
 _GRID = {False: "#dddddd", True: "#444444"}
-_MAIN = {False: BLUE, True: SKY}  # of a result and its band
+_MAIN = {False: BLUE, True: SKY}  # colour of a result and its band, on a light and on a dark page
 _HATCHES = ("none", "rect", "triangle", "circle", "diamond", "pin")
 _BANDED = ("friction_coefficient", "friction_force", "contact_area")  # results that may have a band
-_OPACITY = 0.3  # of a band
-# How the browser writes the numbers of an axis.
+_OPACITY = 0.3  # opacity of a band
+# JavaScript that formats the numbers of an axis.
 _SHORT = (
     "value => value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e5) "
     "? value.toExponential(0) : String(+value.toPrecision(4))"
@@ -31,12 +31,12 @@ _SHORT = (
 
 
 def numbers(values: Any) -> list[float | None]:
-    """Return values as a list of numbers for JSON, with None for values that are not finite."""
+    """Return values as a list of numbers for JSON; values that are not finite become None."""
     return [float(one) if np.isfinite(one) else None for one in np.atleast_1d(np.asarray(values, dtype=float))]
 
 
 def axis_name(variable: xarray.DataArray) -> str:
-    """Return meaning, symbol and unit of a result, short enough for a telephone."""
+    """Return the axis name of a result: meaning, symbol and unit, short enough for a telephone."""
     row, unit = QUANTITIES[str(variable.name)], with_powers(unit_of(variable))
     return f"{(row.short or row.meaning).partition(',')[0]} {letters(row.symbol)}".strip() + (f" [{unit}]" if unit else "")
 
@@ -44,8 +44,8 @@ def axis_name(variable: xarray.DataArray) -> str:
 def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[str, Any]], dark: bool) -> dict[str, Any]:
     """Return the ECharts options of a chart with named axes.
 
-    title: description for screen readers. x, y: further options of the axes. series: lines and points of the chart. dark:
-    whether the page is dark.
+    title: description for screen readers. x, y: further options of the axes. series: lines and points of the chart, as options.
+    dark: whether the page is dark.
     """
     ink, grid = INK[dark], _GRID[dark]
     look: dict[str, Any] = {
@@ -70,9 +70,10 @@ def chart(title: str, x: dict[str, Any], y: dict[str, Any], series: list[dict[st
 
 
 def line(name: str, x: Any, y: Any, at: int, **more: Any) -> dict[str, Any]:
-    """Return the ECharts series of a line through the points (x, y); points with NaN are omitted.
+    """Return the ECharts series of a line through the points (x, y); points without a finite x are omitted.
 
-    at: index of the line in the legend, which decides its colour and dashes. more: further options of the series.
+    at: index of the line in the legend, which decides its colour and dashes. more: further options of the series. A y that is
+    not finite leaves a gap.
     """
     points = [[a, b] for a, b in zip(numbers(x), numbers(y), strict=True) if a is not None]
     look = {"color": COLOURS[at % len(COLOURS)], "type": _DASHES[at % len(_DASHES)], "width": 2.5}
@@ -91,14 +92,14 @@ def mark(name: str, point: Any, symbol: str = "diamond", size: int = 12, colour:
 def add_cells(
     options: dict[str, Any], name: str, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: tuple[float, str, str]
 ) -> None:
-    """Add coloured cells to a chart, below all other series, with a colour scale.
+    """Add a heat map to the options of a chart, below all other series, with a colour scale.
 
-    x (n,), y (m,): centres of the cells, evenly spaced; on logarithmic axes at a constant ratio. values: (n, m). scale: largest
-    value (the smallest is 0), and the labels of both ends.
+    x (n,), y (m,): centres of the cells, evenly spaced; on logarithmic axes at a constant ratio. values: (n, m). scale:
+    (largest value, label of that end, label of the end at 0).
     """
     log = options["xAxis"]["type"] == "log"
     halves = [float((at[1] / at[0]) ** 0.5 if log else (at[1] - at[0]) / 2.0) for at in (x, y)]
-    # The ends of a cell, as a browser makes them.
+    # JavaScript for both ends of a cell along x and y.
     corners = [f"api.value({at}) {sign} {half!r}" for at, half in enumerate(halves) for sign in ("/*" if log else "-+")]
     draw = (
         f"(params, api) => {{ const [left, top] = api.coord([{corners[0]}, {corners[2]}]);"
@@ -107,7 +108,7 @@ def add_cells(
         " shape: {x: Math.min(left, right) - 0.5, y: Math.min(top, bottom) - 0.5,"
         " width: Math.abs(right - left) + 1, height: Math.abs(bottom - top) + 1}}; }"
     )
-    # Not progressive: a partly drawn picture would mislead.
+    # Drawn in one step, because a partly drawn picture would mislead.
     points = [[float(x[i]), float(y[j]), float(values[i, j])] for i, j in np.argwhere(np.isfinite(values))]
     cells = {"name": name, "type": "custom", ":renderItem": draw, "progressive": 0, "data": points, "clip": True, "z": 1,
              "encode": {"x": 0, "y": 1}}  # fmt: skip
@@ -125,10 +126,10 @@ def _positive(values: Any) -> np.ndarray:
 
 
 def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = False) -> tuple[float, dict[str, Any]]:
-    """Return the factor from SI to the unit of an axis, and its options; the axis is logarithmic by `is_log`.
+    """Return (factor, options) of an axis: the factor from SI to its unit, and its ECharts options.
 
-    values: arrays to be shown, in SI; the first is the line, which decides the unit. tight: whether a logarithmic axis ends at
-    the values, not at round numbers.
+    The axis is logarithmic if `is_log` holds for the values. values: arrays to be shown, in SI; the first is the line, which
+    decides the unit. tight: whether a logarithmic axis ends at the values, and not at round numbers.
     """
     known = np.concatenate([each[np.isfinite(each)] for each in map(np.ravel, values)])
     name, factor = axis_name(variable), 1.0
@@ -148,19 +149,25 @@ def _axis(variable: xarray.DataArray, values: list[np.ndarray], tight: bool = Fa
 
 
 def _against(curve: xarray.Dataset, against: str) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return values and axis options of the variable on the horizontal axis: load or separation."""
+    """Return the values and the axis options of the variable on the horizontal axis.
+
+    against: "load" or "mean_separation".
+    """
     values = np.asarray(curve[against].values, dtype=float)
     if against == "load":
         values = _positive(values)
         factor, axis = _axis(curve[against], [values], tight=True)
         return values * factor, {"scale": True} | axis
     factor, axis = _axis(curve[against], [np.abs(values)])
-    # pressing harder goes to the right
+    # a harder contact is at the right
     return values * factor, {"name": axis["name"], "scale": True, "inverse": True}
 
 
 def _bands(curve: xarray.Dataset, name: str) -> dict[str, list[np.ndarray]]:
-    """Return the bands of a result with their names: the interval, the range over asperity methods, and quantiles."""
+    """Return the bands of a result by their names, each as the arrays [low, high].
+
+    A band is the prediction interval, the range over asperity methods, or a range of quantiles. name: the result.
+    """
     bands = {}
     if f"{name}_low" in curve:
         text = f"{curve.attrs['level']:.0%} interval" if "level" in curve.attrs else "over ways to find asperities"
@@ -179,9 +186,10 @@ def _line_name(curve: xarray.Dataset) -> str:
 
 
 def curve_chart(curve: xarray.Dataset, name: str, against: str, here: int, dark: bool) -> dict[str, Any]:
-    """Draw a result against load or separation with its bands; the working load is marked.
+    """Return a chart of a result against load or separation, with its bands and a mark at the working load.
 
-    The chart has no legend, because `curve_legend` is one for all charts of a curve.
+    curve: results at loads or separations. name: the result. against: "load" or "mean_separation". here: index of the working
+    load. The chart has no legend, because `curve_legend` serves all charts of a curve.
     """
     x, x_axis = _against(curve, against)
     bands = _bands(curve, name)
@@ -216,7 +224,7 @@ def curve_legend(curve: xarray.Dataset, dark: bool) -> str:
 
 
 def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray, colour: str) -> list[dict[str, Any]]:
-    """Return the series of a band: its two ends as thin lines, and the area between them."""
+    """Return the series of a band between the curves low and high: their lines, thin, and the area between them."""
     thin = {"lineStyle": {"color": colour, "width": 0.5}}
     edges = [line(f"{end} end", x, values, 0) | thin for end, values in (("low", low), ("high", high))]
     outline = [*zip(x, low, strict=True), *zip(x[::-1], high[::-1], strict=True)]
@@ -230,9 +238,10 @@ def _band(name: str, x: np.ndarray, low: np.ndarray, high: np.ndarray, colour: s
 
 
 def share_chart(curve: xarray.Dataset, what: str, against: str, dark: bool) -> dict[str, Any]:
-    """Draw the parts of a result as stacked shares of the sum of their absolute values.
+    """Return a chart of the parts of a result as stacked shares of the sum of their absolute values.
 
-    what: a key of `share_pictures.stacks`. The legend names the parts.
+    what: key of `share_pictures.stacks`, for example "contact area, by state". against: "load" or "mean_separation". The legend
+    names the parts.
     """
     total, parts = stacks(curve)[what]
     x, x_axis = _against(curve, against)

@@ -40,7 +40,7 @@ class CompareTab:
         explorer.listen(self._mark)
 
     async def opened(self) -> None:
-        """Compare, unless that was done for the present numbers."""
+        """Compare the models, unless the last comparison was of the present case and load."""
         if not self._study.is_current:
             await self._study.start()
 
@@ -55,7 +55,7 @@ class CompareTab:
 
     async def _follow(self) -> None:
         if self._study.is_running:
-            return  # it ends at its next step
+            return  # the timer tries again until the stopped study has ended
         self._later.deactivate()
         await self.opened()
 
@@ -93,7 +93,10 @@ class CompareTab:
 
 
 def tables_of(data: xarray.Dataset, groups: list[Group]) -> Iterator[tuple[str, Table]]:
-    """Yield titles and tables of the models that suit the contact, do not suit it, or are impossible, each sorted by mu."""
+    """Yield pairs (title, table) of the models that suit the contact, do not suit it, or are impossible, sorted by mu.
+
+    data: result of `compare`. groups: groups of its models that agree on mu.
+    """
     for title, kind in _PARTS.items():
         some = sorted((one for one in groups if (one.fits, one.possible) == kind), key=lambda one: one.low)
         rows = [[_title(one), group_row(one)[1], _why(data, one)] for one in some]
@@ -109,7 +112,8 @@ def _title(group: Group) -> str:
 def _why(data: xarray.Dataset, group: Group) -> str:
     """Return why a group of models suits the contact or not, as text.
 
-    For suitable models the text is the area error, otherwise the most important validity warning with the claimed range.
+    For suitable models the text is the area error on benchmark surfaces, otherwise the most important validity warning with the
+    claimed range.
     """
     if group.fits:
         return f"fits; area error {group_row(group)[2]}" if group.errors else "fits"
@@ -138,7 +142,10 @@ def human_name(key: str) -> str:
 
 
 async def _open(name: str) -> None:
-    """Open the page of a model: equations, source, grade, check numbers."""
+    """Show a model in a dialog: equations, source, grade and limits.
+
+    name: key of the model, or key of the model and of a law, joined by " + ".
+    """
     key = name.partition(" +")[0].partition(" (")[0]
     row = models([key])[0]
     text = await run(typeset, row["text"])

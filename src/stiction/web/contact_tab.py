@@ -1,4 +1,4 @@
-"""The tab Contact: curves over load or separation, with the interval of a prediction, or the shares of one model's parts."""
+"""The tab Contact: curves over load or separation, with the interval of a prediction or the stacked parts of one model."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ from stiction.web.explorer import Explorer
 
 
 class ContactTab:
-    """Draw the curves of every new answer."""
+    """Draw the curves of every new answer of a visitor."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer

@@ -11,9 +11,9 @@ from stiction.web.explorer import Explorer
 
 
 def attributes(element: Any, **given: Any) -> Any:
-    """Set HTML attributes of an element, with hyphens for underscores; return the element.
+    """Set HTML attributes of a page element, with hyphens for underscores, and return the element.
 
-    Values are set directly and never parsed, because they may contain text of a user.
+    given: values by name of the attribute. They are set directly and never parsed, because they may contain text of a user.
     """
     changed = {name.replace("_", "-"): value for name, value in given.items()}
     if any(element.props.get(name) != value for name, value in changed.items()):
@@ -25,7 +25,7 @@ def attributes(element: Any, **given: Any) -> Any:
 class Rows:
     """Hold a page element whose rows are rebuilt when they change.
 
-    add: function that adds the elements of one row.
+    element: the page element. add: function that adds the elements of one row.
     """
 
     def __init__(self, element: Any, add: Callable[[Any], object]):
@@ -33,7 +33,7 @@ class Rows:
         self._shown: list[Any] = []
 
     def show(self, rows: list[Any]) -> None:
-        """Show these rows."""
+        """Show these rows in place of the present ones."""
         if rows != self._shown:
             self._shown = rows
             self._element.clear()
@@ -43,9 +43,9 @@ class Rows:
 
 
 class Picture:
-    """Show a chart, hidden while there is nothing to draw.
+    """Show a chart, which is hidden while there is nothing to draw.
 
-    name: description for screen readers. height: CSS height, "" if a class sets it. room: pixels for the legend on a
+    name: description for screen readers. height: CSS height; "" if a CSS class sets it. room: pixels for a legend line on a
     wide page.
     """
 
@@ -55,7 +55,7 @@ class Picture:
         attributes(self.element, role="img", aria_label=name)
 
     def show(self, options: dict[str, Any] | None) -> None:
-        """Draw a chart with these options, fitted to the page width; None hides the chart."""
+        """Draw a chart with these ECharts options, fitted to the page width; None hides the chart."""
         self.element.set_visibility(options is not None)
         options = options and fitted(options, self._room)
         if options is not None and options != dict(self.element.options):
@@ -74,12 +74,13 @@ def upload_button(
 ) -> None:
     """Add a button that uploads a file of at most `most` bytes.
 
-    uploaded: receives the path of the stored file and its original name. refuse: receives an error message.
+    explorer: state of the visitor, which stores the file. uploaded: receives the path of the stored file and its original name.
+    refuse: receives an error message.
     """
 
     async def arrived(event: UploadEventArguments) -> None:
         path = explorer.upload(event.file.name, await event.file.read())
-        # Another one may come, and may be on its way already: `reset` would end it.
+        # `reset` would abort a second upload that is already on its way.
         hidden.run_method("removeUploadedFiles")
         await uploaded(path, event.file.name)
 
@@ -87,12 +88,12 @@ def upload_button(
     hidden.on_rejected(lambda: refuse(f"{label}: refused; allowed: one file of {most // 2**20} MiB at most"))
 
     def failed() -> None:
-        hidden.reset()  # else the library takes no other file
+        hidden.reset()  # without this the library accepts no other file
         refuse(f"{label}: the file did not arrive; try again")
 
     hidden.on("failed", failed)
-    # Of the library's own box only what sends the file is used: it has parts without a name.
+    # The library's own upload box is hidden, because some of its parts have no name for screen readers.
     attributes(hidden, aria_label=label).style("display: none")
     button = ui.button(label, icon="upload_file").props("no-caps outline")
-    # The browser opens a file chooser only within the click itself, so that no message to the server may come before.
+    # This runs in the browser, which opens a file chooser only during the click itself, without a call to the server.
     button.on("click", js_handler=f"() => document.querySelector('#{hidden.html_id} input[type=file]').click()")

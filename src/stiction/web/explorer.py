@@ -19,8 +19,8 @@ from stiction.web.query import Answer, Query, headline, solved
 class View:
     """Hold how the answer is shown.
 
-    against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the
-    middle one. tab: the open tab. narrow: whether the page is as narrow as on a telephone.
+    against: variable on the horizontal axis, "load" or "mean_separation". point: index on the curve, None for the middle one.
+    tab: the open tab. dark: whether the page is dark. narrow: whether the page is as narrow as on a telephone.
     """
 
     against: str = "load"
@@ -30,29 +30,32 @@ class View:
     narrow: bool = False
 
 
-_APART = 1.0  # seconds between two changes that are undone one by one
+_APART = 1.0  # seconds; changes that follow faster are undone together
 _open: "WeakSet[Explorer]" = WeakSet()
 
 
 def close_all() -> None:
-    """Delete the uploads of every visitor when a signal ends the server, because Python then runs no clean-up."""
+    """Delete the uploads of every visitor, when a signal ends the server: Python then runs no clean-up of its own."""
     for explorer in list(_open):
         explorer.close()
 
 
 class Explorer:
-    """Hold the case of one visitor and its answer, and call listeners after every new answer."""
+    """Hold the case of one visitor and its answer, and call listeners after every new answer.
+
+    query: the case. answer: its results.
+    """
 
     def __init__(self, query: Query, answer: Answer):
-        self.query, self.answer = query, answer  # the answer is the newest without an error
-        self.error: InputError | None = None  # of the newest query
-        self.waits = False  # whether the answer is of an earlier query
-        self.first = self._titled = query.tables  # the second is the case that has the title
+        self.query, self.answer = query, answer  # the answer stays that of the last query without an error
+        self.error: InputError | None = None  # error of the newest query
+        self.waits = False  # whether the answer belongs to an earlier query
+        self.first = self._titled = query.tables  # `_titled`: the case for which the title was written
         self._history: list[Mapping[str, Any]] = []  # cases to which `undo` goes back, the newest last
         self._changed = 0.0
         self.view = View()
-        self.rebuild: Callable[[], None] = lambda: None  # makes the form anew, where the case gets other fields
-        self.client: AbstractContextManager[Any] = nullcontext()  # the page, as the element that asked may be gone
+        self.rebuild: Callable[[], None] = lambda: None  # rebuilds the form if the case gets other fields
+        self.client: AbstractContextManager[Any] = nullcontext()  # the page; the element that started a query may be gone
         self.open_tab: Callable[[str], object] = lambda name: None
         self.on_wait: Callable[[], None] = lambda: None  # marks the answer as old
         self._listeners: list[Callable[[], object]] = []
@@ -79,7 +82,10 @@ class Explorer:
         self.redraw()
 
     async def ask(self, tables: Mapping[str, Any]) -> None:
-        """Solve these tables under a title that fits them; tables with another title are another case."""
+        """Solve a changed case, given by its tables; `undo` goes back to the case before.
+
+        The title is adapted if the contact has changed. Tables with a new title count as another case with a title of its own.
+        """
         now, before = time.monotonic(), self.query.tables
         if now - self._changed > _APART:
             self._history.append(before)
@@ -87,14 +93,14 @@ class Explorer:
         await self._ask(tables)
 
     async def undo(self) -> None:
-        """Go back to the case before the last change; what a slider passes within a second is one change."""
+        """Go back to the case before the last change; changes within a second, as by a slider, are undone together."""
         self._changed = 0.0
         if self._history:
             await self._ask(self._history.pop())
             self.rebuild()
 
     async def open(self, tables: Mapping[str, Any]) -> None:
-        """Show another case, with a new form."""
+        """Show another case, given by its tables, with a new form."""
         self._changed = 0.0
         await self.ask(tables)
         self.rebuild()
@@ -108,28 +114,31 @@ class Explorer:
         await self._latest.ask(self.query)
 
     async def put(self, path: tuple[str, ...], value: Any) -> None:
-        """Solve the case with another value at a path of its tables; None removes the value."""
+        """Solve the case with another value at a path of keys in its tables; None removes the value."""
         await self.ask(with_value_at(self.query.tables, path, value))
 
     @property
     def point(self) -> int:
-        """Return the index of the shown point on the curve; for a prediction, the index of its working load."""
+        """Return the index of the shown load or separation on the curve; for a prediction, that of its working load."""
         if self.view.point is None or self.answer.is_prediction:
             return self.answer.middle()
         return min(self.view.point, self.answer.curve["load"].size - 1)
 
     @property
     def load(self) -> float:
-        """Return the load of the shown point, in N or normalised."""
+        """Return the load at the shown point of the curve, in N, or normalised for dimensionless groups."""
         return float(self.answer.at(self.point)["load"])
 
     @property
     def headline(self) -> tuple[str, str]:
-        """Return mu with the digits that its uncertainty justifies, and the operating point in words."""
+        """Return mu with the digits that its uncertainty justifies, and the load, area and separation at it, as two texts."""
         return headline(self.answer, self.point)
 
     def upload(self, name: str, content: bytes) -> str:
-        """Write an uploaded file into the folder of this visitor; return its path, which keeps only the suffix of the name."""
+        """Write an uploaded file into the folder of this visitor, and return its path.
+
+        name: name of the file on the machine of the visitor, of which only the suffix is kept.
+        """
         if self._uploads is None:
             self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")
         suffix = "".join(letter for letter in Path(name).suffix.lower() if letter.isalnum())[:12]
@@ -139,7 +148,7 @@ class Explorer:
         return str(path)
 
     def close(self) -> None:
-        """Remove the visitor and delete their uploads."""
+        """Forget the visitor's listeners, and delete the uploads."""
         self._listeners.clear()
         if self._uploads is not None:
             self._uploads.cleanup()
@@ -149,7 +158,8 @@ class Explorer:
 def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str, Any]:
     """Return case tables with a title that suits them.
 
-    If `titled` has the same contact, its title is used. Otherwise the title names the bodies.
+    If `titled`, the case for which the present title was written, has the same contact, its title stays. Otherwise the title
+    names the bodies.
     """
     same = all(tables.get(name) == titled.get(name) for name in ("contact", "indices"))
     title = titled.get("title") if same else _described(tables)
@@ -158,15 +168,13 @@ def _retitled(tables: Mapping[str, Any], titled: Mapping[str, Any]) -> dict[str,
 
 
 def _described(tables: Mapping[str, Any]) -> str:
-    """Describe a contact by its bodies and film thickness, or as dimensionless groups."""
+    """Return a title for a case: its bodies and film thickness, or "Dimensionless groups"."""
     if "contact" not in tables:
         return "Dimensionless groups"
     bodies = " on ".join(_material(tables, body) for body in ("first", "second"))
     if not isinstance(value_at(tables, ("contact", "coating")), Mapping):
         return bodies.capitalize()
-    thickness = value_at(
-        tables, ("contact", "coating", "thickness")
-    )  # a text; a list or a distribution is too long for a title
+    thickness = value_at(tables, ("contact", "coating", "thickness"))  # a list or a distribution would be too long for a title
     film = f"{_material(tables, 'coating', 'material').capitalize()} film"
     return ", ".join([film, *([thickness] if isinstance(thickness, str) else []), bodies])
 

@@ -1,4 +1,7 @@
-"""Derive the fields of the form from the records of a case, and read the cases that the page offers."""
+"""Derive the fields of the form from the records of a case, and read the cases that the page offers.
+
+The tables of a case are nested dicts, as they are read from a case file. A path is the sequence of keys to an entry.
+"""
 
 import math
 import re
@@ -23,12 +26,12 @@ from stiction.surfaces.finished import Finished, is_finished
 from stiction.surfaces.finishes import SURFACE_KINDS, finish_names
 
 NOT_STATED = "not stated"
-_STRENGTH = ("interfacial_shear_strength", "pressure_coefficient")  # in place of a state of the interface
-_DECADES = 3.0  # of a slider, to either side of the example of a quantity
+_STRENGTH = ("interfacial_shear_strength", "pressure_coefficient")  # numbers that replace a named interface state
+_DECADES = 3.0  # decades of a slider on either side of the example value
 Path = tuple[str, ...]
 ROUGHNESS: Path = ("contact", "roughness")
 INTERFACE: Path = ("contact", "interface")
-# Fields that are words: what they may be, and what holds where they are left out.
+# Fields that take a word: the allowed words, and the word that applies if the case lacks the field.
 _WORDS: dict[str, tuple[tuple[str, ...], str]] = {
     "kind": ((NOT_STATED, *dict.fromkeys([*SURFACE_KINDS, *finish_names()])), NOT_STATED),
     "finish": (tuple(finish_names()), finish_names()[0]),
@@ -37,7 +40,7 @@ _WORDS: dict[str, tuple[tuple[str, ...], str]] = {
 
 @dataclass(frozen=True)
 class Knob:
-    """Hold range and step of a slider, for the number or, if log is True, for its decimal logarithm."""
+    """Hold range and step of a slider, for a number in SI units or, if `log` is True, for its decimal logarithm."""
 
     low: float
     high: float
@@ -55,7 +58,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class Number:
-    """Describe a number field of the form: its path in the case tables, its quantity, and whether it is required."""
+    """Describe a number field of the form: its path in the tables of the case, its quantity, and whether it is required."""
 
     path: Path
     quantity: Quantity
@@ -76,7 +79,10 @@ class Number:
         return show(value, self.quantity.name, 4)
 
     def written(self, text: str) -> Any:
-        """Convert typed text to an entry of a case table: a number, a text with a unit, a list or a distribution."""
+        """Convert typed text to an entry of a case table: a number, a text with a unit, a list or a distribution.
+
+        Text that is none of these is returned unchanged, and reading the case then raises the error.
+        """
         try:
             if text.startswith(("[", "{")):
                 return tomllib.loads(f"given = {text}")["given"]
@@ -86,7 +92,7 @@ class Number:
                     return {key: float(one) if key == "factor" else self.written(one) for key, one in given.items()}
             return text if self.quantity.unit else float(text)
         except ValueError:
-            return text  # the case will refuse it
+            return text  # reading the case raises the error
 
     def si(self, given: Any) -> float | None:
         """Return an entry of a case table as a number in SI units; None if it is not a single number.
@@ -104,7 +110,7 @@ class Number:
     def moved(self, given: Any, value: float) -> Any:
         """Return an entry of a case table with its number replaced by a new value in SI units.
 
-        given: the entry. An uncertain entry stays uncertain, with the same relative uncertainty.
+        given: the present entry. An uncertain entry keeps its relative uncertainty.
         """
         before = self.si(given)
         if not with_error(given) or not before or not isinstance(given, str | Mapping):
@@ -116,7 +122,7 @@ class Number:
         return {**given, **{key: self.written(self.text(end * value / before)) for key, end in ends.items() if end is not None}}
 
     def knob(self, value: float) -> Knob:
-        """Return a slider whose range includes this value in SI units."""
+        """Return a slider for this number whose range includes a value in SI units."""
         row = self.quantity
         linear = math.isfinite(row.lower) and (row.upper <= 2.0 or row.lower < 0.0)
         step = 0.005 if linear else 0.01
@@ -131,9 +137,10 @@ class Number:
 
 @dataclass(frozen=True)
 class Choices:
-    """Describe a field of the case that takes one of a few words.
+    """Describe a field of the form that takes one of a few words.
 
-    default: the word that applies if the field is absent; NOT_STATED removes the field.
+    path: sequence of keys in the tables of the case. default: the word that applies if the case lacks the field. The word
+    NOT_STATED removes the field from the case.
     """
 
     path: Path
@@ -145,8 +152,8 @@ class Choices:
 class Part:
     """Describe a part of the form: one table of the case, such as "coating", with its fields.
 
-    optional: whether the case may omit the whole table. A part may contain parts: a body, or the numbers that replace a named
-    interface state.
+    path: sequence of keys to the table. optional: whether the case may omit the whole table. Some fields are parts themselves:
+    a body, or the numbers that replace a named interface state.
     """
 
     path: Path
@@ -155,7 +162,7 @@ class Part:
 
 
 def numbers_of(part: Part) -> Iterator[Number]:
-    """Yield the numbers of a part, including those of its bodies and its interface."""
+    """Yield the number fields of a part of the form, including those of its bodies and its interface."""
     for one in part.fields:
         if isinstance(one, Part):
             yield from numbers_of(one)
@@ -164,7 +171,7 @@ def numbers_of(part: Part) -> Iterator[Number]:
 
 
 def parts_of(tables: Mapping[str, Any]) -> list[Part]:
-    """Return the parts of the form that suit these case tables."""
+    """Return the parts of the form that suit a case, given by its tables."""
     if "indices" in tables:
         return list(_parts(Indices, ("indices",), False))
     found = list(_parts(Contact, ("contact",), False))
@@ -200,12 +207,12 @@ def _is_record(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
-# An uncertain number as the page writes it, and the keys that it has in a case file.
+# Text of an uncertain number on the page -> its keys in a case file.
 _UNCERTAIN = {re.compile("(.+) within a factor (\\S+)"): ("median", "factor"), re.compile("(.+) to (.+)"): ("low", "high")}
 
 
 def as_written(given: Any) -> str:
-    """Return an entry of the case tables as one line of text, as a user would type it; "" for None."""
+    """Return an entry of a case table as one line of text, as a user would type it; "" for None."""
     if isinstance(given, Mapping) and given.keys() == {"median", "factor"}:
         return f"{given['median']} within a factor {given['factor']}"
     if isinstance(given, Mapping) and given.keys() == {"low", "high"}:
@@ -214,7 +221,7 @@ def as_written(given: Any) -> str:
 
 
 def value_at(tables: Any, path: Path) -> Any:
-    """Return the entry at a path of keys in nested case tables; None if there is no entry.
+    """Return the entry at a path of keys in the tables of a case; None if there is no entry.
 
     A material stated only by its name is read as a table with the key "preset".
     """
@@ -228,7 +235,7 @@ def value_at(tables: Any, path: Path) -> Any:
 
 
 def with_value_at(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str, Any]:
-    """Return a copy of nested case tables with a value at a path of keys; None removes the entry.
+    """Return a copy of the tables of a case with a value at a path of keys; None removes the entry.
 
     A material stated only by its name becomes a table with the key "preset".
     """
@@ -244,19 +251,22 @@ def with_value_at(tables: Mapping[str, Any], path: Path, value: Any) -> dict[str
 
 
 def with_points(tables: Mapping[str, Any], points: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of the case tables with other loads or separations in the table [solve]."""
+    """Return a copy of the tables of a case with other loads or separations in the table [solve].
+
+    points: {"load": ...} or {"separation": ...}, as in a case file.
+    """
     solve = {name: value for name, value in tables.get("solve", {}).items() if name not in ("load", "separation")}
     return {**tables, "solve": {**solve, **points}}
 
 
-# What the switch of a part that may be left out puts there.
+# Content that the switch of an optional part puts into the case.
 OPTIONAL_PARTS: dict[str, dict[str, Any]] = {
     "coating": {"material": "silver", "thickness": "200 nm", "bodies": "first"},
     "liquid": {"relative_humidity": 0.5, "contact_angle_first": "10 deg", "contact_angle_second": "10 deg"},
 }
 
 ENDINGS = {"first": "first body", "second": "second body", "coating": "film"}
-# What is known of a surface, with what it begins with.
+# Ways to state a surface, each with the numbers that the form starts with.
 SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
     "sigma, R and N": {"asperity_height_deviation": "48 nm", "asperity_radius": "50 um", "asperity_density": "1.7e10 1/m^2"},
     "its finish and Sq or Ra": {"finish": "ground"},
@@ -264,12 +274,12 @@ SURFACE_KNOWN_BY: dict[str, dict[str, Any]] = {
 
 
 def first_case() -> dict[str, Any]:
-    """Return the tables of the default case: a soft film on hardened steel."""
+    """Return the tables of the case that the page shows first: a soft film on hardened steel."""
     return _packaged("first.toml")
 
 
 def example_cases() -> dict[str, dict[str, Any]]:
-    """Return the cases of the menu of examples, by their titles."""
+    """Return the tables of the cases in the menu of examples, by their titles."""
     named = {title: {"title": title, **tables} for title, tables in _packaged("examples.toml").items()}
     return {first_case()["title"]: first_case(), **named}
 

@@ -1,4 +1,7 @@
-"""The form of a case: load, bodies, film, roughness, adhesion and interface, with fields, sliders and errors."""
+"""The form of a case: load, bodies, film, roughness, adhesion and interface, with fields, sliders and errors.
+
+The tables of a case are nested dicts, as they are read from a case file. A path is the sequence of keys to an entry.
+"""
 
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import contextmanager
@@ -40,25 +43,25 @@ _STRENGTH = "a stated strength"
 _PREDICTION = "recommended"
 _NONE = "the model's own"
 _SCAN = "a scan"
-# Laws that may be left out of a contact that would have them.
+# Laws that have a default and can be turned off by "none".
 _MAY_BE_NONE = ("tangential", *(name for name, kind in kinds_of_additions().items() if kind.default))
 _SEPARATIONS = {"start": 4, "stop": -1, "count": 51}
 _LOADS = {"start": "1 mN", "stop": "100 N", "count": 51, "spacing": "log"}
-_PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # per asperity, of dimensionless groups
+_PLAIN_LOADS = {"start": 1e-6, "stop": 0.1, "count": 51, "spacing": "log"}  # normalised loads of dimensionless groups
 
 
 class Form:
     """Show the form of one visitor.
 
-    The form is rebuilt if the case gets other fields, and kept while a slider moves.
+    The form is rebuilt if the case gets other fields, and stays while a slider moves.
     """
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
         self._inputs: dict[tuple[str, ...], Any] = {}
-        self._switched_off: dict[tuple[str, ...], Any] = {}  # numbers of parts, which come back with them
-        self._strength_chosen = False  # in place of a state of the interface, also before there is a number
-        self._other = ui.label().classes("text-negative").props('role="alert"')  # an error of no field
+        self._switched_off: dict[tuple[str, ...], Any] = {}  # removed parts and their numbers, to restore them
+        self._strength_chosen = False  # whether the strength is to be stated by number, also before a number is typed
+        self._other = ui.label().classes("text-negative").props('role="alert"')  # an error that no field has
         self._column = ui.column().classes("w-full gap-1")
         self.build()
         explorer.rebuild = self.build
@@ -68,7 +71,7 @@ class Form:
         """Build all fields from the tables of the case."""
         self._inputs.clear()
         self._follow: Callable[[], None] = lambda: None  # shows the load of the newest answer
-        self._rare: list[Number] = []  # numbers that may be left out
+        self._rare: list[Number] = []  # numbers that the case may omit, at the end of the form
         self._column.clear()
         tables = self._explorer.query.tables
         parts = {part.path[-1]: part for part in parts_of(tables)}
@@ -88,7 +91,7 @@ class Form:
         self.show()
 
     def _tools(self) -> None:
-        """Add the menu of examples, undo and reset."""
+        """Add the menu of examples and the buttons for undo and reset."""
         explorer = self._explorer
 
         async def chosen(event: Any) -> None:
@@ -104,7 +107,10 @@ class Form:
         await self._explorer.open(self._explorer.first)
 
     def _contact(self, parts: dict[str, Part]) -> None:
-        """Add the fields of a contact."""
+        """Add the fields of a contact in units.
+
+        parts: parts of the form by the last key of their path.
+        """
         part = parts["contact"]
         fields = {one.path[-1]: one for one in part.fields}
         with _group("Load"):
@@ -125,7 +131,7 @@ class Form:
         self._rare += fields.values()  # type: ignore[arg-type]
 
     def show(self) -> None:
-        """Show the error of the newest query below its field, or above the form."""
+        """Show the error of the newest query below its field, or above the form if no field has it."""
         error = self._explorer.error
         if error is None:
             self._follow()
@@ -153,7 +159,7 @@ class Form:
             self._menu(name.replace("_", " "), list(values), str(value_at(tables, here) or values[0]), here)
 
     async def _choose_model(self, name: str) -> None:
-        """Answer with a model; the prediction drops named laws and options."""
+        """Solve the case with another model; for the prediction, named laws and options are removed from the case."""
         tables = self._explorer.query.tables
         kept = {key: one for key, one in tables.get("solve", {}).items() if key in ("load", "separation")}
         await self._explorer.ask(
@@ -172,9 +178,9 @@ class Form:
     ) -> None:
         """Add a menu of values to the form; a choice rebuilds the form.
 
-        value: present value, which is listed even if it is not among the values. path: address of the value in the case.
-        choose: receives the choice; by default the choice is stored at the path. searched: whether a name can be typed. named:
-        whether the label is shown.
+        value: present value, which is listed even if it is not among the values. path: path of the value in the tables of the
+        case. choose: receives the choice; by default the choice is stored at the path. searched: whether a name can be typed.
+        named: whether the label is shown.
         """
 
         async def chosen(event: Any) -> None:
@@ -194,7 +200,7 @@ class Form:
             self._inputs[path] = attributes(menu.props("hide-bottom-space"), aria_label=label)
 
     def _points(self) -> None:
-        """Add fields for the points of the curve: loads or separations, both ends and the number of points."""
+        """Add fields for the loads or separations of the curve: both ends, their number and spacing."""
         tables = self._explorer.query.tables
         solve = tables.get("solve", {})
         by = "load" if "load" in solve else "separation"
@@ -223,7 +229,7 @@ class Form:
         spacing.on_value_change(lambda event: self._explorer.put(("solve", by, "spacing"), event.value))
 
     def _optional(self, part: Part, head: Any = None) -> None:
-        """Add a switch for an optional part of the case, and the fields of the part if it is on.
+        """Add a switch for a part that the case may omit and, if the switch is on, the fields of the part.
 
         head: heading beside which the switch is placed; None for a line of its own.
         """
@@ -237,7 +243,7 @@ class Form:
             self._fields(part)
 
     def _fields(self, part: Part) -> None:
-        """Add the fields of a part; its optional numbers without a value follow at the end of the form."""
+        """Add the fields of a part; numbers that the case may omit and does not state follow at the end of the form."""
         tables = self._explorer.query.tables
         for one in part.fields:
             if isinstance(one, Part):
@@ -252,7 +258,7 @@ class Form:
                 self._rare.append(one)
 
     def _roughness(self, part: Part) -> None:
-        """Add the fields of the roughness: numbers of asperities, a finish with Sq or Ra, or a scan."""
+        """Add the fields of the roughness: sigma, R and N, or a finish with Sq or Ra, or a note on a scan."""
         given = value_at(self._explorer.query.tables, ROUGHNESS)
         bodies = isinstance(given, Mapping) and bool(given.keys() & {"first", "second"})
         scanned = bodies and not is_finished(given)
@@ -274,7 +280,10 @@ class Form:
         self._fields(part)
 
     async def _switch(self, part: Part, there: bool) -> None:
-        """Put a part into the case, with its earlier numbers, or take it out."""
+        """Put a part into the case, with the numbers that it had before, or remove it.
+
+        there: whether the part is to be in the case.
+        """
         if not there:
             self._switched_off[part.path] = value_at(self._explorer.query.tables, part.path)
         numbers = self._switched_off.get(part.path) or OPTIONAL_PARTS.get(part.path[-1])
@@ -283,9 +292,9 @@ class Form:
         self.build()
 
     def _with_allowed_interface(self, tables: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return case tables without an interface state that their bodies do not allow.
+        """Return case tables without the interface state, if their bodies do not allow it.
 
-        The state is restored when the bodies allow it again.
+        The state comes back when the bodies allow it again.
         """
         state = value_at(tables, INTERFACE) or self._switched_off.get(INTERFACE)
         if not isinstance(state, str):
@@ -295,7 +304,7 @@ class Form:
         return with_value_at(tables, INTERFACE, state if allowed else None)
 
     def _interface(self, part: Part) -> None:
-        """Add a menu of interface states; if the strength is stated by number instead, add its number fields."""
+        """Add a menu of interface states and, if the strength is stated by number instead, the fields of its numbers."""
         tables, numbers = self._explorer.query.tables, list(numbers_of(part))
         stated = any(value_at(tables, one.path) is not None for one in numbers)
         state = value_at(tables, part.path)
@@ -345,7 +354,7 @@ class Form:
 
 @contextmanager
 def _group(title: str) -> Any:
-    """Add a group of fields with a title to the form."""
+    """Return a context manager that adds a titled group to the form; fields added within it belong to the group."""
     with ui.element("div").classes("group"):
         with ui.element("div") as head:
             ui.label(title).classes("font-bold text-sm")
@@ -359,7 +368,7 @@ def _folded(title: str, is_open: bool = False, name: str = "") -> ui.expansion:
 
 
 def _read(text: str, kind: Callable[[str], float]) -> float | str:
-    """Return text as a number, or unchanged if it is no number; reading the case then raises the error."""
+    """Return a text as a number of type `kind`; other text is returned unchanged, and reading the case raises the error."""
     try:
         return kind(text)
     except ValueError:
@@ -367,7 +376,7 @@ def _read(text: str, kind: Callable[[str], float]) -> float | str:
 
 
 def _is_of(error: InputError, path: tuple[str, ...]) -> bool:
-    """Return whether an error concerns the field at a path of the tables."""
+    """Return whether an error concerns the field at a path in the tables of the case."""
     where = error.field.removeprefix("contact.").removeprefix("indices.").removeprefix("solve.")
     here = ".".join(path[1:])
     return where == here or error.field == here

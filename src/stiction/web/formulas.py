@@ -1,4 +1,4 @@
-"""Typeset the formulas of the models with matplotlib; a formula with an unknown symbol stays text."""
+"""Typeset the formulas of the models with matplotlib; a formula with a symbol that matplotlib lacks stays text."""
 
 import base64
 import io
@@ -7,13 +7,13 @@ from functools import cache
 
 from stiction.report.plain_formulas import as_code, braced, formula
 
-_INLINE, _DISPLAY = 1.2, 1.7  # of the size in which matplotlib draws
-# Commands that matplotlib does not know, with what it takes in their place.
+_INLINE, _DISPLAY = 1.2, 1.7  # factors on the size at which matplotlib draws
+# LaTeX commands that matplotlib lacks -> commands to use instead.
 _RENAMED = {"tfrac": r"\frac", "le": r"\leq", "ge": r"\geq", "bigl": "", "bigr": ""}
 
 
 def typeset(text: str) -> str:
-    """Return Markdown in which formulas are images; displayed formulas are set line by line."""
+    """Return Markdown in which the LaTeX formulas of a Markdown text are images; displayed formulas are set line by line."""
     drawn: list[str] = []
 
     def display(found: re.Match[str]) -> str:
@@ -36,7 +36,10 @@ def typeset(text: str) -> str:
 
 @cache
 def _picture(tex: str, scale: float = _INLINE) -> str:
-    """Return the HTML image of a LaTeX formula; "" if it contains an unknown symbol."""
+    """Return the HTML image of a LaTeX formula; "" if matplotlib lacks one of its symbols.
+
+    scale: factor on the size of 10 points.
+    """
     import matplotlib
     from matplotlib.font_manager import FontProperties
     from matplotlib.mathtext import MathTextParser, math_to_image

@@ -4,7 +4,7 @@ from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
 
-LARGEST_UPLOAD = 64 * 2**20  # bytes
+LARGEST_UPLOAD = 64 * 2**20  # bytes, the same for every upload
 MOST_VISITORS = 200  # pages open at once
 _LONGEST_ADDRESS = 24_000
 _LOOPBACK = frozenset({"127.0.0.1", "localhost", "::1"})
@@ -12,10 +12,10 @@ Scope = MutableMapping[str, Any]
 
 
 class Guard:
-    """Refuse bad requests before they reach an ASGI application.
+    """Refuse bad requests before they reach the web application.
 
-    names: host names under which the server may be called; None for any. visitors: function that returns the number of open
-    pages.
+    app: the application (ASGI). names: host names under which the server may be called; None for any. visitors: function that
+    returns the number of open pages.
     """
 
     def __init__(
@@ -39,10 +39,13 @@ class Guard:
             await send({"type": "http.response.body", "body": body})
 
     def _refusal(self, scope: Scope) -> tuple[int, str]:
-        """Return status and message of the answer to a refused request; (200, "") if the request is accepted."""
+        """Return HTTP status and message of the answer to a request that is refused; (200, "") if it is accepted.
+
+        scope: description of the request by ASGI.
+        """
         heads = {key.lower(): value.decode("latin-1") for key, value in scope.get("headers", [])}
         host = heads.get(b"host", "")
-        if self._names is not None and _part_of(f"//{host}", "hostname") not in self._names:  # without its port
+        if self._names is not None and _part_of(f"//{host}", "hostname") not in self._names:  # the name has no port
             return 421, "Refused: this server answers under its own name only."
         if (origin := heads.get(b"origin")) and _part_of(origin, "netloc") != host:
             return 403, "Refused: the request comes from another page."
@@ -60,7 +63,7 @@ class Guard:
 
 
 def _part_of(address: str, part: str) -> str | None:
-    """Return the `hostname` or `netloc` of an address; None for text that is no address, as "//["."""
+    """Return the `hostname` or the `netloc` (host and port) of an address; None for text that is no address, as "//["."""
     try:
         return getattr(urlsplit(address), part)
     except ValueError:

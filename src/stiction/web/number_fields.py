@@ -15,7 +15,7 @@ from stiction.web.elements import attributes
 from stiction.web.explorer import Explorer
 from stiction.web.fields import NOT_STATED, Number, as_written, value_at, with_points
 
-# Labels of fields; other fields are labelled by their meaning, which a tooltip shows for all of them.
+# Short labels. Other fields have their meaning as label; a tooltip shows the meaning of every field.
 _LABELS = {
     "kind": "kind", "nominal_area": "area Aₙ", "thickness": "thickness t", "asperity_height_deviation": "heights σ",
     "asperity_radius": "tip radius R", "asperity_density": "density N", "work_of_adhesion": "work γ", "bodies": "on body",
@@ -33,15 +33,16 @@ def draw_line(
     moved: Callable[[float], Awaitable[None]],
     otherwise: str = "",
 ) -> tuple[ui.input, Any, Any]:
-    """Add a label, a text field and, if there is a value, a slider; return text field, slider and knob.
+    """Add a label, a text field and, if there is a value, a slider, and return (text field, slider, range of the slider).
 
-    written: content of the text field. value: in SI units. typed: receives the text of the field. moved: receives the value of
-    the slider. otherwise: placeholder of the empty text field.
+    written: content of the text field. value: number in SI units, or None. typed: receives the text of the field. moved:
+    receives the value of the slider in SI units. otherwise: placeholder of the empty text field. Slider and range are None
+    without a value.
     """
     with ui.element("div").classes("number"):
         attributes(ui.label(label_of(number.path)).classes("text-xs one-line").props("aria-hidden=true"), title=number.help)
         empty = otherwise or ("" if number.required else NOT_STATED)
-        text = ui.input(value=written, placeholder=empty, validation={})  # old libraries show no error without a rule
+        text = ui.input(value=written, placeholder=empty, validation={})  # old versions of nicegui show no error without a rule
         attributes(text.props("dense outlined debounce=300 hide-bottom-space"), aria_label=number.label, title=number.help)
         text.on_value_change(lambda event: typed(str(event.value or "").strip()))
         if value is None:
@@ -54,16 +55,17 @@ def draw_line(
 
 
 def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.input:
-    """Add the text field of a number and, if it has a value, a slider; return the text field.
+    """Add the text field of a number and, if it has a value, a slider, and return the text field.
 
-    An uncertain number keeps its relative uncertainty when the slider moves.
+    otherwise: text of the value that applies if the field is empty. An uncertain number keeps its relative uncertainty when the
+    slider moves.
     """
 
     def given() -> Any:
         return value_at(explorer.query.tables, number.path)
 
     async def typed(wanted: str) -> None:
-        if wanted != as_written(given()):  # else it was the slider that wrote it
+        if wanted != as_written(given()):  # equal text was written by the slider
             await explorer.put(number.path, number.written(wanted) if wanted else None)
 
     async def moved(value: float) -> None:
@@ -79,10 +81,10 @@ def draw_number(explorer: Explorer, number: Number, otherwise: str = "") -> ui.i
 
 
 def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callable[[], None]:
-    """Add the field of the working load, and return a function that updates it after an answer.
+    """Add the field of the working load, and return a function that updates the field after a new answer.
 
-    inputs: text fields by address; the new one is added so that errors appear below it. If the case states separations, the
-    load follows from them.
+    inputs: text fields by path in the tables of the case. The new field is added, so that an error of the load appears below
+    it. If the case states separations, the load follows from them.
     """
     if not explorer.load > 0.0:
         ui.label("No load is compressive: see the points of the curve.").classes("text-sm")
@@ -116,10 +118,10 @@ def draw_load(explorer: Explorer, inputs: dict[tuple[str, ...], Any]) -> Callabl
 
 
 def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str, Any]:
-    """Return case tables at another working load [N].
+    """Return the tables of a case at another working load [N].
 
-    A single load is replaced and a range is scaled. A list of loads, or none, becomes the range of a prediction's curve, from
-    a tenth to ten times the new load. before: present working load [N].
+    before: present working load [N]. A single load is replaced, and a range is scaled. A list of loads, or a case without
+    loads, becomes the range of a prediction's curve, from a tenth to ten times the new load.
     """
     given = tables.get("solve", {}).get("load")
     if given is not None and not isinstance(given, Mapping) and (not isinstance(given, list) or len(given) == 1):
@@ -133,7 +135,10 @@ def _at_load(tables: Mapping[str, Any], before: float, load: float) -> dict[str,
 
 
 def label_of(path: tuple[str, ...]) -> str:
-    """Return the label of the field at an address of the case."""
+    """Return the label of the form's field for a number or word of a case.
+
+    path: sequence of keys in the tables of the case; the last one decides.
+    """
     name = path[-1]
     if name in _LABELS or name not in QUANTITIES:
         return _LABELS.get(name, name)

@@ -1,4 +1,4 @@
-"""Build the page: its frame, its tabs, its address."""
+"""Build the page: its frame, its tabs, and its address, which contains the case."""
 
 from collections.abc import Callable
 from typing import Any
@@ -81,8 +81,8 @@ _STYLE = """
 .q-tabs { max-width: 100% } .q-tabs__content { flex-wrap: wrap }
 :focus-visible { outline: 3px solid #E69F00; outline-offset: 1px }
 """
-_NARROW = 800  # pixels of a page that is one column, as in its style
-# Name -> what builds the tab: the first with the page, others when they are first opened.
+_NARROW = 800  # largest width in pixels of a page of one column, as in _STYLE
+# Name -> class of the tab. The first is built with the page, the others when they are first opened.
 TABS: dict[str, Callable[[Explorer], Any]] = {
     "Contact": ContactTab,
     "Compare": CompareTab,
@@ -95,15 +95,18 @@ TABS: dict[str, Callable[[Explorer], Any]] = {
 
 
 async def make_page(query: Query, state: str) -> None:
-    """Build the page of one visitor. query: the case that is served; state: the one in the address, "" for none."""
+    """Build the page of one visitor.
+
+    query: the served case. state: text of a case from the address; "" for the served case.
+    """
     answer, error = await run(_first_answer, query, state)
     _frame(Explorer(answer.query, answer), error)
 
 
 def _first_answer(query: Query, state: str) -> tuple[Answer, InputError | None]:
-    """Return the first answer of a page, and an error of its address or None.
+    """Return the first answer of a page, and the error of its address or None.
 
-    state: text of a case from the address; "" for the served case, which is also used if the text has an error.
+    state: text of a case from the address; "" for the served case. After an error the answer is that of the served case.
     """
     if not state:
         return solved(query), None
@@ -155,7 +158,7 @@ def _frame(explorer: Explorer, error: InputError | None) -> None:
         try:
             found = await ui.run_javascript("[document.body.classList.contains('body--dark'), window.innerWidth]", timeout=5.0)
         except TimeoutError:
-            return  # a browser that does not answer shows light charts
+            return  # without an answer the charts stay light
         explorer.view.dark, explorer.view.narrow = bool(found[0]), float(found[1]) <= _NARROW
         explorer.redraw()
 

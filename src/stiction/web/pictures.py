@@ -1,4 +1,4 @@
-"""Show a view of a study on the page: tables, sentences and drawings."""
+"""Show a view, the texts, tables and pictures of a result, on the page."""
 
 from collections.abc import Callable
 from itertools import count
@@ -11,12 +11,12 @@ from stiction.report.report_pictures import inline
 from stiction.report.table import Table
 from stiction.report.view import View
 
-_NARROW = 5.6  # inches: on a page as narrow as a telephone letters of eight points can then be read
-_PANEL = 3.9  # inches, the height of a panel there
-_FEW = 3  # steps of an axis there
-_PIXELS = 105  # of the page for an inch of a picture
-_NUMBERS = count()  # names in a drawing are unique on a page
-# The first cell of a row as a button, which a keyboard reaches; the name is bound as text.
+_NARROW = 5.6  # inches; letters of eight points can then be read on a telephone
+_PANEL = 3.9  # inches, the height of a panel on a narrow page
+_FEW = 3  # steps of an axis on a narrow page
+_PIXELS = 105  # pixels of the page for an inch of a picture
+_NUMBERS = count()  # numbers that make the names in drawings unique on a page
+# The first cell of a row as a button, which a keyboard can reach. The name is bound as text and never parsed.
 _BUTTON = """<q-btn flat dense no-caps align="left" color="primary" style="text-align: left" :label="props.row[0]"
   @click="() => $parent.$emit('opened', props.row[0])" />"""
 # A row on a narrow page: its cells below one another.
@@ -25,7 +25,7 @@ _CARD = """<q-card flat bordered class="w-full q-pa-sm q-mb-sm">HEAD<div v-for="
 
 
 class Shown(NamedTuple):
-    """Hold the parts of a view that the page shows: tables and sentences, drawings, and warnings."""
+    """Hold the parts of a view that the page shows: tables and sentences, drawings as HTML, and warnings."""
 
     parts: list[Any]
     drawings: list[str]
@@ -33,14 +33,14 @@ class Shown(NamedTuple):
 
     @classmethod
     def of(cls, view: View, narrow: bool) -> "Shown":
-        """Return the content of a view, drawn for a narrow page or a wide one."""
+        """Return what the page shows of a view, with drawings for a narrow or a wide page."""
         drawings = [drawing_of(picture.draw(), picture.description, narrow) for picture in view.pictures.values()]
         return cls(list(view.parts()), drawings, view.warnings)
 
     def show(self, narrow: bool, opened: Callable[[str], object] | None = None) -> None:
         """Add tables, sentences and drawings to the page.
 
-        opened: receives the name of a model that is selected in a table.
+        narrow: whether the page is narrow. opened: receives the name of a model that the visitor selects in a table.
         """
         for text in self.warnings:
             ui.label(text).classes("text-lg text-negative").props('role="alert"')
@@ -62,7 +62,7 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
         for at, column in enumerate(table.columns)
     ]
     rows = [{str(at): cell for at, cell in enumerate(row)} for row in table.rows]
-    with ui.element("div").classes("w-full overflow-auto table").props("tabindex=0"):  # a keyboard moves it where it is narrow
+    with ui.element("div").classes("w-full overflow-auto table").props("tabindex=0"):  # tabindex: a keyboard can scroll it
         shown = ui.table(columns=columns, rows=rows).classes("w-full").props("dense flat wrap-cells")
     shown.props("grid" if narrow else "" if any(table.heads) else "hide-header")
     chosen = opened is not None and table.heads[0].startswith("model")
@@ -73,9 +73,9 @@ def _show_table(table: Table, narrow: bool, opened: Callable[[str], object] | No
 
 
 def drawing_of(figure: Any, told: str, narrow: bool = False) -> str:
-    """Return a figure as an HTML drawing that follows the light or dark colours of the page.
+    """Return a matplotlib figure as an HTML drawing in the light or dark colours of the page.
 
-    told: description for screen readers.
+    told: description for screen readers. narrow: whether the page is narrow.
     """
     if narrow and figure.get_figwidth() > _NARROW:
         _make_narrow(figure)
@@ -103,5 +103,5 @@ def _make_narrow(figure: Any) -> None:
 
 
 def show_drawing(drawing: str) -> None:
-    """Add a drawing to the page."""
+    """Add an HTML drawing to the page."""
     ui.html(drawing, sanitize=False).classes("w-full picture")

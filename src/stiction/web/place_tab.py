@@ -1,4 +1,8 @@
-"""The tab Regime: the contact in the plane of the adhesion indices, with claims and figures of the 2015 paper."""
+"""The tab Regime: the contact in the plane of the adhesion indices, with claims and figures of the 2015 paper.
+
+The paper introduced the model of soft films that stiction calls soft_coating_2015. The adhesion indices are theta (elastic) and
+lambda (plastic).
+"""
 
 from functools import cache
 from typing import Any
@@ -21,22 +25,22 @@ from stiction.web.study_button import Study
 
 _NO_CLAIM = "none"
 _NO_ADHESION = "No work of adhesion is stated, so both indices are infinite: state one to place the contact."
-_INDICES = {"theta": 40.0, "lam": 10.0}  # of the figures: the paper prints none; its claims show at these
-_claims: list[Any] = []  # the map of the claims, once judged: the same for everybody
+_INDICES = {"theta": 40.0, "lam": 10.0}  # of the figures; the paper does not print them, and its claims hold at these
+_claims: list[Any] = []  # the map of the claims, computed once for all visitors
 
 
 @cache
 def _panel(at: int, variant: str, narrow: bool) -> tuple[str, str]:
-    """Return caption and drawing of one figure of the 2015 paper.
+    """Return caption and HTML drawing of one figure of the 2015 paper.
 
-    at: index of the figure. variant: variant of the paper's model.
+    at: index of the figure. variant: variant of the paper's model. narrow: whether the page is narrow.
     """
     curves = panel_curves(PANELS[at], _INDICES["theta"], _INDICES["lam"], variant)
     return curves.caption, drawing_of(panel_figure(curves), curves.caption, narrow)
 
 
 class PlaceTab:
-    """Draw the plane of the adhesion indices after every answer, and a figure of the paper when it is selected."""
+    """Draw the plane of the adhesion indices after every answer, and a figure of the 2015 paper when it is selected."""
 
     def __init__(self, explorer: Explorer):
         self._explorer = explorer
@@ -58,7 +62,7 @@ class PlaceTab:
         explorer.listen(self.show)
 
     async def opened(self) -> None:
-        """Show the plane and the chosen figure."""
+        """Show the plane of the adhesion indices, and the selected figure of the paper."""
         self.show()
         caption, drawing = await run(_panel, self._figure.value, self._variant.value, self._explorer.view.narrow)
         self._caption.set_text(caption)
@@ -74,7 +78,7 @@ class PlaceTab:
             _claims.append(claim_map(progress=progress("Judging the claims")))
 
     def show(self) -> None:
-        """Draw the plane with the present contact and the region in which the selected claim holds."""
+        """Draw the present contact in the plane of the adhesion indices, and the region in which the selected claim holds."""
         place = None
         try:
             place = place_of(self._explorer.answer.case.subject)

@@ -1,4 +1,4 @@
-"""Solve a case of the page, compare models for it, and describe the answer; safe to call from any thread."""
+"""Solve the case of a visitor, compare models for it, and describe the answer; safe to call from any thread."""
 
 import os
 from collections.abc import Mapping
@@ -28,35 +28,39 @@ from stiction.studies.prediction.predict import is_predicted, prediction_of
 from stiction.web.address import refuse_other_files
 from stiction.web.fields import INTERFACE, with_points, with_value_at
 
-_MAX_POINTS = 20_000  # of a curve that is drawn anew while a slider moves
-_MAX_SAMPLES = 4096  # of uncertain parameters
-_MAX_PREDICTED = 500  # loads of a prediction
+_MAX_POINTS = 20_000  # largest number of points, because the curve is computed again while a slider moves
+_MAX_SAMPLES = 4096  # largest number of samples of uncertain inputs
+_MAX_PREDICTED = 500  # largest number of loads of a prediction
 _MORE = "on a page; `stiction run` takes more"
 
 
 @dataclass(frozen=True)
 class Query:
-    """Hold a case as the page edits it: its tables, the folder of its files, and the files that it may read."""
+    """Hold a case as the page edits it.
+
+    tables: nested dicts, as read from a case file. folder: folder to which the paths in the tables are relative. files: the
+    paths that the case may name.
+    """
 
     tables: Mapping[str, Any]
     folder: Path = Path()
     files: frozenset[str] = frozenset()
 
     def with_tables(self, tables: Mapping[str, Any]) -> "Query":
-        """Return the same query with other case tables."""
+        """Return the same query with the tables of another case."""
         return replace(self, tables=tables)
 
     def at_load(self, load: Any) -> "Query":
-        """Return the same query at one load, written as in a case file."""
+        """Return the same query at one load, which is a number or a text with a unit, as in a case file."""
         return self.with_tables(with_points(self.tables, {"load": [load]}))
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Hold the result of a query.
+    """Hold the results of a query.
 
-    data: a prediction or, if the case names a model, the result of that model. curve_data: the same; for a prediction at a
-    single load, the prediction at loads around it. input_warnings: texts about improbable inputs.
+    data: a prediction or, if the case names a model, the result of that model. curve_data: the same dataset; for a prediction
+    at a single load, the prediction at loads around it. input_warnings: texts about improbable inputs.
     """
 
     query: Query
@@ -67,15 +71,12 @@ class Answer:
 
     @property
     def is_prediction(self) -> bool:
-        """Return whether the result is a prediction, which it is if the case names no model."""
+        """Return whether the result is a prediction and not that of a model that the case names."""
         return is_predicted(self.case)
 
     @cached_property
     def curve(self) -> xarray.Dataset:
-        """Return the result along its loads or separations.
-
-        For a parameter sweep, the curve is that of the first value of each array.
-        """
+        """Return the results along the loads or separations; of array parameters, the first value of each."""
         *arrays, along = self.curve_data["load"].dims or (None,)
         curve = self.curve_data.isel(dict.fromkeys(arrays, 0))
         return curve.sortby("load") if along is not None and self.is_prediction else curve
@@ -86,7 +87,7 @@ class Answer:
         return curve.isel(dict.fromkeys(curve["load"].dims, point))
 
     def middle(self) -> int:
-        """Return the index of the working load of a prediction; for one model, of the middle compressive load."""
+        """Return the index on the curve of the working load of a prediction, or of the middle compressive load of a model."""
         load = np.atleast_1d(self.curve["load"].values)
         if "working_load" in self.curve.attrs:
             return int(np.argmin(np.abs(load - self.curve.attrs["working_load"])))
@@ -95,7 +96,10 @@ class Answer:
 
 
 def read_query(query: Query) -> Case:
-    """Read the case of a query. Raises InputError for an invalid case or one that is too large for the page."""
+    """Return the case of a query.
+
+    Raises InputError for an invalid case, for one with a file that it may not name, and for one that is too large for the page.
+    """
     refuse_other_files(query.tables, query.files)
     try:
         case = case_in(query.tables, query.folder)
@@ -110,7 +114,7 @@ def read_query(query: Query) -> Case:
 
 
 def _without_folders(error: InputError, query: Query) -> InputError:
-    """Return an error whose texts name files without their folders, which no visitor needs to see."""
+    """Return an error in which files are named without their folders, which visitors must not see."""
     folders = [f"{Path(query.folder, name).resolve().parent}{os.sep}" for name in query.files]
 
     def bare(text: Any) -> Any:
@@ -122,16 +126,20 @@ def _without_folders(error: InputError, query: Query) -> InputError:
 
 
 def solved(query: Query) -> Answer:
-    """Predict the case of a query or, if it names a model, solve it. Raises InputError."""
+    """Return the answer of a query: the prediction or, if the case names a model, the result of that model.
+
+    Raises InputError.
+    """
     case = read_query(query)
     data, curve = predict_with_curve(case) if is_predicted(case) else (solve_case(case),) * 2
     return Answer(query, case, data, curve, list(map(str, input_warnings(case.subject))))
 
 
 def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xarray.Dataset, xarray.Dataset | None]:
-    """Return the case, its model comparison and its prediction; None if no prediction is possible. Raises InputError.
+    """Return the case, the comparison of all models, and the prediction, or None if no prediction is possible.
 
-    load: in SI units, or normalised as in the case; by default the middle load of the case.
+    load: in N, or normalised as in the case; None for the middle load of the case. progress: records the progress. Raises
+    InputError.
     """
     case = read_query(query)
     load = load if load is not None else working_load(case, None)
@@ -141,9 +149,9 @@ def compared(query: Query, load: float | None, progress: Any) -> tuple[Case, xar
 
 
 def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
-    """Return the prediction at a load for a case that names a model; None if no prediction is possible.
+    """Return the prediction for a case that names a model, at one load; None if no prediction is possible.
 
-    load: in N or normalised, as in the answer.
+    load: in N, or normalised as in the answer.
     """
     try:
         return prediction_of(answer.case, load) if load > 0.0 else None
@@ -152,7 +160,7 @@ def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
 
 
 def law_names(case: Case) -> dict[str, list[str]]:
-    """Return the names of applicable models and of all laws, by key of the table [solve]."""
+    """Return the names of the models that apply to a case, and of all laws, by key of the table [solve] of a case file."""
     names: dict[str, list[str]] = {choice: [] for choice in LAWS}
     for kind in kinds():
         names.get(kind.keyword, []).extend(of_kind(kind))
@@ -160,7 +168,7 @@ def law_names(case: Case) -> dict[str, list[str]]:
 
 
 def states_of(query: Query) -> list[str]:
-    """Return the interface states that the bodies of a query allow; all states if the bodies cannot be read."""
+    """Return the interface states that the bodies of a case allow; all states if the bodies have an error."""
     try:
         subject = read_query(query.with_tables(with_value_at(query.tables, INTERFACE, None))).subject
     except InputError:
@@ -169,7 +177,7 @@ def states_of(query: Query) -> list[str]:
 
 
 def option_values(data: xarray.Dataset) -> dict[str, tuple[str, ...]]:
-    """Return the options of the model and laws of a result, with the allowed values of each."""
+    """Return the options of the model and laws of a result, with the values that each option may have."""
     named = str(data.attrs.get("options", "")).split()
     return {name: values for name, values in all_options().items() if name in named}
 
@@ -179,9 +187,9 @@ _WHERE = {"load": "at a load of", "contact_area": "real contact area", "mean_sep
 
 
 def headline(answer: Answer, point: int) -> tuple[str, str]:
-    """Return mu with its interval or digits, and the operating point, as two texts.
+    """Return two texts for the head of the page: mu, and the load, contact area and separation at which it holds.
 
-    point: index on the curve; a prediction always states its working load.
+    point: index on the curve. A prediction is stated at its working load, with its interval.
     """
     if answer.is_prediction:
         return answer_lines(answer.data)[0]
@@ -196,7 +204,7 @@ def headline(answer: Answer, point: int) -> tuple[str, str]:
 
 
 def remarks(answer: Answer) -> list[str]:
-    """Return sentences below an answer: its model and grade, improbable inputs, and inputs without effect."""
+    """Return sentences on an answer: its model and grade, warnings, improbable inputs, and inputs without effect."""
     attrs, (*arrays, _) = answer.data.attrs, answer.data["load"].dims or ("",)
     lines = [] if answer.is_prediction else [f"Model {model_line(attrs)}; grade {grade_line(attrs)}."]
     lines += [f"Warning: {one}" for one in attrs.get("warnings", [])[1:]]

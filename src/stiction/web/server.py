@@ -1,4 +1,4 @@
-"""Serve the page: one process, bound to this machine unless another address is given."""
+"""Serve the page in one process, to this machine only unless another address is given."""
 
 import socket
 from pathlib import Path
@@ -16,14 +16,14 @@ from stiction.web.page import make_page
 from stiction.web.query import Query, law_names, option_values, solved
 
 _MOST_CONNECTIONS = 1000
-_PATIENCE = 600.0  # seconds for a page: models have kernels that are compiled on first use
+_PATIENCE = 600.0  # seconds until a page must be there; the first use of a model compiles its kernels
 
 
 def query_of(case: Path | None) -> Query:
-    """Return the query of a case file, or of the default case without a file. Raises InputError.
+    """Return the query of a case file, or of the default case if there is no file. Raises InputError.
 
-    The case is solved before the server starts. This reports errors of the file at once, compiles kernels and imports
-    laws, so that the first page loads fast.
+    The case is solved before the server starts. Errors of the file are thus reported at once, and kernels are compiled and laws
+    imported before the first visitor comes.
     """
     if case is None:
         query = Query(first_case())
@@ -31,7 +31,7 @@ def query_of(case: Path | None) -> Query:
         tables = read_content(case)
         query = Query(tables, case.resolve().parent, frozenset(files_named(tables)))
     answer = solved(query)
-    # The form of every page needs these: laws are imported on first use.
+    # Laws are imported on first use, and the form of every page needs these names.
     law_names(answer.case)
     option_values(answer.data)
     return query
@@ -50,7 +50,7 @@ def check_port(host: str, port: int) -> None:
 
 
 def serve(query: Query, host: str, port: int) -> None:
-    """Serve the page of a case, behind its guard, until it is interrupted."""
+    """Serve the page of a case to all visitors until the program is interrupted. Bad requests are refused."""
     app.add_middleware(Guard, names=names_for(host), visitors=lambda: len(Client.instances))
 
     @ui.page("/", title="stiction", response_timeout=_PATIENCE)

@@ -1,4 +1,4 @@
-"""The tab Share: the address of this page, and the same files as the command line writes."""
+"""The tab Share: the address of this page, and the files that the command line writes too."""
 
 import tempfile
 from pathlib import Path
@@ -22,7 +22,7 @@ KINDS = ("case.toml", "curve.csv", "curve.nc", "curve.svg", "curve.png")
 
 
 def _view(answer: Answer) -> View:
-    """Return the view that `stiction run` shows of the case."""
+    """Return the view (texts, tables, files and pictures) that `stiction run` shows of the case."""
     return prediction_view(answer.case, answer.data, KINDS[0]) if answer.is_prediction else run_view(answer.case, answer.data)
 
 
@@ -37,7 +37,10 @@ def content(answer: Answer, name: str) -> bytes:
 
 
 def report_of(answer: Answer, progress: Progress) -> bytes:
-    """Return the HTML report that `stiction report` writes. Raises InputError, and KeyboardInterrupt if stopped."""
+    """Return the HTML report that `stiction report` writes, as bytes.
+
+    Raises InputError, and KeyboardInterrupt if the visitor stops it.
+    """
     from stiction.report.html_report import case_as_html
 
     return case_as_html(answer.case, as_toml(answer.query.tables), progress=progress).encode()
@@ -67,7 +70,7 @@ class ShareTab:
         ui.label("The same numbers, to the last digit, on the command line: stiction run case.toml").classes("text-sm")
         self._text = ui.code("", language="toml").classes("w-full")
         attributes(self._text.copy_button, aria_label="copy the case")
-        attributes(self._text.markdown, tabindex=0)  # it is moved sideways where it is narrow
+        attributes(self._text.markdown, tabindex=0)  # tabindex: a keyboard can scroll it
         explorer.listen(self.show)
         self.show()
 
@@ -83,7 +86,7 @@ class ShareTab:
         ui.download.content(data, name)
 
     def show(self) -> None:
-        """Show the newest case."""
+        """Show the newest case as text, and name the files that its address does not contain."""
         self._text.set_content(as_toml(self._explorer.answer.query.tables))
         files = ", ".join(files_named(self._explorer.query.tables))
         self._files.set_text(f"Not in the address: {files}. Who opens it has to have these files." if files else "")

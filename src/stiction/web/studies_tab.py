@@ -1,4 +1,4 @@
-"""The tab Studies: which input to measure better, design for a target mu, and calibration.
+"""The tab Studies: which input to measure better, design for a target mu, and calibration by measurements.
 
 Each study is limited to one minute.
 """
@@ -25,11 +25,14 @@ from stiction.web.pictures import Shown
 from stiction.web.query import Query, read_query
 from stiction.web.study_button import Study
 
-_NONE = ""  # the choice of no free number
+_NONE = ""  # value of the choice that searches no number
 
 
 def run_sensitivity_study(query: Query, progress: Progress) -> View:
-    """Return the view of a sensitivity study: which input should be measured better. Raises InputError."""
+    """Return the view (tables and pictures) of a sensitivity study, which shows what input to measure better.
+
+    query: the case. progress: records the progress. Raises InputError.
+    """
     from stiction.report.views.sensitivity import sensitivity_view
     from stiction.studies.sensitivity.run import sensitivity
 
@@ -37,10 +40,10 @@ def run_sensitivity_study(query: Query, progress: Progress) -> View:
 
 
 def run_design_study(query: Query, load: str | float, target: float, free: dict[str, Any], progress: Progress) -> View:
-    """Return the view of a design study, which searches free numbers with which mu meets a target.
+    """Return the view (tables and pictures) of a design study, which searches numbers of the case with which mu is `target`.
 
-    load: at which mu is computed. target: of mu. free: table [design.choose] of a case file, with the limits of each number.
-    Raises InputError.
+    load: load of mu, in N, normalised, or a text with a unit. free: table [design.choose] of a case file, with the numbers to
+    search and their limits. Raises InputError.
     """
     from stiction.report.views.design import design_view
     from stiction.studies.design.plan import make_design_plan
@@ -55,10 +58,10 @@ def run_design_study(query: Query, load: str | float, target: float, free: dict[
 
 
 def run_fit_study(query: Query, load: str | float, data: Path, free: dict[str, Any], progress: Progress) -> View:
-    """Return the view of a fit of free numbers of the case to measured series.
+    """Return the view (tables and pictures) of a fit of numbers of the case to measured series.
 
-    load: load of the prediction after the fit. data: file of the measured values. free: table [fit.free] of a case file. Raises
-    InputError.
+    load: load of the prediction after the fit. data: file of the measured values. free: table [fit.free] of a case file, with
+    the numbers to fit and their limits; {} fits the interface strength of a prediction. Raises InputError.
     """
     from stiction.report.views.fit import fit_view
     from stiction.report.views.prediction import prediction_view
@@ -87,7 +90,10 @@ class StudiesTab:
             self._calibration()
 
     def _study(self, label: str, work: Callable[[Query, Progress], View]) -> None:
-        """Add the button of a study, and a place for its result below."""
+        """Add the button of a study, and a place below it for the result.
+
+        work: function that computes the view of the result.
+        """
         view = self._explorer.view
 
         def result(progress: Progress) -> Shown:
@@ -104,7 +110,7 @@ class StudiesTab:
         below = ui.column().classes("w-full")
 
     def _load(self, query: Query) -> str | float:
-        """Return the load selected in the Contact tab, as a case file states it."""
+        """Return the load of the shown point of the curve in the form of a case file: a number, or a text with the unit N."""
         load = self._explorer.load
         return load if "indices" in query.tables else f"{load!r} N"
 
@@ -119,9 +125,9 @@ class StudiesTab:
         self._study("Sensitivity", work)
 
     def _free_number(self, *likely: str, alone: str = "") -> Callable[[], dict[str, Any]]:
-        """Add fields for a free number and its limits; return a function that returns them as a table of a case file.
+        """Add fields for a number to search and its limits; return a function that returns them as a table of a case file.
 
-        likely: numbers to list first, if the case has them. alone: text of the choice without a free number.
+        likely: numbers to list first, if the case has them. alone: text of the choice that searches no number.
         """
 
         def numbers() -> dict[str, tuple[Number, float]]:
@@ -169,7 +175,7 @@ class StudiesTab:
 
     def _calibration(self) -> None:
         text = ui.label().classes("text-sm").props('role="status"')
-        uploads: list[tuple[str, str]] = []  # path and name of the last one
+        uploads: list[tuple[str, str]] = []  # path and name of the last upload
 
         async def uploaded(path: str, name: str) -> None:
             uploads[:] = [(path, name)]
@@ -193,7 +199,7 @@ class StudiesTab:
 
 
 def _human_name(number: Number) -> str:
-    """Return the label of a number, with the body that it belongs to."""
+    """Return the label of a number of the form, followed by the body that it belongs to."""
     return ", ".join([label_of(number.path), *(ENDINGS[key] for key in number.path[1:-1] if key in ENDINGS)])
 
 

@@ -10,14 +10,15 @@ from stiction.quantities.errors import InputError
 from stiction.web.background import STUDIES, Progress, run
 from stiction.web.explorer import Explorer
 
-_EVERY = 0.3  # seconds between looks at the progress
+_EVERY = 0.3  # seconds between updates of the shown progress
 
 
 class Study:
-    """Offer a study that runs once at a time for each visitor, and mark its result as old after the case has changed.
+    """Add a study to the page: a button that starts it, a button that stops it, and its progress.
 
-    explorer: state of the visitor; None if the result does not depend on the case. work: function of a Progress that runs in a
-    thread. show: receives the result in the event loop. done: text after the run.
+    A visitor can run a study once at a time. After a change of the case, a result is marked as old. explorer: state of the
+    visitor; None if the result does not depend on the case. work: function of a Progress that computes the result in a thread.
+    show: receives the result in the event loop. done: text after the run.
     """
 
     def __init__(
@@ -30,8 +31,8 @@ class Study:
     ):
         self._explorer, self._work, self._show, self._done = explorer, work, show, done
         self._progress: Progress | None = None
-        self._asked: Any = None  # the answer of the case, and its point, of the last run
-        self._shown: Any = None  # those of the result that is shown
+        self._asked: Any = None  # (answer, point) that the last run used
+        self._shown: Any = None  # (answer, point) of the shown result
         with ui.row().classes("items-center gap-3 w-full"):
             self._start = ui.button(label, on_click=self.start).props("no-caps")
             self._stop = ui.button("Stop", on_click=self.stop).props("no-caps outline")
@@ -42,11 +43,11 @@ class Study:
         self._set_running(False)
         if explorer is not None:
             explorer.listen(self._mark)
-        context.client.on_delete(self.stop)  # a visitor who leaves keeps nobody waiting
+        context.client.on_delete(self.stop)  # a visitor who leaves must not keep others waiting
 
     @property
     def is_current(self) -> bool:
-        """Return whether the last run used the present answer and point."""
+        """Return whether the last run used the present answer at the present point of the curve."""
         return bool(self._asked == self._present())
 
     @property
@@ -61,15 +62,15 @@ class Study:
         self._old.set_visibility(self._shown is not None and self._shown != self._present())
 
     def _watched(self, progress: Progress) -> Any:
-        """Run the study, after recording the answer to which its result will belong.
+        """Run the study and return its result, after recording the answer that the study uses.
 
-        A change of the case during the run then marks the result as old.
+        If the case changes during the run, the result is thus marked as old.
         """
         self._asked = self._present()
         return self._work(progress)
 
     async def start(self) -> None:
-        """Run the study, unless it runs already."""
+        """Run the study and show its result, unless the study is running already."""
         if self._progress is not None:
             return
         self._progress = progress = Progress()

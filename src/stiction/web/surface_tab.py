@@ -1,4 +1,4 @@
-"""The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and its friction."""
+"""The tab Surface: a scan, its spectrum with the cutoffs, its asperities by each method, and the friction with it."""
 
 import math
 from collections.abc import Mapping
@@ -36,13 +36,13 @@ from stiction.web.surface_work import (
 )
 
 _FORMS = {0: "no form", 1: "plane", 2: "curved", 3: "order 3", 4: "order 4"}
-_STEP = 0.005  # of the decimal logarithm of a wavevector
+_STEP = 0.005  # step of the sliders, in the decimal logarithm of the wavevector
 
 
 class SurfaceTab:
     """Show one scan of one visitor.
 
-    Spectrum and friction are updated while a cutoff moves, drawings after it is released.
+    Spectrum and friction are updated while a cutoff moves, drawings after the slider is released.
     """
 
     def __init__(self, explorer: Explorer):
@@ -68,7 +68,7 @@ class SurfaceTab:
             Study(explorer, label, self._resolution, lambda drawing: self._resolved.show([drawing]))
             self._resolved = Rows(ui.column().classes("w-full"), show_drawing)
         self._body.set_visibility(False)
-        explorer.listen(lambda: ui.timer(0.0, self._ask, once=True))  # with the case friction with this surface changes
+        explorer.listen(lambda: ui.timer(0.0, self._ask, once=True))  # the friction depends on the case
 
     def _source(self) -> None:
         with ui.row().classes("items-end gap-2"):
@@ -102,9 +102,9 @@ class SurfaceTab:
             self._used = attributes(ui.switch(use, on_change=self._released), aria_label=use)
 
     def _handle(self, name: str) -> tuple[Any, Any]:
-        """Add a slider for one cutoff below the spectrum, and return it with its label.
+        """Add a slider for one cutoff below the spectrum, and return the slider and its label.
 
-        The slider spans the axis of the chart, so that its position is a wavevector.
+        name: "longest" or "shortest" wavelength. The slider spans the axis of the chart, so that its position is a wavevector.
         """
         label = ui.label().classes("text-sm")
         slider = ui.slider(min=0.0, max=1.0, step=_STEP, value=0.0).classes("under-chart")
@@ -118,7 +118,7 @@ class SurfaceTab:
             surface = replace(await run(read_bounded, Path(path), stated), name=name)
             self._whole = await run(spectrum_of, surface, Band(int(self._form.value)))
         except InputError as error:
-            # Before the line is made, which shortens long paths. An archive is named without its folder.
+            # Paths are replaced before the message is made, because a message shortens long paths.
             value, allowed = (
                 str(text or "").replace(path, name).replace(Path(path).name, name) for text in (error.value, error.allowed)
             )
@@ -145,7 +145,7 @@ class SurfaceTab:
         return Band(int(self._form.value), **lengths)
 
     async def _ask(self) -> None:
-        """Ask for spectrum and friction, each of the newest band, as handles may move in between."""
+        """Compute and show spectrum and friction of the newest band; the sliders may move between the two."""
         if self._scan is None:
             return
         explorer = self._explorer
@@ -157,7 +157,7 @@ class SurfaceTab:
             self._mu.set_content("Friction needs a load above 0: choose another point in the tab Contact.")
 
     async def _released(self) -> None:
-        """Ask for everything of the band; change the case, where the scan is in it."""
+        """Update everything that depends on the band, and the case if it uses the scan."""
         if self._scan is None:
             return
         await self._ask()

@@ -32,12 +32,12 @@ from stiction.web.pictures import drawing_of
 from stiction.web.query import Query, headline, solved
 
 _HEIGHTS = "heights of the asperities by each method"
-_MOST_POINTS = 1_500_000  # of a scan on the page
+_MOST_POINTS = 1_500_000  # largest number of points of a scan on the page
 
 
 @dataclass(frozen=True)
 class Band:
-    """Hold the order of the form to remove, and the wavelengths [m] between which heights are kept.
+    """Hold how a scan is prepared: order of the polynomial form to remove, and the wavelengths [m] between which heights stay.
 
     shortest, longest: None for no cutoff.
     """
@@ -47,26 +47,33 @@ class Band:
     longest: float | None = None
 
     def of(self, surface: HeightMap) -> HeightMap:
-        """Return a surface without its form, filtered to this band."""
+        """Return a surface without its form, filtered to this band of wavelengths."""
         return prepared(surface, self.form, None, None, self.shortest, self.longest)
 
 
 @dataclass(frozen=True)
 class Scan:
-    """Hold a scan of a visitor: its heights, its file, and the properties that the visitor stated."""
+    """Hold a scan of a visitor.
+
+    surface: its heights. file: path of the uploaded file. stated: what the visitor stated about the file, such as its size.
+    """
 
     surface: HeightMap
     file: str
     stated: Mapping[str, str]
 
     def roughness(self, band: Band) -> dict[str, Any]:
-        """Return the table [contact.roughness] of a case with the scan as the first body."""
+        """Return the table [contact.roughness] of a case in which the scan is the first body, prepared as `band` states."""
         ends = {name: f"{value:.10g} m" for name, value in (("shortest", band.shortest), ("longest", band.longest)) if value}
         return {"first": {"file": self.file, **self.stated}, "form": band.form, **ends}
 
 
 def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
-    """Read a scan. Raises InputError for an invalid file or one that is too large for the page."""
+    """Return the heights of a scan file.
+
+    stated: arguments of `read_scan`, such as the size. Raises InputError for an invalid file or one that is too large for the
+    page.
+    """
     surface = read_scan(path, **stated)  # type: ignore[arg-type]  # texts
     if surface.heights.size > _MOST_POINTS:
         raise InputError(
@@ -78,13 +85,13 @@ def read_bounded(path: Path, stated: Mapping[str, str]) -> HeightMap:
 
 
 def spectrum_of(surface: HeightMap, band: Band) -> BinnedSpectrum:
-    """Return the radially averaged spectrum of a scan filtered to a band, with gaps filled. Raises InputError."""
+    """Return the radially averaged power spectrum of a scan, prepared as `band` states, with gaps filled. Raises InputError."""
     inside = band.of(surface)
     return radial_average(power_spectrum(inside if inside.complete else fill_missing(inside)))
 
 
 def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
-    """Return HTML with the friction at a load [N], if the filtered scan is the roughness of the first body.
+    """Return HTML with the friction of a case at a load [N], if the prepared scan is the roughness of the first body.
 
     An error is returned as text.
     """
@@ -99,9 +106,9 @@ def friction_with(query: Query, scan: Scan, band: Band, load: float) -> str:
 
 
 def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tuple[Analysis, str, str]:
-    """Return the analysis of a filtered scan, the drawing of its asperity heights, and its map with asperities.
+    """Return (analysis, drawing of the asperity heights, drawing of the map with asperities) of a prepared scan.
 
-    method: the asperity method whose asperities are marked on the map. Raises InputError.
+    method: asperity method whose asperities are marked on the map. narrow: whether the page is narrow. Raises InputError.
     """
     found = analyse(band.of(surface))
     heights = drawing_of(asperity_figure(found.asperities.values(), found.surface), _HEIGHTS, narrow)
@@ -109,14 +116,17 @@ def pictures_of(surface: HeightMap, band: Band, method: str, narrow: bool) -> tu
 
 
 def map_picture(found: Analysis, method: str, narrow: bool) -> str:
-    """Draw the height map with the asperities of a method; method "" draws none."""
+    """Return a drawing of the height map with the asperities of a method; method "" marks none.
+
+    found: analysis of the scan. narrow: whether the page is narrow.
+    """
     named = methods().get(method)
     told = "the heights in colours, and their histogram" + (f"; marked: {named.label}" if named else "")
     return drawing_of(map_figure(found.surface, asperities=found.asperities.get(method)), told, narrow)
 
 
 def example_scan(path: Path) -> dict[str, str]:
-    """Write a generated self-affine surface to a file, and return the properties that are needed to read it.
+    """Write a generated self-affine surface to a file, and return the properties that are needed to read the file.
 
     The surface has 256 x 256 points over 40 um.
     """
@@ -126,15 +136,18 @@ def example_scan(path: Path) -> dict[str, str]:
 
 
 def resolution_picture(surface: HeightMap, contact: Contact | None, load: float, progress: Progress, narrow: bool) -> str:
-    """Draw sigma, R, N and, if a contact is given, friction against the shortest wavelength that is kept. Raises InputError."""
+    """Return a drawing of sigma, R, N and, if a contact is given, mu against the shortest wavelength that is kept.
+
+    load: [N], for mu. narrow: whether the page is narrow. Raises InputError.
+    """
     asked: dict[str, Any] = {} if contact is None else {"contact": contact, "load": load}
     study = resolution_study(surface, progress=progress("Filtering"), **asked)
     return drawing_of(resolution_figure(study), "sigma, R, N and mu against the shortest wave, by each method", narrow)
 
 
-_SHOWN = 96  # points along a side of the map in three dimensions
+_SHOWN = 96  # points along a side of the three-dimensional map, up to twice as many
 
-_DECADES = 10  # of the spectrum; a filter leaves rounding below
+_DECADES = 10  # decades of the spectrum that are shown; below them a filter leaves round-off
 
 
 def wavevectors(surface: HeightMap) -> tuple[float, float]:
@@ -145,9 +158,10 @@ def wavevectors(surface: HeightMap) -> tuple[float, float]:
 def spectrum_chart(
     whole: BinnedSpectrum, kept: BinnedSpectrum, band: Band, ends: tuple[float, float], dark: bool
 ) -> dict[str, Any]:
-    """Return the chart of a spectrum before and after the filter; removed wavelengths are shaded.
+    """Return the chart of the spectra before and after the filter, in which removed wavelengths are shaded.
 
-    ends: wavevectors [rad/m] at both ends of the axis.
+    whole: before the filter. kept: after it. ends: wavevectors [rad/m] at both ends of the axis. dark: whether the page is
+    dark.
     """
     top = math.ceil(math.log10(whole.density.max()))
     limits = [10.0 ** (top - _DECADES), 10.0**top]
@@ -174,7 +188,7 @@ def spectrum_chart(
 
 
 def solid_chart(surface: HeightMap, dark: bool) -> dict[str, Any]:
-    """Return a three-dimensional chart of a surface, with a stretched vertical axis and at most about 96 points a side."""
+    """Return a three-dimensional chart of a surface, with a stretched vertical axis and at most 191 points a side."""
     rows, columns = (max(count // _SHOWN, 1) for count in surface.heights.shape)
     heights = surface.heights[::rows, ::columns] * 1e9
     along_y, along_x = surface.pitch[0] * rows * 1e6, surface.pitch[1] * columns * 1e6
