@@ -10,7 +10,7 @@ from stiction.cli.interrupting import ended_by_interrupts
 
 with ended_by_interrupts():
     # isort: off
-    # In the order of the help.
+    # The order of the commands in the help.
     from stiction.cli import run, serve, sweep, studies, export, surface, figures, lists  # noqa: F401
 
     # isort: on
@@ -24,11 +24,11 @@ __all__ = ["app", "main"]
 def main() -> None:
     """Run the command `stiction`.
 
-    Garbage collection is set to run rarely: a command ends within seconds, and collections during its imports took a third
-    of its processor time.
+    Garbage collection is set to run rarely, because a command ends within seconds, and collections during its imports took a
+    third of its processor time.
     """
-    leave_out("dask")  # until a sweep is done by a cluster
-    leave_out("pint")  # until a unit is read that the table of units does not have
+    leave_out("dask")  # imported only if a cluster computes a sweep
+    leave_out("pint")  # imported only for a unit that the table of units lacks
     gc.set_threshold(200_000)
     atexit.register(gc.freeze)
     readable()

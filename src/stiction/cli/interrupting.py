@@ -14,7 +14,8 @@ INTERRUPTED = 130  # exit code
 def ended_by_interrupts() -> Iterator[None]:
     """Return a context manager in which Ctrl-C prints one line and ends the program at once.
 
-    An exception would not do: a library that is being imported may catch it. A handler that the caller has set is kept.
+    An exception would not do, because a library that is being imported may catch it. If the caller has set a handler for
+    Ctrl-C, that handler stays.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is not signal.default_int_handler or current_thread() is not main_thread():

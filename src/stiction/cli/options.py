@@ -1,4 +1,4 @@
-"""Define options that several commands share, and complete their values in the shell."""
+"""Define the options that more than one command has, and complete their values in the shell."""
 
 from collections.abc import Callable
 from importlib import import_module
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class TakesOptionsOfRecords(TyperCommand):
-    """Represent a command that also accepts the options of models and laws, such as --variant published."""
+    """Accept, in a command, the options of models and laws as well, such as --variant published."""
 
     def parse_args(self, ctx, args):
         own = {name for parameter in self.params for name in (*parameter.opts, *parameter.secondary_opts)} | {"-h", "--help"}
@@ -29,9 +29,10 @@ OPTIONS = "stiction.options"
 
 
 def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
-    """Split the words of a command line into options of models and laws, {name: value}, and the other words.
+    """Split the words of a command line into the options of models and laws, {name: value}, and the other words.
 
-    own: options of the command itself. Raises InputError for a value that the option does not have.
+    own: options of the command itself, which stay among the other words. Raises InputError for a value that an option does not
+    have.
     """
     from stiction.records.registry import all_options
 
@@ -51,17 +52,24 @@ def _take(words: list[str], own: set[str]) -> tuple[dict[str, str], list[str]]:
 
 
 def option(text: str, default: Any = None, *names: str, **more: Any) -> Any:
-    """Return a command option with this help text; its name is that of the parameter, unless `names` has others."""
+    """Return a command option with this help text.
+
+    default: value without the option. names: names of the option; by default the name of the parameter. more: arguments of
+    `typer.Option`.
+    """
     return typer.Option(default, *names, help=text, **more)
 
 
 def argument(metavar: str, text: str, default: Any = ..., **more: Any) -> Any:
-    """Return a positional argument of a command with this help text; without a default it is required."""
+    """Return a positional argument of a command with this help text; without a default it is required.
+
+    metavar: name of the argument in the help. more: arguments of `typer.Argument`.
+    """
     return typer.Argument(default, metavar=metavar, help=text, **more)
 
 
 def keys_of(kind: str) -> Callable[[str], list[str]]:
-    """Return a shell completer for the keys of one kind of model or law.
+    """Return a shell completer for the keys of one kind of model or law: a function of the typed text.
 
     kind: keyword of the kind in `solve`, e.g. "asperity".
     """
@@ -76,7 +84,10 @@ def keys_of(kind: str) -> Callable[[str], list[str]]:
 
 
 def names_of(module: str, function: str) -> Callable[[str], list[str]]:
-    """Return a shell completer for the names that `function` of the module `module` returns."""
+    """Return a shell completer for the names that a function returns, without arguments.
+
+    module, function: names of the module and of the function in it, which is imported only when the shell completes.
+    """
     return lambda incomplete: [name for name in getattr(import_module(module), function)() if name.startswith(incomplete)]
 
 
@@ -88,7 +99,7 @@ def every_key(incomplete: str) -> list[str]:
 
 
 def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
-    """Return the models and options of a case after applying those of the command line."""
+    """Return the model, laws and options of a case, in which those of the command line replace those of the case file."""
     from stiction.solving.choice import LAWS
 
     laws = {name: context.params.get(name) for name in LAWS}
@@ -96,14 +107,14 @@ def chosen_laws(context: typer.Context, case: "Case") -> "Choice":
 
 
 def folder(text: str | Path) -> Path:
-    """Return the path of a folder. Refuse an empty name, which pathlib takes for the current folder."""
+    """Return the path of a folder; refuse an empty name, which pathlib takes for the current folder."""
     if not str(text).strip():
         raise typer.BadParameter(f"'{text}' is not the name of a folder, new or existing (a dot is the current one)")
     return Path(text)
 
 
 def _checked(out: Path | None) -> Path | None:
-    """Return the output folder. Raise InputError, before anything is computed, if it cannot be created."""
+    """Return the output folder unchanged, or raise InputError, before anything is computed, if it cannot be created."""
     if out is not None:
         from stiction.report.files import check_folder
 

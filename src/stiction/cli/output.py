@@ -14,9 +14,9 @@ _IN_ASCII = {"µ": "u", "μ": "u", "−": "-", "⁻": "-", "·": "*", "×": "x",
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:
-    """Return ASCII text for characters that the encoding of the output lacks: "um^2" for µm², else "?".
+    """Return ASCII text for the characters that the encoding of the output lacks: "um^2" for µm², "?" if there is none.
 
-    This is an error handler for `codecs.register_error`, which needs the text and the position behind the characters.
+    This is an error handler for `codecs.register_error`, which needs the text and the position after these characters.
     """
     if not isinstance(error, UnicodeEncodeError):
         raise error
@@ -34,9 +34,9 @@ codecs.register_error("stiction", _in_ascii)
 
 
 def readable() -> None:
-    """Set standard output and error to replace characters that their encoding lacks by ASCII text."""
+    """Make standard output and standard error replace characters that their encoding lacks by ASCII text."""
     for stream in (sys.stdout, sys.stderr):
-        with suppress(AttributeError, ValueError):  # what is no text stream is somebody's own
+        with suppress(AttributeError, ValueError):  # an output that a caller replaced stays as it is
             stream.reconfigure(errors="stiction")  # type: ignore[union-attr]
 
 
@@ -71,5 +71,5 @@ def exit_on_write_error(error: OSError) -> NoReturn:
 
 
 def closed_pipe() -> NoReturn:
-    """Raise BrokenPipeError, because the program that read the output has ended."""
+    """Raise BrokenPipeError; rich calls this when the program that read the output has ended."""
     raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))

@@ -1,4 +1,4 @@
-"""Define the typer application to which all commands belong, its exit codes and its progress lines."""
+"""Define the application to which all commands belong, its exit codes and its progress lines."""
 
 import re
 import sys
@@ -27,24 +27,24 @@ if TYPE_CHECKING:
 
 _BAD_INPUT = 2
 _TABLE = re.compile(r"\[(?=[a-z])")
-_LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph, which the terminal wraps
+_LINE_ENDS = re.compile(r"(?<!\n)\n *(?=\S)")  # inside a paragraph; the terminal wraps the text itself
 
 
 class _Commands(TyperGroup):
-    """Group the commands, and print bad input and wrong usage as one line, without a traceback.
+    """Group the commands, and print wrong input and wrong usage as one line, without a traceback.
 
-    Exit codes: 2 for bad input and wrong usage, 130 for an interruption.
+    Exit codes: 2 for wrong input and wrong usage, 130 for an interruption.
     """
 
     def __init__(self, *positional, **named):
         super().__init__(*positional, **named)
         parts: list[Any] = [part for command in self.commands.values() for part in (command, *command.params)]
         for item in parts:
-            if getattr(item, "help", None):  # "[fit]" is a table of a case, where the help would take it for a style
+            if getattr(item, "help", None):  # rich would take "[fit]", a table of a case, for a style
                 item.help = _LINE_ENDS.sub(" ", _TABLE.sub(r"\\[", item.help))
 
     def make_context(self, info_name, args, parent=None, **extra):
-        if not args:  # which prints the help
+        if not args:  # without arguments typer prints the help
             return super().make_context(info_name, args, parent, **extra)
         with _one_line():
             return super().make_context(info_name, args, parent, **extra)
@@ -61,7 +61,7 @@ class _Commands(TyperGroup):
 
 @contextmanager
 def _one_line() -> Iterator[None]:
-    """Return a context manager that prints errors and warnings for users as one line each and sets the exit code."""
+    """Return a context manager that prints the errors and warnings meant for users as one line each, and sets the exit code."""
     try:
         with warnings.catch_warnings():
             for category in _SAID:
@@ -91,7 +91,7 @@ def _one_line() -> Iterator[None]:
         raise typer.Exit(_BAD_INPUT) from None
 
 
-# Warnings that a user is to see: of numbers that were hardly meant, of what the program could not do.
+# Warnings for users: improbable inputs, and things that the program could not do.
 _SAID = (InputWarning, Notice)
 
 
@@ -105,7 +105,7 @@ def _as_input(error: Any) -> InputError:
     message: str = error.message
     command: Any = getattr(error.ctx, "command", None)
     if hasattr(error, "param_type"):
-        meaning = (error.param.help or "a value").replace("\\[", "[")  # of help, which is markup, not that of a table's name
+        meaning = (error.param.help or "a value").replace("\\[", "[")  # undoes the escape of brackets for rich
         return InputError(_name(error.param), None, meaning.rstrip("."))
     if hasattr(error, "param"):
         value, allowed = _refused(error)
@@ -133,8 +133,8 @@ def _name(param: Any) -> str:
 def _refused(error: Any) -> tuple[Any, str]:
     """Return the value that typer or pydantic refused, and the text of what is allowed.
 
-    typer writes "'abc' is not a valid float"; pydantic writes "Input should be a valid number, ..." and has the value in
-    the cause of the error.
+    typer writes "'abc' is not a valid float". pydantic writes "Input should be a valid number, ..." and has the value in the
+    cause of the error.
     """
     value, _, allowed = error.message.rstrip(".").rpartition(" is not ")
     if (cause := error.__cause__) is not None and hasattr(cause, "errors"):
@@ -169,20 +169,20 @@ def console():
     from rich.console import Console
 
     terminal: Any = Console()
-    terminal.on_broken_pipe = closed_pipe  # its own ends the program without a word
+    terminal.on_broken_pipe = closed_pipe  # rich's own handler ends the program without a message
     return terminal
 
 
 @contextmanager
 def busy(text: str) -> Iterator[None]:
-    """Show a line with this text and a running clock on the terminal until the block ends."""
+    """Return a context manager that shows a line with a text and a running clock on the terminal."""
     with _line(text):
         yield
 
 
 @contextmanager
 def progress_text() -> Iterator[Callable[[str], None]]:
-    """Yield a function that shows a text as progress.
+    """Return a context manager with a function that shows a text as progress.
 
     On a terminal each text replaces the last. Elsewhere a text is printed at most every ten seconds.
     """
@@ -202,12 +202,12 @@ def progress_text() -> Iterator[Callable[[str], None]]:
         yield say
 
 
-_EVERY = 10.0  # seconds between lines that nobody watches
+_EVERY = 10.0  # seconds between printed lines if the output is no terminal
 
 
 @contextmanager
 def solving() -> Iterator[None]:
-    """Show a line with a clock, compiled kernels and solver residuals on the terminal until the block ends."""
+    """Return a context manager that shows a clock, the compiled kernels and the residuals of the solver on the terminal."""
     with _line("Solving") as line, _showing_solver_state(line, "Solving"):
         yield
 
@@ -241,7 +241,10 @@ class _Line:
 
 @contextmanager
 def _line(text: str) -> Iterator[_Line | None]:
-    """Yield a progress line with a bar and a clock, or None if standard error is not a terminal."""
+    """Return a context manager with a progress line, or with None if standard error is not a terminal.
+
+    text: label of the line, which has a bar and a clock.
+    """
     from rich.console import Console
 
     terminal = Console(stderr=True)
@@ -257,7 +260,10 @@ def _line(text: str) -> Iterator[_Line | None]:
 
 @contextmanager
 def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
-    """Show the number of compiled kernels and the residual of the map solver in a progress line."""
+    """Return a context manager that shows the number of compiled kernels and the residual of the map solver in a progress line.
+
+    line: None shows nothing. text: label of the line.
+    """
     if line is None:
         yield
         return
@@ -276,7 +282,8 @@ def _showing_solver_state(line: _Line | None, text: str) -> Iterator[None]:
 def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Case":
     """Return the case of a case file.
 
-    load: replaces the points of the case. ranges: replaces its setting for the ranges of materials.
+    load: replaces the loads or separations of the case. ranges: replaces the case's choice whether material numbers vary within
+    their ranges. None leaves the case as it is.
     """
     with busy("Reading the case"):
         from stiction.case.read import read_case
@@ -286,13 +293,14 @@ def read(path: Path, load: str | None = None, ranges: bool | None = None) -> "Ca
 
 
 def present(view: "View", out: Path | None, json: bool, details: bool = True) -> None:
-    """Print a result, or its JSON, and write its files if a folder is given.
+    """Print a result, or its JSON, and write its files if an output folder is given.
 
-    details: print everything instead of the short answer. Raises KeyboardInterrupt at the end if the study was interrupted.
+    details: whether to print everything, not the short answer. Raises KeyboardInterrupt at the end if the study was
+    interrupted.
     """
     names = []
     if out is not None:
-        with busy("Writing the results"), uninterrupted():  # what took long is not lost at its end
+        with busy("Writing the results"), uninterrupted():  # Ctrl-C must not lose results that took long
             names = view.write(out)
     if json:
         print_json(view.record())
@@ -308,10 +316,9 @@ def present(view: "View", out: Path | None, json: bool, details: bool = True) ->
 
 
 def show(parts: Iterable[Any]) -> None:
-    """Print paragraphs and tables.
+    """Print texts and tables on the terminal.
 
-    A text with `no_wrap` stays on one line. A terminal may cut off its end if its `overflow` allows that; a pipe gets all
-    of it.
+    A text with `no_wrap` stays on one line. A terminal cuts off its end if its `overflow` allows that; a pipe gets all of it.
     """
     from rich.text import Text
 
@@ -324,7 +331,10 @@ def show(parts: Iterable[Any]) -> None:
 
 
 def written(folder: Path, names) -> None:
-    """Print the names of the written files, and of pictures that were not drawn because matplotlib is missing."""
+    """Print the names of the written files, and of the pictures that were not drawn because matplotlib is missing.
+
+    folder: where the files are. names: names of all files, drawn or not.
+    """
     from stiction.report.files import undrawn_of
 
     undrawn = undrawn_of(names)

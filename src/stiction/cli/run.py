@@ -106,7 +106,7 @@ def slide(
 
 
 def _with_options_of_additions(command: Callable[..., None]) -> Callable[..., None]:
-    """Add an option for each kind of law that can be added to a model, such as menisci, to a command."""
+    """Give a command an option for each kind of law that can be added to a model, such as menisci, and return the command."""
     own = [item for item in signature(command).parameters.values() if item.kind is not Parameter.VAR_KEYWORD]
     options = {
         name: option(f"{text.capitalize()}.", autocompletion=keys_of(name), **LAW)

@@ -28,7 +28,7 @@ from stiction.cli.output import print_json
 from stiction.cli.program import app, bar, busy, console, present, progress_text
 from stiction.studies.study import Study, studies
 
-# Options that need no description in a study, by the name of the parameter.
+# Options that a study only has to name as a parameter of its plan, with annotation and default.
 _SHARED: dict[str, tuple[Any, Any]] = {
     "load": (Load, None), "ranges": (Ranges, None), "model": (Model, None), "asperity": (Asperity, None),
     "tangential": (Tangential, None), "all_rows": (AllRows, False), "out": (Out, None), "details": (Details, False),
@@ -39,7 +39,8 @@ _SHARED: dict[str, tuple[Any, Any]] = {
 def _add_command(folder: str, study: Study) -> None:
     """Add the command of a study to the application.
 
-    Its options are the parameters of `study.plan`, and --out, --details and --json.
+    folder: folder of the study in the package `studies`. The options are the parameters of `study.plan`, and --out, --details
+    and --json.
     """
     own = inspect.signature(study.plan).parameters
 

@@ -78,7 +78,7 @@ def surface(
         from stiction.studies.scans.resolution import default_cutoffs, resolution_study
 
         contact_at = {"contact": chosen.subject, "load": chosen_load, "choice": chosen.choice} if chosen else {}
-        cutoffs = default_cutoffs(analysis.surface, analysis.spectrum.shortest)  # not below what the tip could follow
+        cutoffs = default_cutoffs(analysis.surface, analysis.spectrum.shortest)  # the tip could not follow shorter waves
         resolution = resolution_study(analysis.surface, cutoffs, progress=bar("Studying the resolution"), **contact_at)
     from stiction.report.views.surface import surface_view
 
@@ -90,7 +90,10 @@ def surface(
 
 
 def _pressures(contact: str | None, hardness: float | None) -> list[float]:
-    """Return the nominal pressures of --contact, over E* h'; an empty list without --contact. Raises InputError."""
+    """Return the nominal pressures of --contact, divided by E* h'; [] without --contact.
+
+    Raises InputError for text that is not a list of numbers, and for a hardness without --contact.
+    """
     if contact is None:
         if hardness is not None:
             raise InputError("--hardness", hardness, "only with --contact")
@@ -102,7 +105,10 @@ def _pressures(contact: str | None, hardness: float | None) -> list[float]:
 
 
 def _chosen(case: Path | None, load: str | None) -> "tuple[Case | None, Any]":
-    """Return the case of --case and its working load, or None and None. Raises InputError."""
+    """Return the case of --case and its working load; (None, None) without --case. Raises InputError.
+
+    load: text of --load, or None for the middle load of the case.
+    """
     if case is None:
         if load is not None:
             raise InputError("--load", load, "only with --case")

@@ -27,7 +27,7 @@ def sweep(
     sweep continues if the same command is run again. The store is identical, bit for bit, for any number of workers.
     """
     if not _stderr().is_terminal:
-        _stderr().print("Reading the case")  # at once: the first points take longer
+        _stderr().print("Reading the case")  # printed at once, because the first points take long
     with busy("Reading the case"):
         from stiction.studies.sweep.run import run_sweep
     begun = monotonic()
@@ -45,7 +45,7 @@ def sweep(
 
 
 class _Shown:
-    """Progress of a sweep: points done, rate and remaining time.
+    """Show the progress of a sweep: points done, rate and remaining time.
 
     A terminal shows them in one line; elsewhere a line is printed every ten seconds.
     """
