@@ -70,8 +70,8 @@ def export(
 
     Notes
     -----
-    mu is linear in pressure between two rows, within 0.1 %. Most programs hold mu constant below the first and above the
-    last row.
+    Linear interpolation of mu between two rows is accurate to 0.1 %, and to 0.3 % where mu has a small step. Most programs
+    hold mu constant below the first and above the last row.
 
     Examples
     --------

@@ -82,7 +82,7 @@ def validation_panel(axes: Axes, data: "xarray.Dataset") -> None:
 def rests_panel(axes: Axes, data: "xarray.Dataset") -> None:
     """Draw the interval of mu, and for each main source of uncertainty the interval that it would cause alone.
 
-    That interval has the width of ln mu times the square root of the source's share of the variance.
+    In ln mu, the interval of a source is that of mu times the square root of the share of the variance that the source causes.
     """
     mu, low, high = ends_of_mu(data)
     shares = main_sources(data.attrs["shares"])

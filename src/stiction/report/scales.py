@@ -37,7 +37,7 @@ def is_log(values: np.ndarray) -> bool:
 
 
 def scale_friction(axes: "Axes", values: np.ndarray, which: str = "y") -> None:
-    """Make a friction axis logarithmic if `is_log` holds for the values, and name it so; otherwise start the axis at 0.
+    """Make a friction axis logarithmic if `is_log` holds for the values, and append "(log)" to its label; else start it at 0.
 
     values: friction coefficients that the axis shows. which: "x" or "y". An axis that is logarithmic already stays so.
     """
