@@ -284,7 +284,7 @@ def comparison_lines(findings: ReportData) -> dict[str, Any]:
 
 
 def uncertainty_lines(findings: ReportData) -> list[str]:
-    """Return sentences on the uncertain inputs: which they are, how they were sampled, and their effect on the result."""
+    """Return sentences on the uncertain inputs and their samples or, for a prediction, on its main sources of uncertainty."""
     used = findings.data.attrs
     if findings.prediction is not None:
         parts = ((part_name(name), share) for name, share in main_sources(used["shares"]))

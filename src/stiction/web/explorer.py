@@ -137,7 +137,7 @@ class Explorer:
     def upload(self, name: str, content: bytes) -> str:
         """Write an uploaded file into the folder of this visitor, and return its path.
 
-        name: name of the file on the machine of the visitor, of which only the suffix is kept.
+        name: name of the file on the machine of the visitor. The stored file keeps its suffix only.
         """
         if self._uploads is None:
             self._uploads = tempfile.TemporaryDirectory(prefix="stiction-")

@@ -160,7 +160,10 @@ def predicted_beside(answer: Answer, load: float) -> xarray.Dataset | None:
 
 
 def law_names(case: Case) -> dict[str, list[str]]:
-    """Return the names of the models that apply to a case, and of all laws, by key of the table [solve] of a case file."""
+    """Return the names of all models and laws, by key of the table [solve] of a case file.
+
+    The list of the key "model" also has the other models that a comparison tries for the case.
+    """
     names: dict[str, list[str]] = {choice: [] for choice in LAWS}
     for kind in kinds():
         names.get(kind.keyword, []).extend(of_kind(kind))
