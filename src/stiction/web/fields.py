@@ -71,7 +71,7 @@ class Number:
 
     @property
     def help(self) -> str:
-        """Return the help text of the number field: label, allowed range, an example with its unit, and whether it is optional."""
+        """Return the help text of the number field: label, allowed range, example, and whether it is optional."""
         return f"{self.label}: {self.quantity.wanted}" + ("" if self.required else "; may be left out")
 
     def text(self, value: float) -> str:
