@@ -1,4 +1,7 @@
-"""Addresses of the numbers of a contact in the tables of a case: find, read and replace them."""
+"""Find, read and replace numbers in the nested tables of a case by their address.
+
+An address is the tuple of keys that leads to a number, e.g. ("contact", "first", "hardness").
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -22,19 +25,22 @@ _PARTS: dict[str, type[Input]] = {
 }
 
 
-# Where the materials of a contact stand.
+# Addresses of the materials of a contact: the two bodies and the film.
 BODIES = (("contact", "first"), ("contact", "second"), ("contact", "coating", "material"))
 
 
 def entry_at(content: Any, path: Address) -> Any:
-    """Return the entry at an address in nested tables and records; None if there is none."""
+    """Return the entry at an address in nested tables or records; None if there is none.
+
+    path: keys from the outermost table inwards, e.g. ("contact", "first", "hardness").
+    """
     for key in path:
         content = content.get(key) if isinstance(content, Mapping) else getattr(content, "part", lambda _: None)(key)
     return content
 
 
 def subject_table(content: Mapping) -> str:
-    """Return the table that describes the contact: "contact" or "indices"."""
+    """Return the name of the table in a case that describes the contact: "contact" or "indices"."""
     return "indices" if "indices" in content else "contact"
 
 
@@ -43,7 +49,10 @@ def _numbers_of(record: type[Input]) -> list[str]:
 
 
 def _known(content: Mapping) -> list[str]:
-    """Return the dotted names of all numbers that the contact of a case can have."""
+    """Return the dotted names of all numbers that the contact of a case can have, e.g. "first.hardness".
+
+    content: tables of the case. Numbers of a film or a liquid are included only if the case has one.
+    """
     if subject_table(content) == "indices":
         return _numbers_of(Indices)
     absent = [part for part in ("coating", "liquid") if entry_at(content, ("contact", part)) is None]
@@ -52,10 +61,11 @@ def _known(content: Mapping) -> list[str]:
 
 
 def address_of(name: str, content: Mapping, where: str) -> Address:
-    """Return the address of a number from its dotted or short name.
+    """Return the address of a number in a case from its dotted or short name.
 
-    "coating.thickness", or "thickness" if no other number has that name, gives ("contact", "coating", "thickness"). where:
-    field of the InputError for a name that is unknown or ambiguous.
+    name: "coating.thickness", or "thickness" if only one number has this short name; both give ("contact", "coating",
+    "thickness"). content: tables of the case. where: name of the field in the InputError that an unknown or ambiguous name
+    raises.
     """
     known = _known(content)
     matches = [name] if name in known else [known_name for known_name in known if known_name.rpartition(".")[2] == name]
@@ -66,10 +76,10 @@ def address_of(name: str, content: Mapping, where: str) -> Address:
 
 
 def leaves_of(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
-    """Yield every leaf of nested tables: its dotted name and its entry.
+    """Yield the dotted name and the entry of every leaf in nested tables, e.g. ("first.hardness", "1 GPa").
 
-    is_leaf: function that returns whether a table counts as one entry. where: name of the table, for errors. Raises InputError
-    if `table` is no table.
+    is_leaf: function that takes a table and returns whether the table is one entry, so that its own keys are not visited.
+    where: name of the outermost table in error messages. Raises InputError if `table` is not a table.
     """
     if not isinstance(table, Mapping):
         raise InputError(where, table, "a table with names of numbers of the case, e.g. hardness = ...")
@@ -82,10 +92,10 @@ def leaves_of(table: Any, where: str, is_leaf) -> Iterator[tuple[str, Any]]:
 
 
 def with_numbers(content: Any, numbers: Mapping[Address, Any]) -> Any:
-    """Return a copy of tables or of a record, with other entries at some addresses.
+    """Return a copy of nested tables, or of a record, with the entries at some addresses replaced.
 
-    numbers: entry by address. A preset name becomes a table that starts from the preset. Records are validated again. Raises
-    InputError.
+    numbers: new entries by address, e.g. {("contact", "first", "hardness"): 1e9}. To change a number of a material preset, the
+    name of the preset is first replaced by the table {"preset": name}. Records are checked again. Raises InputError.
     """
     changes: dict[str, Any] = {}
     for key in dict.fromkeys(path[0] for path in numbers):
@@ -104,19 +114,20 @@ def _as_table(entry: Any) -> Any:
 
 
 def roughness_in(content: Mapping) -> Any:
-    """Return the entry contact.roughness of a case, or None."""
+    """Return the entry contact.roughness from the tables of a case; None if there is none."""
     return entry_at(content, ("contact", "roughness"))
 
 
 def with_roughness(content: Mapping, roughness: Any) -> Any:
-    """Return a copy of the tables of a case with this entry as contact.roughness."""
+    """Return a copy of the tables of a case with `roughness` as the entry contact.roughness."""
     return with_numbers(content, {("contact", "roughness"): roughness})
 
 
 def as_numbers(content: Mapping) -> Mapping:
-    """Return the tables of a case with scans replaced by roughness parameters, so that a study can vary these.
+    """Return the tables of a case with roughness measured from scans replaced by its roughness parameters.
 
-    The parameters are those that the chosen asperity method finds in the scans.
+    A study can vary these parameters: height deviation, radius and density of asperities, as found by the asperity method of
+    the case. Tables without scans are returned unchanged.
     """
     rough = roughness_in(content)
     return content if getattr(rough, "measured", None) is None else with_roughness(content, rough.replace())

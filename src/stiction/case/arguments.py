@@ -1,4 +1,4 @@
-"""Type aliases of arguments that accept a case, for editors and type checkers."""
+"""Define types of arguments that accept a case, for editors and type checkers."""
 
 from collections.abc import Mapping
 from typing import TypeAlias

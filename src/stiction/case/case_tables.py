@@ -1,4 +1,4 @@
-"""The data model of a case file, with which its tables are checked, and its JSON schema."""
+"""Define the data model that checks the tables of a case file, and its JSON schema."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -40,9 +40,9 @@ class _Solve(Input):
     @model_validator(mode="before")
     @classmethod
     def _options_by_name(cls, table):
-        """Move options of models that are keys of [solve] into its table `options`.
+        """Return the table [solve] with options of models, which are keys of [solve], moved into its table `options`.
 
-        Raises InputError for a value that the option does not have.
+        Any argument that is not a table is returned unchanged. Raises InputError if an option has no such value.
         """
         if not isinstance(table, Mapping):
             return table
@@ -69,7 +69,7 @@ class _Solve(Input):
 
 
 class _CaseFile(Input):
-    """Define the tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty], those of studies."""
+    """Define the tables of a case file: [contact] or [indices], [solve], [materials.NAME], [uncertainty], tables of studies."""
 
     title: str = Field("", description="text: what reports and pictures call the case")
     materials: dict[str, Body] | str = Field(
@@ -90,7 +90,10 @@ class _CaseFile(Input):
 
 @cache
 def case_tables() -> type[_CaseFile]:
-    """Return the data model of a case file: `_CaseFile` with the tables of all studies and added laws."""
+    """Return the class that checks the tables of a case file: `_CaseFile` extended by the tables of all studies.
+
+    Its table [solve] also accepts one key for each kind of additional law, such as `meniscus`.
+    """
     tables: dict[str, Any] = {
         name: (form | None, Field(None, description=f"a table: {description}"))
         for name, (form, description) in study_tables().items()
@@ -102,7 +105,10 @@ def case_tables() -> type[_CaseFile]:
 
 
 def json_schema() -> dict:
-    """Return the JSON schema of a case file, with units and bounds, for editors."""
+    """Return the JSON schema of a case file, with units and bounds of all numbers.
+
+    Editors use the schema to complete and check case files.
+    """
     schema = case_tables().model_json_schema()
     schema["title"] = "stiction case"
     schema["oneOf"] = [{"required": ["contact"]}, {"required": ["indices"]}]

@@ -1,7 +1,7 @@
-"""Probability distributions of uncertain inputs: named ones, those of scipy.stats, and samples.
+"""Describe the probability distributions of uncertain inputs: named ones, those of scipy.stats, and samples.
 
-An error is a standard deviation: `0.5 +/- 0.1` has the standard deviation 0.1 (a standard uncertainty after JCGM 100:2008,
-2.3.1). A median with a factor is a log-normal distribution whose logarithm has the standard deviation ln(factor).
+In `0.5 +/- 0.1`, 0.1 is the standard deviation of a normal distribution (a standard uncertainty after JCGM 100:2008, 2.3.1). A
+median with a factor is a log-normal distribution whose logarithm has the standard deviation ln(factor).
 """
 
 import math
@@ -16,18 +16,18 @@ from stiction.quantities.errors import InputError
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show
 
-# The share of a distribution that may be beyond the bounds of its quantity; it is cut off there.
+# Largest probability of values outside the bounds of the quantity; the distribution is cut off at the bounds.
 _BEYOND = 0.025
-# Least distance of quantile levels from 0 and 1, where the tails of a distribution are infinite.
+# Smallest distance of quantile levels from 0 and 1, because the quantiles there may be infinite.
 _LEAST_SHARE = 1e-12
 
 
 @dataclass(frozen=True)
 class _Values:
-    """Represent the empirical distribution of samples (n,), all equally likely.
+    """Represent the empirical distribution of n samples, `values` (n,), all equally likely.
 
-    Quantiles follow the order of the samples. Unsorted columns of one file, read at the same quantile level, therefore give
-    values of the same row.
+    The quantile function `ppf` keeps the order of the samples: level i/n returns sample i. Two unsorted columns of one file,
+    read at the same quantile level, therefore return values of the same row.
     """
 
     values: np.ndarray
@@ -44,7 +44,7 @@ class _Values:
 class _Normal:
     """Represent a normal distribution, or a log-normal one if `log` is true.
 
-    mean, deviation: mean and standard deviation of the number, or of its natural logarithm.
+    mean, deviation: mean and standard deviation of the number, or of its natural logarithm if `log` is true.
     """
 
     mean: float
@@ -77,7 +77,7 @@ class _Even:
         return self.low * (self.high / self.low) ** share if self.log else self.low + (self.high - self.low) * share
 
 
-# Kind of a distribution -> its law, of its parameters.
+# By kind of distribution, the function that makes its law (an object with ppf) from its parameters.
 _LAWS: dict[str, Callable[..., Any]] = {
     "normal": _Normal,
     "log-normal": lambda median, factor: _Normal(math.log(median), math.log(factor), log=True),
@@ -91,9 +91,10 @@ _LAWS: dict[str, Callable[..., Any]] = {
 class Distribution:
     """Describe the probability distribution of one uncertain input, in SI units.
 
-    quantity: name of the quantity. nominal: value used where the input counts as exact. kind, parameters: type of the
-    distribution and its parameters. words: text that describes it to users. Values outside the bounds of the quantity are
-    cut off.
+    quantity: name of the quantity, e.g. "hardness". nominal: value used by computations that ignore the uncertainty. kind: type
+    of the distribution, e.g. "normal". parameters: its numbers, e.g. mean and standard deviation. words: text that describes
+    the distribution to users. law: object with `ppf` and `cdf` from scipy.stats; None for the named kinds. Values outside the
+    bounds of the quantity have probability 0.
     """
 
     quantity: str
@@ -109,7 +110,7 @@ class Distribution:
 
     @cached_property
     def _ends(self) -> tuple[float, float]:
-        """Return the quantile levels of the lower and the upper bound of the quantity."""
+        """Return the probabilities that the uncut distribution lies below the lower and the upper bound of its quantity."""
         quantity = QUANTITIES[self.quantity]
         if self.kind in ("uniform", "log-uniform", "values"):
             return 0.0, 1.0  # each end was read as a value of the quantity
@@ -117,57 +118,64 @@ class Distribution:
 
     @property
     def beyond(self) -> float:
-        """Return the probability of values outside the bounds of the quantity."""
+        """Return the probability that the uncut distribution gives to values outside the bounds of the quantity."""
         low, high = self._ends
         return low + 1.0 - high
 
     def ppf(self, share: Any) -> np.ndarray:
-        """Return the quantiles (n,) of the input at quantile levels (n,) from 0 to 1."""
+        """Return the quantiles of the input, in SI units, at quantile levels `share` from 0 to 1, both of shape (n,)."""
         low, high = self._ends
         inside = np.clip(np.asarray(share, dtype=float), _LEAST_SHARE, 1.0 - _LEAST_SHARE)
         return np.asarray(self._law.ppf(low + inside * (high - low)), dtype=float)
 
     def as_table(self) -> dict[str, Any]:
-        """Return kind, parameters and nominal value, in SI units, as a table for JSON."""
+        """Return kind, parameters and nominal value of the distribution, in SI units, as a table that JSON can store."""
         return {"distribution": self.kind, "parameters": list(self.parameters), "nominal": self.nominal}
 
 
 def normal(quantity: str, mean: float, deviation: float, field: str, given: Any) -> Distribution:
-    """Return a normal distribution with this mean and standard deviation.
+    """Return a normal distribution with this mean and standard deviation, both in SI units.
 
-    field, given: address and value of the input for an error message. Raises InputError if more than 2.5 % of the
-    distribution is outside the bounds of the quantity.
+    quantity: name of the quantity. field, given: address and value of the input, which the error message shows. Raises
+    InputError if more than 2.5 % of the distribution is outside the bounds of the quantity.
     """
     words = f"{show(mean, quantity)} ± {show(deviation, quantity)}"
     return _checked(Distribution(quantity, mean, "normal", (mean, deviation), words), field, given)
 
 
 def within_factor(quantity: str, median: float, factor: float, field: str, given: Any) -> Distribution:
-    """Return a log-normal distribution with this median and geometric standard deviation.
+    """Return a log-normal distribution with this median [SI unit] and geometric standard deviation `factor`.
 
-    factor: exp of the standard deviation of the logarithm. Raises InputError if more than 2.5 % of the distribution is
-    outside the bounds of the quantity.
+    factor: exp of the standard deviation of the natural logarithm. field, given: address and value of the input, which the
+    error message shows. Raises InputError if more than 2.5 % of the distribution is outside the bounds of the quantity.
     """
     words = f"{show(median, quantity)}, within a factor {factor:g}"
     return _checked(Distribution(quantity, median, "log-normal", (median, factor), words), field, given)
 
 
 def between(quantity: str, low: float, high: float, log: bool) -> Distribution:
-    """Return a uniform or log-uniform distribution from `low` to `high`; the nominal value is its median."""
+    """Return a uniform distribution from `low` to `high`, in SI units, with its median as nominal value.
+
+    log: whether the logarithm is uniform instead of the number.
+    """
     nominal = (low * high) ** 0.5 if log else (low + high) / 2.0
     return in_range(quantity, low, high, nominal, log)
 
 
 def in_range(quantity: str, low: float, high: float, nominal: float, log: bool) -> Distribution:
-    """Return a uniform or log-uniform distribution from `low` to `high` with a given nominal value."""
+    """Return a uniform distribution from `low` to `high` with the nominal value `nominal`, all in SI units.
+
+    log: whether the logarithm is uniform instead of the number.
+    """
     words = f"{show(low, quantity)} to {show(high, quantity)}" + (", by its logarithm" if log else "")
     return Distribution(quantity, nominal, "log-uniform" if log else "uniform", (low, high), words)
 
 
 def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution:
-    """Return the empirical distribution of measured values (n,), all equally likely.
+    """Return the empirical distribution of measured values (n,), in SI units, all equally likely.
 
-    ordered: sort the values; False keeps the rows of several columns together.
+    ordered: whether the values are sorted. False keeps the order of the file, so that other columns sampled at the same
+    quantile levels return values of the same row. The nominal value is the median.
     """
     known = np.sort(values) if ordered else values
     ends = " to ".join(show(float(end), quantity) for end in (values.min(), values.max()))
@@ -176,20 +184,21 @@ def of_samples(quantity: str, values: np.ndarray, ordered: bool) -> Distribution
 
 
 def is_scipy_law(value: Any) -> bool:
-    """Return whether a value is a distribution object with `ppf` and `cdf`, such as those of scipy.stats."""
+    """Return whether a value is a distribution object: one with methods `ppf` and `cdf`, as in scipy.stats."""
     return callable(getattr(value, "ppf", None)) and callable(getattr(value, "cdf", None))
 
 
 def from_scipy(quantity: str, law: Any, field: str) -> Distribution:
-    """Return a scipy.stats distribution, in SI units, with its median as nominal value.
+    """Return the distribution object `law` of scipy.stats, in SI units, as a Distribution; its median is the nominal value.
 
-    Raises InputError if its parameters are missing, or if more than 2.5 % of it is outside the bounds of the quantity.
+    quantity: name of the quantity. field: address of the input in error messages. Raises InputError if the parameters of `law`
+    are missing, its median is not finite, or more than 2.5 % of it is outside the bounds of the quantity.
     """
     name = getattr(getattr(law, "dist", None), "name", type(law).__name__)
     stated = f"scipy.stats.{name}"
     try:
         median = float(law.ppf(0.5))
-    except (TypeError, ValueError):  # one of scipy.stats without its parameters
+    except (TypeError, ValueError):  # a distribution of scipy.stats whose parameters are missing
         raise InputError(field, stated, "a distribution with its parameters, e.g. scipy.stats.norm(5e8, 1e8)") from None
     if not np.isfinite(median):
         raise InputError(field, stated, "a distribution with a finite median")

@@ -1,4 +1,4 @@
-"""Free parameters of a case: numbers that a fit or a design varies within an interval."""
+"""Describe free parameters of a case: numbers that a fit or a design search varies within an interval."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,9 +15,10 @@ from stiction.quantities.units import show
 
 
 class Interval(Input):
-    """Define the table of a free parameter: its lower and upper limit.
+    """Define the table of a free parameter in a case file: its lower and upper limit.
 
-    spacing: "log" searches uniformly in the logarithm and is the default if both limits are positive.
+    spacing: "log" searches uniformly in the logarithm, "linear" in the number. The default is "log" if both limits are
+    positive. each_sample: whether a fit finds one value for each measured sample instead of one value for all.
     """
 
     low: Any = Field(description="the lower limit, with its unit")
@@ -28,10 +29,11 @@ class Interval(Input):
 
 @dataclass(frozen=True)
 class Free:
-    """Describe a parameter of a case that a fit or a design varies from `low` to `high`, in SI units.
+    """Describe a parameter of a case that a fit or a design search varies from `low` to `high`, in SI units.
 
-    path: address in the case. log: whether positions in the interval are uniform in the logarithm. each_sample: whether
-    every sample of a fit has its own value. sample: the sample that this value belongs to, None for all.
+    path: address in the case, e.g. ("contact", "first", "hardness"). log: whether the search is uniform in the logarithm of the
+    parameter. each_sample: whether a fit finds one value for each measured sample. sample: name of the measured sample for
+    which this parameter holds; None if it holds for all samples.
     """
 
     path: Address
@@ -51,16 +53,17 @@ class Free:
         return self.path[-1]
 
     def at(self, share: Any) -> np.ndarray:
-        """Return the values at positions in the interval, from 0 (`low`) to 1 (`high`), of any shape.
+        """Return the parameter at positions `share` in its interval, in SI units and the shape of `share`.
 
-        Positions are uniform in the number, or in its logarithm if `log` is true. Positions 0 and 1 give the limits exactly.
+        Position 0 is `low`, position 1 is `high`; positions outside 0 to 1 are clipped. Between them, the parameter, or its
+        logarithm if `log` is true, is linear in the position.
         """
         share = np.clip(share, 0.0, 1.0)
         inner = self.low * (self.high / self.low) ** share if self.log else self.low + share * (self.high - self.low)
         return np.where(share >= 1.0, self.high, np.where(share <= 0.0, self.low, inner))
 
     def share(self, value: Any) -> np.ndarray:
-        """Return the positions of values in the interval: 0 at `low`, 1 at `high`. Inverse of `at`."""
+        """Return the positions of values [SI unit] in the interval: 0 at `low`, 1 at `high`. Inverse of `at`."""
         value = np.asarray(value, dtype=float)
         if self.log:
             return np.log(value / self.low) / np.log(self.high / self.low)
@@ -71,9 +74,9 @@ class Free:
 
 
 def read_free(path: Address, entry: Any, where: str) -> Free:
-    """Return the free parameter of a table {low, high}.
+    """Return the free parameter that a table {low, high} of a case file describes.
 
-    where: name of the table in error messages. Raises InputError.
+    path: address of the parameter in the case. entry: the table. where: name of the table in error messages. Raises InputError.
     """
     if not isinstance(entry, Mapping):
         example = QUANTITIES[path[-1]].example or "1"

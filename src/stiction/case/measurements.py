@@ -1,4 +1,4 @@
-"""Measured series from CSV files, converted to SI units."""
+"""Read measured series from CSV files and convert them to SI units."""
 
 import csv
 import io
@@ -18,7 +18,7 @@ from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import show, to_si
 
-# What may be measured against load: results, and the resistance that follows from the area.
+# Results that a file may hold as measured against load; the electrical contact resistance follows from the contact area.
 MEASURABLE = (
     "friction_coefficient", "friction_force", "pull_off_force", "contact_area", "area_fraction", "contact_resistance",
     "tangential_stiffness", "mean_separation",
@@ -37,8 +37,9 @@ _FORM = 'a CSV table whose first line names the columns, e.g. "load [mN],frictio
 class Measurements:
     """Store n measured values in SI units, with their loads, standard errors and samples.
 
-    Each field has n entries. load: in N, NaN if the quantity needs no load. error: standard error, NaN if not stated.
-    known: numbers of the contact in the same row, by address. line: line number in the file.
+    Each field has n entries. quantity: name of the measured result, e.g. "friction_force". sample: name of the series, "" if
+    not stated. load: in N, or dimensionless for [indices]; NaN if not stated. error: standard error of the value, NaN if not
+    stated. known: numbers of the contact stated in the same row, by address. line: line number in the file.
     """
 
     quantity: tuple[str, ...]
@@ -61,7 +62,7 @@ class Measurements:
         return list(dict.fromkeys(self.quantity))
 
     def some(self, rows: np.ndarray) -> "Measurements":
-        """Return the measurements at these indices, or where a mask (n,) is true."""
+        """Return the measurements at the indices `rows`, or where `rows` is a boolean mask (n,)."""
         indices = np.flatnonzero(rows) if np.asarray(rows).dtype == bool else np.asarray(rows)
         lists = (tuple(column[i] for i in indices) for column in (self.quantity, self.sample, self.known, self.line))
         quantity, sample, known, line = lists
@@ -70,9 +71,11 @@ class Measurements:
 
 @dataclass(frozen=True)
 class _Column:
-    """Describe a column of a CSV file.
+    """Describe a column of a CSV file of measurements.
 
-    kind: "known" (a number of the contact), "value", "error", "load", "sample" or "note". path: address of a known number.
+    kind: "known" (a number of the contact), "value" (a measured result), "error" (its standard error), "load", "sample" or
+    "note". quantity: name of the quantity, "" for "sample" and "note". unit: unit in the column name, "" if none. path: address
+    in the case of a number of the contact, () for other kinds.
     """
 
     kind: str
@@ -82,9 +85,10 @@ class _Column:
 
 
 def read_measurements(path: Any, content: Mapping) -> Measurements:
-    """Read measured values from a CSV file.
+    """Read measured values, with their loads and standard errors, from a CSV file, in SI units.
 
-    content: tables of the case to which the values belong. The first line without a comment (#) has the column names:
+    path: path of the file. content: tables of the case to which the values belong. The first line that is no comment (#) has
+    the column names:
 
     - `load [mN]`
     - one or more of MEASURABLE, e.g. `friction_coefficient`
@@ -93,7 +97,7 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
     - numbers of the contact that change from row to row, e.g. `coating.thickness [nm]`
     - `note` and `source`, which are ignored
 
-    A cell may be empty. Commas separate cells. If the column names are separated by semicolons, all cells are, and numbers
+    A cell may be empty. Commas separate cells. If semicolons separate the column names, they separate all cells, and numbers
     may have decimal commas. Raises InputError with the line and the column.
     """
     if not isinstance(path, str | PathLike):
@@ -125,13 +129,13 @@ def read_measurements(path: Any, content: Mapping) -> Measurements:
 def _cells(line_number: int, line: str, between: str) -> list[str]:
     try:
         cells = next(csv.reader(io.StringIO(line), delimiter=between))
-    except csv.Error:  # a cell of more than 131072 characters
+    except csv.Error:  # the csv module refuses cells of more than 131072 characters
         raise InputError(
             f"line {line_number}", line, "cells of at most 131072 characters, separated by commas or semicolons"
         ) from None
     if between == ",":
         return cells
-    # Spreadsheets of countries with a decimal comma; a cell with a comma and a point is no number, and refused as one.
+    # Spreadsheets in many countries write decimal commas. A cell with both a comma and a point is refused later as no number.
     return [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells]
 
 
@@ -162,8 +166,9 @@ def _column(head: str, content: Mapping) -> _Column:
 
 
 def _unit(quantity: str, unit: str, head: str, normalised: bool) -> str:
-    """Return the unit that the name of a column states.
+    """Return the unit stated in the name of a column, "" for a dimensionless quantity.
 
+    quantity: name of the quantity. unit: text between the brackets of the column name. head: full column name, for errors.
     normalised: whether values are dimensionless, so that no unit is allowed. Raises InputError if a unit is missing or not
     allowed.
     """
@@ -193,10 +198,10 @@ def _check_heads(columns: list[_Column], heads: list[str]) -> None:
 
 
 def _entries(line_number: int, cells: Mapping[str, str], columns: Mapping[str, _Column]) -> list[tuple]:
-    """Return one row per measured value of a line.
+    """Return one tuple for each measured value in a line of the file.
 
-    cells: text by column name. A row is (quantity, sample, load, value, error, known, line number), in SI
-    units.
+    cells: text of each cell by column name. columns: description of each column by column name. A tuple is (quantity, sample,
+    load, value, standard error, numbers of the contact by address, line number), in SI units. Raises InputError.
     """
     sample, load, known = "", float("nan"), {}
     values: dict[str, float] = {}
@@ -237,9 +242,10 @@ def _number(cell: str, column: _Column, where: str) -> float:
 
 
 def _check_errors(measured: Measurements) -> None:
-    """Raise InputError for standard errors that a fit cannot use.
+    """Raise InputError if a fit cannot use the standard errors.
 
-    A quantity needs an error for each of its values or for none. No error may be below 1e-10 of the largest value.
+    Each quantity must have a standard error for every measured value or for none. No error may be below 1e-10 of the largest
+    value of its quantity.
     """
     for quantity in measured.quantities:
         rows = np.array([name == quantity for name in measured.quantity])

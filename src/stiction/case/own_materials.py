@@ -1,4 +1,4 @@
-"""User-defined materials: tables [materials.NAME] in a case file, or in a separate file that the case names."""
+"""Read materials defined by the user: tables [materials.NAME] in a case file, or in a file that the case names."""
 
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
@@ -14,10 +14,10 @@ _FORM = 'tables [materials.NAME], or the path of a file with such tables, e.g. m
 
 
 def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path], Mapping]) -> Mapping:
-    """Return the tables of a case with its file of materials, if it names one, read in.
+    """Return the tables of a case with the path of a materials file replaced by the tables of that file.
 
-    folder: folder of the case file; read: function that returns the tables of a TOML file and checks their units. Raises
-    InputError; its field starts with the name of the file.
+    folder: folder of the case file. read: function that returns the tables of a TOML file and checks their units. A case
+    without such a path is returned unchanged. Raises InputError, whose field starts with the name of the materials file.
     """
     materials = content.get("materials")
     if not isinstance(materials, str):
@@ -36,16 +36,19 @@ def with_materials_of_file(content: Mapping, folder: Path, read: Callable[[Path]
 
 
 def naming_materials_file(content: Mapping) -> AbstractContextManager[None]:
-    """Return a context manager that adds the materials file to the field of an InputError about a material."""
+    """Return a context manager that puts the name of the materials file before the field of InputErrors about materials.
+
+    Errors stay unchanged if the case names no materials file.
+    """
     materials = content.get("materials")
     before = f"materials: {Path(materials).name}: " if isinstance(materials, str) else ""
     return field_as(lambda field: before * field.startswith("materials.") + field)
 
 
 def with_own_materials(content: Mapping) -> Mapping:
-    """Return the tables with every name of a user-defined material replaced by the material.
+    """Return the tables of a case with every name of a user-defined material replaced by that material.
 
-    Raises InputError.
+    The tables must contain the tables [materials.NAME] themselves, not the path of a materials file. Raises InputError.
     """
     tables = content.get("materials")
     if tables is None:
@@ -57,7 +60,7 @@ def with_own_materials(content: Mapping) -> Mapping:
 
 
 def _materials(tables: Any) -> dict[str, Material]:
-    """Return the user-defined materials by name.
+    """Return the materials that tables [materials.NAME] define, by name.
 
     A material may start from a preset, but must not have the name of a preset. Raises InputError.
     """
@@ -78,10 +81,11 @@ def _material(name: str, numbers: Any) -> Material:
 
 
 def _with_own_material(body: Any, own: Mapping[str, Material], where: str) -> Any:
-    """Return a body with the user-defined material that it names, and with the changes stated for this body.
+    """Return a body as a material if it names a user-defined material, with the numbers that the body changes.
 
-    A body with a preset, or without a name, is returned unchanged. own: user-defined materials by name. where: address of
-    the body. Raises InputError for an unknown name.
+    A body that names a preset, or has no name, is returned unchanged. body: name, table or Material. own: user-defined
+    materials by name. where: address of the body in error messages. Raises InputError if neither a preset nor a user-defined
+    material has the name.
     """
     name = body.get("preset") if isinstance(body, Mapping) else body
     if not isinstance(name, str):

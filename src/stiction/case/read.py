@@ -1,4 +1,4 @@
-"""Case files: TOML files that describe a contact and the loads or separations to solve."""
+"""Read case files: TOML files that describe a contact and the loads or separations to solve."""
 
 import tomllib
 import warnings
@@ -44,18 +44,20 @@ if TYPE_CHECKING:
     from stiction.quantities.arguments import FilePath
 
 _CASE_FILE = "a TOML case file"
-_LARGEST_FILE = 10**7  # bytes; no case is that long, and a file that is was not meant
+_LARGEST_FILE = 10**7  # bytes; no case is that long, so that a larger file was named by mistake
 
 
 @dataclass(frozen=True)
 class Case:
-    """Store a contact with the points to solve, the models and the uncertain inputs, as read from a case file.
+    """Store a case as read from a case file: a contact, the points to solve, the model and the uncertain inputs.
 
-    subject: a Contact, or dimensionless Indices; swept numbers are arrays with named dimensions. separation, load: the
-    points to solve; one is an array (n,), the other is None. They are in m and N for a Contact; for Indices they are h =
-    d/sigma and the load over K R^(1/2) sigma^(3/2) per asperity. If sigma is swept, separations given over sigma are a
-    labelled array. choice: the model and its options. uncertain: uncertain numbers; the subject has their nominal values.
-    uncertainty: how they are sampled. swept: swept numbers by address. points: separations as the file states them.
+    title: text, "" if not stated. subject: a Contact, or dimensionless Indices. Its swept numbers are arrays with named
+    dimensions, its uncertain numbers have their nominal values. separation, load: the points to solve, of which one is an array
+    (n,) and the other None. They are in m and N for a Contact. For Indices they are h = d/sigma and the load over K R^(1/2)
+    sigma^(3/2) per asperity. If sigma is swept, separations stated as multiples of sigma are an array with named dimensions.
+    choice: the model with its laws and options. uncertain: uncertain numbers with their distributions. uncertainty: how they
+    are sampled. swept: arrays of the swept numbers by address. points: separations as the file states them; None without
+    separations.
     """
 
     title: str
@@ -70,13 +72,13 @@ class Case:
 
     @property
     def tables(self) -> dict[str, Subject]:
-        """Return the subject under its table name, "contact" or "indices", with which addresses begin."""
+        """Return {"contact": subject} or {"indices": subject}, so that the first key of an address finds the subject."""
         return {"contact" if isinstance(self.subject, Contact) else "indices": self.subject}
 
     def at(self, numbers: Mapping[Address, Any]) -> "Case":
-        """Return the case with other entries at some addresses: SI numbers, labelled arrays or names.
+        """Return a copy of the case with the entries at some addresses replaced.
 
-        Raises InputError.
+        numbers: new entries by address: SI numbers, arrays with named dimensions, or names such as "gold". Raises InputError.
         """
         (subject,) = with_numbers(self.tables, numbers).values()
         points = None if self.separation is None else self.points
@@ -84,24 +86,24 @@ class Case:
 
     @property
     def loads_or_separations(self) -> "np.ndarray | xarray.DataArray":
-        """Return the points to solve: loads, or separations if no load is stated."""
+        """Return the points to solve: the loads of the case, or its mean separations if it states no load."""
         points = self.separation if self.load is None else self.load
         assert points is not None
         return points
 
     @property
     def unknowns(self) -> dict[str, list[Uncertain]]:
-        """Return the uncertain numbers as lists, by sample dimension; numbers of one dimension are sampled together."""
+        """Return lists of the uncertain numbers by sample dimension; numbers of one dimension are sampled together."""
         by_dimension: dict[str, list[Uncertain]] = {}
         for number in self.uncertain:
             by_dimension.setdefault(number.dimension, []).append(number)
         return by_dimension
 
     def numbers_at(self, shares: np.ndarray) -> dict[Address, Any]:
-        """Return the swept numbers and samples of the uncertain numbers, by address.
+        """Return arrays of all swept numbers, and of the uncertain numbers at given quantile levels, by address.
 
-        shares: quantile levels (n, k), one column for each of the k `unknowns`. The samples are arrays along the dimension
-        `sample`.
+        shares: quantile levels (n, k), one column for each of the k dimensions in `unknowns`. The values of uncertain numbers
+        are arrays along the dimension `sample` of length n, in SI units.
         """
         columns = list(self.unknowns)
         samples = {
@@ -112,17 +114,17 @@ class Case:
 
     @property
     def measured(self) -> Measured | None:
-        """Return the roughness measured from scans, or None if the case names no scans."""
+        """Return the roughness measured from scans; None if the case names no scans."""
         return self.subject.measured
 
     @property
     def is_swept(self) -> bool:
-        """Return whether a number of the contact is swept."""
+        """Return whether any number of the contact is swept (an array instead of a single number)."""
         return any(True for _ in self.subject.arrays())
 
     @property
     def size(self) -> int:
-        """Return the number of points to solve: loads or separations of all contacts."""
+        """Return how many points are solved: loads or separations, summed over all contacts of a parameter sweep."""
         points = self.loads_or_separations
         contacts = prod(dimensions([*(array for _, array in self.subject.arrays()), points]).values())
         return contacts if hasattr(points, "dims") else contacts * np.size(points)
@@ -135,9 +137,9 @@ class Case:
         return self.measured.contacts(self.subject)
 
     def at_load(self, load: Any) -> "Case":
-        """Return the case with this load as its only point. Raises InputError.
+        """Return a copy of the case with one load, in SI units or as text with a unit, as its only point.
 
-        load: in SI units, or text with a unit.
+        Raises InputError, with the field --load, if this is not a single valid load.
         """
         try:
             value = float(self.subject.read(load, "load"))
@@ -148,9 +150,10 @@ class Case:
         return replace(self, separation=None, load=np.array([value]))
 
     def with_surface_moments(self, model: str) -> "Case":
-        """Return the case with the roughness parameters that this model needs.
+        """Return the case with the roughness parameters that the model with the key `model` needs.
 
-        Models of the whole surface use its spectral moments instead of an asperity method.
+        For a measured surface, models of the whole surface use its spectral moments instead of the roughness that an asperity
+        method finds.
         """
         from stiction.solving.problem import with_surface_moments
 
@@ -194,9 +197,10 @@ def read_case(path: "FilePath", *, ranges: bool | None = None) -> Case:
 
 
 def as_case(given: Any, ranges: bool | None = None) -> Case:
-    """Return a case from a Case, the path of a case file, or a dict of its tables.
+    """Return a Case from a Case, the path of a case file, or a dict of its tables.
 
-    ranges: as in `read_case`; a Case ignores it. Raises InputError.
+    ranges: whether material presets vary within their stated ranges; None uses the setting in the case. A Case ignores it.
+    Raises InputError.
     """
     if isinstance(given, Case):
         return given
@@ -210,9 +214,9 @@ def _with(content: Mapping, ranges: bool | None) -> Mapping:
 
 
 def read_content(path) -> dict[str, Any]:
-    """Return the tables of a TOML file without checking them.
+    """Return the tables of a TOML file without checking their contents.
 
-    Raises InputError if the file cannot be read or is not TOML.
+    path: path of the file. Raises InputError if it cannot be read or is not TOML.
     """
     if not isinstance(path, str | PathLike):
         raise InputError("case", path, "the path of a case file; most functions also accept its tables as a dict")
@@ -221,29 +225,29 @@ def read_content(path) -> dict[str, Any]:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _not_a_case(path, f"this is not TOML: {error}") from None
-    except (ValueError, RecursionError):  # a number of thousands of digits, lists nested without end
+    except (ValueError, RecursionError):  # tomllib raises these for numbers of thousands of digits and for very deep lists
         raise _not_a_case(path, "this file has a number too long to read, or nests too deeply") from None
 
 
 def tables_of(given: Any) -> tuple[Mapping[str, Any], Path]:
-    """Return the unchecked tables of a case and the folder to which its paths are relative.
+    """Return the unchecked tables of a case, and the folder at which the relative paths in them start.
 
-    given: path of a case file, or a dict of its tables. Raises InputError.
+    given: path of a case file, or a dict of its tables, whose paths start at the current folder. Raises InputError.
     """
     return (given, Path()) if isinstance(given, Mapping) else (read_content(given), Path(given).parent)
 
 
 def _tables(path) -> Mapping:
-    """Return the tables of a TOML file. Raises InputError if a number lacks its unit."""
+    """Return the tables of the TOML file at this path; raise InputError if a number lacks its unit."""
     content = read_content(path)
     refuse_bare_numbers(content, "")
     return content
 
 
 def refuse_bare_numbers(table: Mapping, path: str) -> None:
-    """Raise InputError if a number of the table needs a unit and has none.
+    """Raise InputError if a number in a table, or in a nested table, needs a unit and has none.
 
-    path: dotted name of the table, e.g. "contact.coating"; "" for the whole case.
+    path: dotted name of the table, e.g. "contact.coating"; "" for all tables of a case.
     """
     for key, value in table.items():
         where = f"{path}.{key}" if path else key
@@ -254,10 +258,11 @@ def refuse_bare_numbers(table: Mapping, path: str) -> None:
 
 
 def _is_text(value: Any, path: str) -> bool:
-    """Return whether a value is text, or a range of two texts, and so may state a unit.
+    """Return whether an entry of a case file is in a form that may state a unit.
 
-    Lists and distributions count as text: swept numbers are checked when they are read, and distributions made in Python
-    are in SI units.
+    path: dotted name of the table with the entry. These forms are text, lists and distributions. Lists count because their
+    entries are checked when they are read, and distributions count because those made in Python are in SI units. In a table
+    `range`, a list counts only if all its entries are text.
     """
     if isinstance(value, list):
         return path.rpartition(".")[2] != "range" or all(isinstance(end, str) for end in value)
@@ -265,9 +270,10 @@ def _is_text(value: Any, path: str) -> bool:
 
 
 def parse_case(content: Mapping, folder: Path = Path()) -> Case:
-    """Return the case of these tables and warn of unlikely inputs.
+    """Return the Case that these tables describe, and warn of unlikely inputs.
 
-    folder: folder to which paths of scans and of materials files are relative. Raises InputError as `read_case` does.
+    content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. Raises
+    InputError as `read_case` does. An InputWarning names unlikely inputs.
     """
     case = case_in(content, folder)
     for warning in input_warnings(case.subject):
@@ -276,9 +282,10 @@ def parse_case(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def case_in(content: Mapping, folder: Path = Path()) -> Case:
-    """Return the case of these tables without warnings.
+    """Return the Case that these tables describe, without warnings of unlikely inputs.
 
-    Callers pass `case.subject` to `input_warnings` for the warnings. Raises InputError.
+    content: tables of a case file. folder: folder at which relative paths of scans and of materials files start. For the
+    warnings, call `input_warnings(case.subject)`. Raises InputError.
     """
     require_names(content)
     content, swept = with_files_read(content, folder)
@@ -288,10 +295,11 @@ def case_in(content: Mapping, folder: Path = Path()) -> Case:
 
 
 def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Address, SweptNumber]]:
-    """Return the tables with all files read in, and the swept and uncertain numbers by address.
+    """Return the tables of a case after reading all files that they name, and its swept and uncertain numbers by address.
 
-    Names of user-defined materials become materials, and scans become roughness. The tables have the first value of a swept
-    number and the nominal value of an uncertain one. Raises InputError.
+    folder: folder at which relative paths start. In the returned tables, names of user-defined materials are replaced by the
+    materials and scans by the roughness measured from them. A swept number is replaced by its first value, an uncertain number
+    by its nominal value. Raises InputError.
     """
     refuse_bare_numbers(content, "")
     numbers: dict[Address, SweptNumber] = dict(swept_numbers(content))
@@ -310,9 +318,10 @@ def with_files_read(content: Mapping, folder: Path) -> tuple[Mapping, dict[Addre
 
 
 def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) -> tuple[Mapping, dict[Address, Uncertain]]:
-    """Return tables as `with_files_read`, without those of studies, and their uncertain numbers.
+    """Return the tables of a case without those of studies, after reading all files, and its uncertain numbers by address.
 
-    allowed: what an array parameter, which raises InputError, may be instead.
+    folder: folder at which relative paths start. Raises InputError if a number is swept. allowed: text for this error that says
+    what a list of values may be instead.
     """
     content, numbers = with_files_read(without_studies(content), folder)
     uncertain = {}
@@ -324,18 +333,21 @@ def with_single_numbers(content: Mapping[str, Any], folder: Path, allowed: str) 
 
 
 def without_studies(content: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables of a case without those of studies, such as [design] and [fit]."""
+    """Return the tables of a case without those that studies read, such as [design] and [fit]."""
     return {key: value for key, value in content.items() if key not in study_tables()}
 
 
 def wants_ranges(content: Mapping) -> bool:
-    """Return whether the case varies material presets within their published ranges."""
+    """Return whether the tables of a case ask to vary material presets within their published ranges."""
     table = content.get("uncertainty", {})
     return isinstance(table, Mapping) and table.get("ranges") is True
 
 
 def _refuse_beside_scans(content: Mapping, swept: Mapping, uncertain: Mapping[Address, Uncertain]) -> None:
-    """Raise InputError if a roughness parameter is swept or uncertain while scans define the roughness."""
+    """Raise InputError if scans define the roughness and a roughness parameter is swept or uncertain too.
+
+    content: tables of the case after reading all files. swept, uncertain: swept and uncertain numbers by address.
+    """
     if getattr(roughness_in(content), "measured", None) is None:
         return
     for path, number in {**swept, **uncertain}.items():
@@ -344,9 +356,10 @@ def _refuse_beside_scans(content: Mapping, swept: Mapping, uncertain: Mapping[Ad
 
 
 def case_of(content: Mapping, numbers: Mapping[Address, Any] | None = None) -> Case:
-    """Return the case of these tables after replacing numbers.
+    """Return the Case that these tables describe, after replacing the entries at some addresses.
 
-    numbers: SI numbers or labelled arrays by address. Raises InputError.
+    content: tables of a case, which name no files. numbers: SI numbers or arrays with named dimensions by address. Raises
+    InputError.
     """
     file = case_tables()(**with_numbers(content, numbers or {}))
     subject = file.contact or file.indices
@@ -368,9 +381,9 @@ def _separations(points: Any, subject: Subject) -> Any:
 
 
 def _measured(content: Mapping, folder: Path) -> Mapping:
-    """Return the tables with scans replaced by the roughness measured from them.
+    """Return the tables of a case with scans replaced by the roughness measured from them.
 
-    Tables without scans are returned unchanged.
+    folder: folder at which relative paths of scans start. Tables without scans are returned unchanged.
     """
     surface = roughness_in(content)
     if not (isinstance(surface, Mapping) and surface.keys() & {"first", "second"}) or is_finished(surface):

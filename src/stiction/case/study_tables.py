@@ -1,4 +1,4 @@
-"""The tables that studies add to a case file."""
+"""Find and check the tables that studies add to a case file, e.g. [fit] and [design]."""
 
 import importlib
 import importlib.util
@@ -13,10 +13,10 @@ from stiction.quantities.inputs import Input
 
 @cache
 def study_tables() -> dict[str, tuple[type[Input], str]]:
-    """Return the data model and the description of the table that each study reads, by name of the table.
+    """Return the class that checks the table of a study and a description of the table, by name of the table.
 
-    A study that reads a table has a module `table.py` with `TABLE = (data model, description)`. The folder of the study
-    names the table. Modules are found by their path, because `case` must not import `studies`.
+    A study that reads a table has a module `table.py` with `TABLE = (class, description)`. The folder of the study names the
+    table. Modules are found by their path, because `case` must not import `studies`.
     """
     studies = importlib.import_module("stiction.studies")
     modules = {
@@ -28,9 +28,9 @@ def study_tables() -> dict[str, tuple[type[Input], str]]:
 
 
 def study_table(content: Mapping[str, Any], name: str, wanted: str) -> Any:
-    """Return the checked table of a study.
+    """Return the table `name` of a case, e.g. "fit", after checking it.
 
-    name: name of the table. wanted: what it must contain, for errors. Raises InputError.
+    content: tables of the case. wanted: what the table must contain, for the InputError if the table is missing.
     """
     table = content.get(name)
     if not isinstance(table, Mapping):

@@ -1,4 +1,4 @@
-"""Swept numbers of a case file: lists, ranges, and parameters that vary together."""
+"""Read swept numbers of a case file: lists, ranges, and parameters that vary together."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,12 +18,12 @@ from stiction.quantities.units import to_si, values_in_words
 if TYPE_CHECKING:
     import xarray
 
-# Where an entry stands in the tables of a case: ("contact", "first", "hardness").
+# The keys that lead to an entry in the tables of a case, e.g. ("contact", "first", "hardness").
 Address = tuple[str, ...]
 
 _MOST_POINTS = 100_000
-_ROUNDING = 1e-14  # of the ends of a range: less than this is the rounding of 0
-# Dimensions and coordinates of results that are no quantities, and other names of their tables.
+_ROUNDING = 1e-14  # relative to the larger end of a range: a smaller point is 0 with a round-off error
+# Names that a dimension must not have, because results use them for dimensions, coordinates or variables.
 _TAKEN = (
     "asperity_method", "separation", "contact", "sample", "block", "rule", "statistic", "quantile", "input", "spread",
     "set", "row", "parameter", "other_parameter", "profile", "model", "number", "design", "pareto", "evaluated",
@@ -32,7 +32,7 @@ _TAKEN = (
 
 
 def as_point(value):
-    """Return a number, or text with a number and its unit, unchanged. Raises InputError for anything else."""
+    """Return a number, or text with a number and its unit, unchanged; raise InputError for anything else."""
     if isinstance(value, bool) or not isinstance(value, float | int | str):
         raise InputError("", value, "a number, or text with a number and its unit")
     return value
@@ -42,7 +42,7 @@ Point = Annotated[Any, BeforeValidator(as_point, json_schema_input_type=float | 
 
 
 class Range(Input):
-    """Define evenly spaced points from `start` to `stop`; spacing = "log" spaces their logarithms evenly."""
+    """Define `count` evenly spaced points from `start` to `stop`; spacing = "log" spaces their logarithms evenly."""
 
     start: Point = Field(description="the first point")
     stop: Point = Field(description="the last point")
@@ -67,16 +67,19 @@ Along = Annotated[
 
 
 class _Ends(Range):
-    """Define a swept number as a range; a case that is sampled within the range needs no count."""
+    """Define a swept number as a range of values from `start` to `stop`.
 
-    count: int | None = Field(  # type: ignore[assignment]  # None where points are drawn
+    count: number of values; None only if a study samples the range. along: name of its dimension.
+    """
+
+    count: int | None = Field(  # type: ignore[assignment]  # None if a study samples the range
         None, ge=2, le=_MOST_POINTS, strict=True, description=f"a whole number, 2 to {_MOST_POINTS}"
     )
     along: Along = None
 
 
 class _Values(Input):
-    """Define a swept number as a list of values, with the name of its dimension."""
+    """Define a swept number as a list of values; `along` names its dimension."""
 
     values: list[Point] = Field(min_length=1, max_length=_MOST_POINTS, description="a list with at least one value")
     along: Along = None
@@ -90,17 +93,18 @@ def _points(value):
     return [as_point(entry) for entry in (value if isinstance(value, list) else [value])]
 
 
-# Mean separations or loads of [solve].
+# The mean separations or loads of [solve]: a Range, or a list of numbers and texts with units.
 Points = Annotated[Any, BeforeValidator(_points, json_schema_input_type=list[float | str] | Range)]
 
 
 @dataclass(frozen=True)
 class SweptNumber:
-    """Describe a swept number of a contact: an array parameter of a case.
+    """Describe a swept number of a contact: its address and the values that it takes.
 
-    path: its address, e.g. ("contact", "coating", "thickness"). dimension: dimension along which it varies. name: name of
-    its coordinate. values: values (n,) in SI units, or the two ends of a range. count, spacing: number and spacing of the
-    points of a range; a count of None means as many as the study samples.
+    path: address in the case, e.g. ("contact", "coating", "thickness"). dimension: name of the dimension along which it varies;
+    numbers of one dimension vary together. name: name of the coordinate with its values in results. values: values (n,) in SI
+    units, or the two ends of a range if `is_range`. count: number of points of a range; None if a study samples the range.
+    spacing: "linear" or "log".
     """
 
     path: Address
@@ -121,11 +125,11 @@ class SweptNumber:
 
     @property
     def words(self) -> InWords:
-        """Return a text with the number of values and the first and last of them."""
+        """Return a text for errors that states how many values the number has, and the first and last of them."""
         return values_in_words(self.values, self.where, self.count)
 
     def numbers(self) -> np.ndarray:
-        """Return all values (n,) in SI units. Raises InputError for a range without count."""
+        """Return all values (n,) of the swept number in SI units; raise InputError for a range without count."""
         if not self.is_range:
             return self.values
         if self.count is None:
@@ -133,23 +137,26 @@ class SweptNumber:
         return _spaced(self.values, self.count, self.spacing)
 
     def as_table(self) -> dict[str, Any]:
-        """Return the swept number as a table of a case file, in SI units."""
+        """Return the list or range of the swept number as a table for JSON, with numbers in SI units."""
         if not self.is_range:
             return {"values": self.values.tolist(), "along": self.dimension}
         start, stop = self.values.tolist()
         return {"start": start, "stop": stop, "count": self.count, "spacing": self.spacing, "along": self.dimension}
 
     def at(self, share: np.ndarray) -> np.ndarray:
-        """Return the values at positions (n,) in the range or the list, from 0 up to but not including 1."""
+        """Return the values (n,), in SI units, at positions `share` (n,) along the list or range.
+
+        Position 0 is the first value or the start of a range. Positions are below 1, the end of a list or range.
+        """
         start, stop = self.values[0], self.values[-1]
         if not self.is_range:
             return self.values[(share * len(self.values)).astype(int)]
         return start + share * (stop - start) if self.spacing == "linear" else start * (stop / start) ** share
 
     def array(self, values: np.ndarray, dimension: str | None = None) -> "xarray.DataArray":
-        """Return given values (n,) of this number as a labelled array.
+        """Return given values (n,) of this number, in SI units, as an xarray.DataArray with a coordinate of the same values.
 
-        dimension: dimension of the array, by default that of the swept number.
+        dimension: name of its dimension; by default that of the swept number.
         """
         import xarray
 
@@ -165,21 +172,24 @@ class SweptNumber:
 
 
 def swept_numbers(content: Mapping) -> dict[Address, SweptNumber]:
-    """Return the swept numbers of [contact] or [indices] by address. Raises InputError."""
+    """Return the swept numbers in the tables [contact] and [indices] of a case by address. Raises InputError."""
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices")) if not with_error(entry)}
     short = [path[-1] for path in entries]
     return {path: _read(path, entry, short.count(path[-1]) > 1) for path, entry in entries.items()}
 
 
 def numbers_in(content: Mapping, tables: Sequence[str]) -> Iterator[tuple[Address, Any]]:
-    """Yield the address and the entry of every number in these tables that is swept or uncertain."""
+    """Yield the address and the entry of every number that is swept or uncertain in some tables of a case.
+
+    tables: names of these tables, e.g. ("contact", "indices").
+    """
     for table in tables:
         if isinstance(content.get(table), Mapping):
             yield from _in_table(content[table], (table,))
 
 
 def with_error(entry: Any) -> bool:
-    """Return whether the entry of a number describes an uncertain number."""
+    """Return whether an entry of a case describes an uncertain number, such as "0.5 +/- 0.1 GPa" or { low, high }."""
     if isinstance(entry, str):
         return any(sign in entry for sign in _ERROR_SIGNS)
     return (
@@ -197,7 +207,7 @@ def _in_table(table: Mapping, path: Address) -> Iterator[tuple[Address, Any]]:
     for key, value in table.items():
         if key in QUANTITIES and (isinstance(value, list | Mapping) or with_error(value)):
             yield (*path, key), value
-        elif isinstance(value, Mapping) and key not in ("range", "source", "grade"):  # they tell of numbers
+        elif isinstance(value, Mapping) and key not in ("range", "source", "grade"):  # these tables only describe numbers
             yield from _in_table(value, (*path, key))
 
 
@@ -216,19 +226,20 @@ def _read(path: Address, entry: Any, ambiguous: bool) -> SweptNumber:
 
 
 def _numbers(entries: list[Any], path: Address, ends: tuple[str, ...]) -> np.ndarray:
-    """Return the entries as numbers (n,) in SI units, after checking each.
+    """Return entries of a case file as numbers (n,) in SI units, after checking each.
 
-    ends: suffixes that name the entries in errors, e.g. (".start", ".stop"). Raises InputError.
+    path: address of the swept number, whose last key is the name of the quantity. ends: suffixes that name the entries in
+    errors, e.g. (".start", ".stop"); the last one also names all further entries. Raises InputError.
     """
     where = [".".join(path) + ends[min(address, len(ends) - 1)] for address in range(len(entries))]
     return np.array([number_of(entry, path[-1], address) for entry, address in zip(entries, where, strict=True)])
 
 
 def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
-    """Return an entry of a case file as a number in SI units.
+    """Return an entry of a case file, such as "50 nm", as a number in SI units.
 
-    name: quantity, which decides whether a unit is needed. where: address for errors. given: larger entry that contains
-    this one, shown in errors. Raises InputError.
+    name: name of the quantity; a quantity with a unit needs text. where: address for errors. given: text or table that contains
+    the entry, which errors show instead of the entry. Raises InputError.
     """
     quantity = QUANTITIES[name]
     if quantity.unit and not isinstance(entry, str):
@@ -242,10 +253,10 @@ def number_of(entry: Any, name: str, where: str, given: Any = None) -> float:
 
 
 def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
-    """Return the numbers `low` and `high` of the table `given` in SI units.
+    """Return the limits `low` and `high` of a checked table, in SI units.
 
-    quantity: key of QUANTITIES. where: address for errors. Raises InputError if `low` is not below `high`, or not positive
-    with logarithmic spacing.
+    given: record with the fields low, high and spacing. quantity: name of the quantity. where: address for errors. Raises
+    InputError if `low` is not below `high`, or is not positive with logarithmic spacing.
     """
     low, high = (number_of(getattr(given, end), quantity, f"{where}.{end}") for end in ("low", "high"))
     if not low < high:
@@ -255,11 +266,11 @@ def read_ends(given: Any, quantity: str, where: str) -> tuple[float, float]:
 
 
 def points_of(points: Any, name: str, subject: Subject, where: str) -> Any:
-    """Return the points of [solve] as numbers (n,), or None if there are none.
+    """Return the loads or separations of [solve] as numbers (n,); None if `points` is None.
 
-    name: "load" or "mean_separation"; where: address for errors. Numbers are in SI units for a Contact and dimensionless
-    for Indices. Separations without unit are multiples of sigma. If sigma is swept, they are lengths in a labelled array
-    along `separation` and the dimension of sigma. Raises InputError.
+    points: a Range or a list. name: "load" or "mean_separation". subject: the contact. where: address for errors. Numbers are
+    in SI units for a Contact and dimensionless for Indices. Separations without unit are multiples of sigma. If sigma is swept,
+    they are lengths [m] in an array along `separation` and the dimension of sigma. Raises InputError.
     """
     if points is None:
         return None
@@ -289,7 +300,11 @@ def _spaced(ends: np.ndarray, count: int, spacing: str) -> np.ndarray:
 
 
 def _check_spacing(where: str, given: Any, **ends: float) -> None:
-    """Raise InputError if an end of the range `given` is not positive and its spacing is logarithmic."""
+    """Raise InputError if the spacing of a range is logarithmic and one of its ends is not positive.
+
+    where: address of the range for errors. given: range as the file states it. ends: numbers to check by name of the end, e.g.
+    start.
+    """
     for end, number in ends.items():
         if given.spacing == "log" and number <= 0.0:
             raise InputError(f"{where}.{end}", getattr(given, end), 'above 0 with spacing = "log"')
@@ -304,9 +319,10 @@ def _over_sigma(h: np.ndarray, subject: Any) -> Any:
 
 
 def numbers_schema(schema: dict, more: Sequence[tuple[str, type[Input]]] = ()) -> None:
-    """Extend a JSON schema so that each number of a contact may also be swept or uncertain.
+    """Extend the JSON schema of a case file so that each number of a contact may also be swept or uncertain.
 
-    schema: changed in place; more: further forms of a number, by their name in the schema.
+    schema: JSON schema, which is changed in place. more: further tables that may stand for a number: (name in the schema,
+    class).
     """
     forms: tuple[tuple[str, type[Input]], ...] = (("RangeOfNumbers", _Ends), ("ListAlong", _Values), *more)
     several = {name: cls.model_json_schema() for name, cls in forms}

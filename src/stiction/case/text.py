@@ -1,4 +1,4 @@
-"""The text of case files: tables written as TOML that `stiction run` reads."""
+"""Write the tables of a case as TOML text that `stiction run` can read."""
 
 import json
 import os
@@ -20,34 +20,38 @@ _TABLES = ("contact", "indices", "materials")  # in which numbers may be values 
 
 
 def with_written(content: Mapping, numbers: Mapping[Address, float]) -> dict[str, Any]:
-    """Return the tables of a case with these SI numbers, by address, written as text with units."""
+    """Return the tables of a case with some numbers replaced by text with units.
+
+    numbers: new numbers in SI units by address, e.g. {("contact", "first", "hardness"): 1e9}.
+    """
     return dict(with_numbers(content, {path: show_exactly(value, path[-1]) for path, value in numbers.items()}))
 
 
 def show_exactly(value: float, name: str) -> Any:
-    """Return an SI number with ten digits, as a case file states it: text with a unit, or a plain number.
+    """Return an SI number as a case file writes it: text with ten digits and a unit, or a plain number if dimensionless.
 
-    name: name of the quantity.
+    name: name of the quantity. Angles are converted from radians to degrees.
     """
     value, unit = in_degrees(value, QUANTITIES[name].unit)
     return f"{value:.10g} {unit}" if unit else float(f"{value:.10g}")
 
 
 def case_text(content: Mapping, comments: list[str], folder: Path, out: Path) -> str:
-    """Return the tables as TOML text, below these comment lines.
+    """Return the tables of a case as TOML text, after the given comment lines.
 
-    Paths of scans, samples and materials files are relative to `folder` in the tables and to the folder `out` in the text.
+    Relative paths of scans, sample files and the materials file start at `folder` in the tables. In the text they start at
+    `out`, the folder to which the text will be written.
     """
     return "".join(f"# {line}\n" for line in comments) + as_toml(_moved(content, folder, out))
 
 
 def as_toml(content: Mapping) -> str:
-    """Return the tables as TOML text, without keys that have no value."""
+    """Return tables as TOML text, without keys whose value is None."""
     return tomli_w.dumps(_plain(content, ""))
 
 
 def inline(value: Any) -> str:
-    """Return a value as TOML text on one line."""
+    """Return a table, list, text, number or boolean as TOML text on one line."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{key} = {inline(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, list | tuple):
@@ -74,9 +78,10 @@ def _moved(content: Mapping, folder: Path, out: Path) -> dict[str, Any]:
 
 
 def _plain(value: Any, name: str) -> Any:
-    """Return a copy of a value in a form that TOML can store.
+    """Return a copy of a value with types that TOML can store.
 
-    A distribution object of Python, for which TOML has no form, becomes its nominal value. name: quantity of the value.
+    Keys with the value None are left out, and NumPy arrays become lists. A distribution made in Python, which TOML cannot
+    store, becomes its nominal value. name: quantity of the value.
     """
     if isinstance(value, Distribution) or is_scipy_law(value):
         return show_exactly(read_distribution(value, name, name).nominal, name)

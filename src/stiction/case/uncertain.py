@@ -1,4 +1,4 @@
-"""Uncertain numbers of a case file: with a standard deviation, an interval, a factor, or samples from a file."""
+"""Read uncertain numbers of a case file: with a standard deviation, an interval, a factor, or samples from a file."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -28,12 +28,12 @@ from stiction.quantities.paths import read_text
 from stiction.quantities.table import QUANTITIES
 from stiction.quantities.units import to_si
 
-SAMPLE = "sample"  # the dimension along which numbers are drawn
+SAMPLE = "sample"  # name of the dimension of random samples
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _ERROR = re.compile(rf"\s*\(?\s*({_NUMBER})\s*([^+±]*?)\s*(?:\+/-|\+-|±)\s*({_NUMBER})\s*\)?\s*(.*?)\s*", re.DOTALL)
 _MOST_SAMPLES = 1_000_000
 _LARGEST_FILE = 200_000_000
-_NOT_OF_A_CONTACT = ("surface_energy",)  # a contact has a work of adhesion of its own
+_NOT_OF_A_CONTACT = ("surface_energy",)  # a contact uses its work of adhesion instead
 _TOGETHER = "name of a dimension; numbers with the same dimension are sampled together"
 
 
@@ -44,10 +44,10 @@ def _power_of_two(value: Any) -> Any:
 
 
 class Uncertainty(Input):
-    """Define the table [uncertainty]: how uncertain numbers are sampled.
+    """Define the table [uncertainty] of a case file: how uncertain numbers are sampled.
 
-    count, seed: number of samples and seed of the scrambled Sobol sequence. coverage: coverage probability of the
-    prediction interval. ranges: whether material presets vary within their stated ranges.
+    count: number of samples. seed: seed of the scrambled Sobol sequence. coverage: coverage probability of the prediction
+    interval. ranges: whether material presets vary within their stated ranges.
     """
 
     count: Annotated[int, BeforeValidator(_power_of_two)] = Field(
@@ -61,7 +61,10 @@ class Uncertainty(Input):
 
 
 class _Between(Input):
-    """Define an uncertain number with a uniform or log-uniform distribution between two limits."""
+    """Define an uncertain number with a uniform or log-uniform distribution between two limits.
+
+    along: name of a dimension; numbers with the same dimension are sampled together.
+    """
 
     low: Point = Field(description="the low end")
     high: Point = Field(description="the high end")
@@ -72,7 +75,7 @@ class _Between(Input):
 
 
 class _Factor(Input):
-    """Define an uncertain number with a log-normal distribution: its median and geometric standard deviation."""
+    """Define an uncertain number with a log-normal distribution by its median and geometric standard deviation."""
 
     median: Point = Field(description="the median, with its unit")
     factor: float = Field(
@@ -85,7 +88,7 @@ class _Factor(Input):
 
 
 class _Samples(Input):
-    """Define an uncertain number whose distribution is given by samples in a file."""
+    """Define an uncertain number whose distribution is given by samples in a text or CSV file."""
 
     samples: str = Field(description="path of a file with one number per line, or with named columns")
     unit: str | None = Field(None, description="the unit of the numbers in the file")
@@ -93,16 +96,16 @@ class _Samples(Input):
     along: Along = Field(None, description="name of a dimension; rows of one file are sampled together")
 
 
-# The tables that say how uncertain a number is, by the names that they have in a JSON schema.
+# The tables that describe an uncertain number, each with its name in the JSON schema.
 FORMS: tuple[tuple[str, type[Input]], ...] = (("Between", _Between), ("WithinFactor", _Factor), ("FromSamples", _Samples))
 
 
 @dataclass(frozen=True)
 class Uncertain(SweptNumber):
-    """Describe an uncertain number of a contact: its address and its distribution.
+    """Describe an uncertain number of a contact: its address in the case and its probability distribution.
 
-    Numbers of the same `dimension` are sampled together. `values` holds the nominal value only. `at` returns the quantiles
-    (n,) at quantile levels (n,).
+    Numbers of the same `dimension` are sampled at the same quantile levels. `values` holds the nominal value only. The method
+    `at` returns the quantiles (n,), in SI units, at quantile levels (n,).
     """
 
     distribution: Any = None
@@ -117,7 +120,7 @@ class Uncertain(SweptNumber):
         return InWords(self.distribution.words)
 
     def numbers(self) -> np.ndarray:
-        """Raise InputError in every case: an uncertain number has no list of values to sweep."""
+        """Raise InputError, because an uncertain number has no list of values that a sweep could use."""
         drawn = 'a number, list or range; uncertain numbers need a sampled sweep: sample = { method = "sobol", count = 1024 }'
         raise InputError(self.where, self.words, drawn)
 
@@ -129,9 +132,10 @@ class Uncertain(SweptNumber):
 
 
 def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Path | None = None) -> dict[Address, Uncertain]:
-    """Return the uncertain numbers of [contact], [indices] and [materials] by address.
+    """Return the uncertain numbers of the tables [contact], [indices] and [materials] by address.
 
-    folder: folder of the files of samples; of_materials: their folder for [materials], if it differs. Raises InputError.
+    content: tables of a case. folder: folder at which relative paths of sample files start. of_materials: this folder for
+    [materials]; None if it is the same. Raises InputError.
     """
     entries = {path: entry for path, entry in numbers_in(content, ("contact", "indices", "materials")) if with_error(entry)}
     read = {}
@@ -145,7 +149,7 @@ def uncertain_numbers(content: Mapping, folder: Path = Path(), of_materials: Pat
 
 
 def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
-    """Raise InputError if samples of the same dimension come from files with different numbers of rows."""
+    """Raise InputError if two numbers that are sampled together come from sample files with different numbers of rows."""
     first: dict[str, Uncertain] = {}
     for number in numbers.values():
         if number.distribution.kind != "values":
@@ -158,9 +162,11 @@ def _check_rows(numbers: Mapping[Address, Uncertain]) -> None:
 
 
 def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path()) -> Distribution:
-    """Return the distribution that an entry describes.
+    """Return the distribution that an entry of a case describes.
 
-    where: address of the entry; folder: folder of the files of samples. Raises InputError.
+    entry: text such as "0.5 +/- 0.1 GPa", a table such as { low, high }, a Distribution, or a distribution of scipy.stats.
+    quantity: name of the quantity. where: address of the entry for errors. folder: folder at which relative paths of sample
+    files start. Raises InputError.
     """
     if isinstance(entry, Distribution):
         return entry
@@ -185,9 +191,9 @@ def read_distribution(entry: Any, quantity: str, where: str, folder: Path = Path
 
 
 def _with_error(text: str, quantity: str, where: str) -> Distribution:
-    """Return the normal distribution that text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %" states.
+    """Return the normal distribution, in SI units, that text such as "0.5 +/- 0.1 GPa" or "0.5 GPa +/- 20 %" states.
 
-    where: address for errors. Raises InputError.
+    quantity: name of the quantity. where: address for errors. Raises InputError.
     """
     match = _ERROR.fullmatch(text)
     if match is None:
@@ -195,7 +201,7 @@ def _with_error(text: str, quantity: str, where: str) -> Distribution:
     number, unit, error, error_unit = match.groups()
     relative = error_unit == "%" and (bool(unit) or not QUANTITIES[quantity].unit)
     own = unit or ("" if relative else error_unit)
-    plain = number if QUANTITIES[quantity].unit else float(number)  # a number that lacks its unit is refused as text
+    plain = number if QUANTITIES[quantity].unit else float(number)  # kept as text, number_of reports the missing unit
     mean = number_of(f"{number} {own}" if own else plain, quantity, where, text)
     if relative:
         deviation = abs(mean) * float(error) / 100.0
@@ -214,7 +220,11 @@ def _example(quantity: str) -> str:
 
 
 def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndarray:
-    """Return the samples (n,) of a file in SI units; `where`: address for errors. Raises InputError."""
+    """Return the samples (n,) in a file, in SI units.
+
+    table: entry of the case that names file, column and unit. where: address of the entry for errors. folder: folder at which
+    relative paths start. Raises InputError.
+    """
     rows = _table(folder / table.samples, f"{where}.samples", table.samples)
     heads = None if _is_number(rows[0][0]) else [head.strip() for head in rows[0]]
     column = _column(heads, table.column, len(rows[0]), where)
@@ -239,9 +249,9 @@ def _values(table: _Samples, quantity: str, where: str, folder: Path) -> np.ndar
 
 
 def _table(path: Path, where: str, name: str) -> list[list[str]]:
-    """Return the cells of each line of a text file, without comments and empty lines.
+    """Return the cells of each line of a text file as text, without comments and empty lines.
 
-    where, name: address and name of the file for errors. Raises InputError.
+    where: address in the case for errors. name: path as the user wrote it, for errors. Raises InputError.
     """
     text = read_text(path, where, "a file of numbers", _LARGEST_FILE, name)
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
@@ -268,9 +278,10 @@ def _is_number(text: str) -> bool:
 
 
 def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterator[Uncertain]:
-    """Yield the uncertain numbers at the addresses of the bodies.
+    """Yield the uncertain numbers of a case with the addresses of the bodies that have them.
 
-    A number of a user-defined material is repeated for every body of that material, unless the body states its own value.
+    numbers: uncertain numbers by address. content: tables of the case. A number of a user-defined material is yielded once for
+    every body of this material, unless the body states its own value. All other numbers are yielded unchanged.
     """
     for path, number in numbers.items():
         if path[0] != "materials":
@@ -284,9 +295,10 @@ def at_bodies(numbers: Mapping[Address, Uncertain], content: Mapping) -> Iterato
 
 
 def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertain]:
-    """Yield the numbers of materials that have a stated range, except at addresses in `taken`.
+    """Yield an uncertain number for every material property that has a stated range, for both bodies and the film.
 
-    A positive number is log-uniform in its range, others are uniform. Two bodies of one material are sampled together.
+    content: tables of a case. taken: addresses to skip. A positive property is log-uniform in its range, others are uniform.
+    The same property of two bodies of one material is sampled at the same quantile levels.
     """
     for body in BODIES:
         material = _material_of(entry_at(content, body))
@@ -300,13 +312,16 @@ def with_ranges(content: Mapping, taken: Sequence[Address]) -> Iterator[Uncertai
 
 
 def _material_of(body: Any) -> Material | None:
-    """Return the material of a body, or None."""
+    """Return the material of a body, given as a name, table or Material; None if the body is None."""
     material = as_material(body)
     return Material(**material) if isinstance(material, Mapping) else material
 
 
 def named(numbers: Sequence[Uncertain]) -> list[Uncertain]:
-    """Return uncertain numbers with unique names: the short name, or the dotted name if two numbers share the short one."""
+    """Return uncertain numbers with unique names: the short name, or the dotted name if two numbers share the short one.
+
+    A sample dimension that was the dotted name of its number gets the new name too.
+    """
     short = [number.path[-1] for number in numbers]
     renamed = []
     for number in numbers:
